@@ -1,5 +1,5 @@
-//! With the feature `app` the app in a browser is put into the program, compressed: the files of
-//! `target/app`, where `scripts/web build` leaves them, or of the folder that `EPICYCLIC_APP` names.
+//! Puts the browser app into the program, compressed, with the feature `app`. The files come from
+//! `target/app`, where `scripts/web build` leaves them, or from the folder that `EPICYCLIC_APP` names.
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");

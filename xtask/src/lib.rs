@@ -2,8 +2,8 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`cases`] | what a case is, how it is read, run and judged |
-//! | [`calculations`] | what a case can compute |
+//! | [`cases`] | reading, running and judging of cases |
+//! | [`calculations`] | calculations that a case can name |
 //! | [`report`] | how an outcome is shown |
 //! | [`verify`], [`schema`], [`new_case`], [`same`] | the commands, a file each |
 //! | [`book`] | the book as web pages: formulas, links, symbols |

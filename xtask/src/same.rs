@@ -1,4 +1,4 @@
-//! `cargo xtask same`: what two programs answer to the same command lines, compared byte for byte.
+//! `cargo xtask same`: byte-for-byte comparison of the answers of two programs to equal command lines.
 
 use crate::project_root;
 use crate::tidy::source;

@@ -41,7 +41,7 @@ pub fn run(_: &Arguments) -> Result<ExitCode, String> {
 /// Writes a file whole or not at all.
 ///
 /// # Errors
-/// As the file system has them.
+/// Errors of the file system.
 pub fn write_whole(path: &Path, text: &str) -> std::io::Result<()> {
     let folder = path.parent().unwrap_or(Path::new("."));
     fs::create_dir_all(folder)?;
@@ -77,7 +77,7 @@ pub fn case_schema() -> Value {
     schema
 }
 
-/// A schema without references into itself, so that it can stand anywhere in another.
+/// Schema without references to itself, so that it can be placed anywhere in another.
 fn whole<T: JsonSchema>() -> Schema {
     let settings = SchemaSettings::draft2020_12().with(|settings| settings.inline_subschemas = true);
     settings.into_generator().into_root_schema_for::<T>()

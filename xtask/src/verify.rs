@@ -79,7 +79,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
 /// Runs the cases that the arguments select.
 ///
 /// # Errors
-/// As [`run`].
+/// Errors of [`run`].
 pub fn outcomes(arguments: &Arguments) -> Result<Vec<Outcome>, String> {
     let folder = arguments.cases.clone().unwrap_or_else(|| project_root().join("spec-cases"));
     let calculations = calculations::all();

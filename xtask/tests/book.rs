@@ -118,7 +118,7 @@ fn the_commands_of_readme_and_book_print_what_they_show() {
     assert!(check(&root.join("README.md")) >= 2);
 }
 
-/// Which crate uses insta, proptest, criterion, nalgebra or serde_yaml is said in the book.
+/// The book states which crates use insta, proptest, criterion, nalgebra or serde_yaml.
 #[test]
 fn the_book_says_where_five_crates_of_others_are_used() {
     let root = xtask::project_root();
@@ -209,7 +209,7 @@ fn a_folder_of_other_things_is_not_replaced() {
     assert!(pages.join("a.html").is_file());
 }
 
-/// What a sentence says that a document itself does: then its numbers are those of the document.
+/// Verbs by which a sentence quotes the document itself, so that its numbers must be those of the document.
 const SAYS: [&str; 10] =
     ["draws", "prints", "gives", "has", "calls", "says", "recommends", "sets", "names", "takes"];
 
@@ -262,7 +262,7 @@ fn what_the_book_says_that_a_document_has_stands_in_its_cases() {
         for sentence in paragraphs.iter().flat_map(|paragraph| paragraph.split(". ")).map(str::trim) {
             let Some(sources) = named(sentence) else { continue };
             said += 1;
-            // What is right in place of it is not the document's.
+            // Corrections after these words are not numbers of the document.
             let own = AGAINST.iter().filter_map(|word| sentence.find(word)).min().unwrap_or(sentence.len());
             for number in numbers(&sentence[..own]) {
                 let known = sources.iter().any(|source| printed(source, number));

@@ -26,7 +26,7 @@ fn id(heading: &str) -> String {
     kept.collect::<String>().to_lowercase().replace(' ', "-")
 }
 
-/// The section of a chapter that a byte stands in, as a link has it.
+/// Section of a chapter that contains a byte, in the form of a link.
 fn section(path: &str, markdown: &str, at: usize) -> String {
     let heading = markdown[..at].lines().rev().find_map(|line| line.strip_prefix("## "));
     heading.map_or_else(|| path.to_owned(), |heading| format!("{path}#{}", id(heading)))

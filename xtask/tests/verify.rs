@@ -34,7 +34,7 @@ fn xtask(arguments: &[&str], cases: &Path) -> Output {
         .unwrap()
 }
 
-/// What a command printed, its line breaks taken out.
+/// Output of a command without line breaks.
 fn words(printed: &[u8]) -> String {
     String::from_utf8_lossy(printed).split_whitespace().collect::<Vec<_>>().join(" ")
 }
@@ -360,7 +360,7 @@ fn an_accepted_bad_input_fails() {
     assert_eq!(outcomes(&folder.path())[0].figures[0].status, Status::Failed);
 }
 
-/// Each file of `tests/bad` has one fault and is named after it.
+/// Files of `tests/bad` have one fault each and are named after it.
 #[test]
 fn bad_cases_are_refused_by_name_at_their_place() {
     let mut files: Vec<PathBuf> = fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/bad"))
@@ -425,7 +425,7 @@ fn a_new_case_starts_from_a_file_that_reads() {
         let again = xtask(&["new-case", calculation.name, "--source", "s", "--name", &name], &folder.path());
         assert_eq!(again.status.code(), Some(2));
     }
-    // What is left to fill in is named: the place and the result, and nothing does not read.
+    // The message names the place and the result to fill in, and everything can be read.
     let outcome = &outcomes(&folder.path())[0];
     for fault in &outcome.faults {
         let known = ["unknown-place", "missing-snapshot", "uncovered-place"];

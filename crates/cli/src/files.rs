@@ -1,4 +1,4 @@
-//! The files that command lines name: which are read, and which are written.
+//! Files that command lines name: inputs and outputs.
 
 use crate::command_line;
 use epicyclic_commands::desk::apart::{READ, is_file};
@@ -10,7 +10,7 @@ fn collect(command: &clap::Command, found: &mut Vec<String>) {
     command.get_subcommands().for_each(|below| collect(below, found));
 }
 
-/// A new argument that is a path fails here; `Files::of` has to know options whose file is read.
+/// A new path argument fails here until `Files::of` knows whether its file is read or written.
 #[test]
 fn what_is_read_and_written_is_known_of_every_command() {
     let mut found = vec![];

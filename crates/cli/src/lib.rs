@@ -1,7 +1,7 @@
-//! The program `epicyclic` as a library: planetary gear mechanisms by the words of a command line.
+//! Library form of the program `epicyclic`: planetary gear mechanisms by the words of a command line.
 //!
-//! [`call`] answers one command line. What it reads, writes and prints goes over a [`Desk`]: a terminal for
-//! the program, memory for a page in a browser, both for other languages. The answers are the records of
+//! [`call`] answers one command line. All input and output goes through a [`Desk`]: a terminal for the
+//! program, memory for a page in a browser, both for other languages. The answers are the records of
 //! `epicyclic-commands`.
 //!
 //! ```
@@ -114,11 +114,11 @@ commands! {
     Man: man;
 }
 
-/// Answers a command line, of which the words after the name of the program are given, over a desk. The
-/// answer is the exit code, as the help tells them.
+/// Answers a command line, given by its words after the name of the program, through a desk. Returns the exit
+/// code described in the help.
 ///
 /// # Errors
-/// None: what is refused is told over the desk, where JSON is asked for as an answer, too.
+/// No error is returned: refusals are reported through the desk, and as an answer too if JSON is requested.
 pub fn call<Word: Into<OsString>>(words: impl IntoIterator<Item = Word>, desk: &dyn Desk) -> u8 {
     let words: Vec<OsString> = words.into_iter().map(Into::into).collect();
     let line = std::iter::once(OsString::from("epicyclic")).chain(words.iter().cloned());
@@ -130,9 +130,9 @@ pub fn call<Word: Into<OsString>>(words: impl IntoIterator<Item = Word>, desk: &
     end(&call, call.check_files().and_then(|()| run(&call, cli.command)), is_json)
 }
 
-/// The end of a call whose words are no command, or ask for help.
+/// Ends a call whose words are not a command, or ask for help.
 fn refused(call: &Call<'_>, error: clap::Error) -> u8 {
-    // Help and version are answers, and may fail to be written like any.
+    // Help and version are answers, and writing them may fail like any other.
     if !error.use_stderr() {
         return end(call, call.desk.usage(&error).map_err(Failure::StandardOutput), false);
     }
@@ -150,7 +150,7 @@ fn refused(call: &Call<'_>, error: clap::Error) -> u8 {
     failure::WRONG
 }
 
-/// The commands with their options and what the help says of them, for those who offer them in another form.
+/// Command line with all options and help texts, for programs that offer the commands in another form.
 #[must_use]
 pub fn command_line() -> clap::Command {
     Cli::command()
@@ -164,7 +164,7 @@ fn end(call: &Call<'_>, done: Result<(), Failure>, is_json: bool) -> u8 {
             if is_json {
                 output::in_place_of_an_answer(call, &failure.as_answer());
             } else if !call.has_answered() {
-                // What fails here has been told already.
+                // A failure to write the record has already been reported.
                 let refused = failure.as_answer();
                 let _ = call.record(&mut |out| write_json(&refused, out));
             }
@@ -176,7 +176,7 @@ fn end(call: &Call<'_>, done: Result<(), Failure>, is_json: bool) -> u8 {
     }
 }
 
-/// The command line, the files that it names, and whether JSON is due on standard output.
+/// Parsed command line, the files that it names, and whether JSON is requested on standard output.
 fn parsed<Word>(line: impl IntoIterator<Item = Word>) -> Result<(Cli, apart::Files, bool), clap::Error>
 where
     Word: Into<OsString> + Clone,

@@ -28,8 +28,8 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     args.target.write(call, portable(&String::from_utf8_lossy(&page)).as_bytes())
 }
 
-/// Every roff reads names of characters, not every one the characters; and what follows the options has a
-/// name.
+/// Makes a page portable: every roff reads names of characters, but not all read the characters. The part
+/// after the options gets a heading.
 fn portable(page: &str) -> String {
     let mut text = String::new();
     for c in page.replace("SH EXTRA\n", "SH NOTES\n").replace("SS EXTRA\n", "SS NOTES\n").chars() {
@@ -58,7 +58,7 @@ fn page(program: &clap::Command) -> io::Result<Vec<u8>> {
     Ok(page)
 }
 
-/// A command and those below it: a section of its own each, whose parts are subsections.
+/// Appends a command and its subcommands, each as a section whose parts are subsections.
 fn append(command: &clap::Command, above: &str, page: &mut Vec<u8>) -> io::Result<()> {
     if command.get_name() == "help" {
         return Ok(());

@@ -1,5 +1,4 @@
-//! Command lines that nobody would write: whatever they say, the program answers or refuses, and never
-//! panics.
+//! Random command lines: the program must answer or refuse each of them, and never panic.
 
 use crate::desk::captured::Captured;
 use crate::{Cli, call};
@@ -8,7 +7,7 @@ use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use std::path::{Path, PathBuf};
 
-/// Values of every kind, good in one place and wrong in another, and wrong everywhere.
+/// Values of every kind, valid in some places and invalid in others, or invalid everywhere.
 const VALUES: [&str; 68] = [
     "6",
     "3.94",
@@ -80,7 +79,7 @@ const VALUES: [&str; 68] = [
     "-",
 ];
 
-/// What makes sense for an option, so that enough command lines are run and not only refused.
+/// Valid values of an option, so that enough command lines are run and not just refused.
 fn sensible(option: &str) -> &'static [&'static str] {
     match option {
         "ratio" | "ratio1" | "ratio2" => &["6", "3.94", "-2.6", "2.56", "-1.465"],
@@ -162,7 +161,7 @@ fn example(name: &str) -> String {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name).display().to_string()
 }
 
-/// Commands with what they need beside options.
+/// Commands with their required arguments besides options.
 fn commands() -> Vec<Vec<String>> {
     let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect::<Vec<_>>();
     let mut all: Vec<Vec<String>> = [
@@ -209,10 +208,10 @@ fn commands() -> Vec<Vec<String>> {
     all
 }
 
-/// Options that name files to write, which `try_line` chooses.
+/// Options that name output files, which `try_line` chooses.
 const FILES: [&str; 5] = ["output", "svg", "dxf", "csv", "save"];
 
-/// The options of a command, with whether they take a value and whether they are due.
+/// Options of a command, with whether they take a value and whether they are required.
 fn options(command: &[String]) -> Vec<(String, bool, bool)> {
     let mut found = Cli::command();
     for name in command {
@@ -226,17 +225,17 @@ fn options(command: &[String]) -> Vec<(String, bool, bool)> {
     named.collect()
 }
 
-/// Whether the line seeks motors.
+/// Whether the line searches for motors.
 fn seeks_motors(command: &[String]) -> bool {
     command[0] == "motor" && command.len() == 2
 }
 
-/// Whether it seeks them with tooth forms, of which it names few.
+/// Whether the line searches for motors with tooth forms, and names few of them.
 fn seeks_forms(command: &[String]) -> bool {
     seeks_motors(command) && command[1] == "forms"
 }
 
-/// Whether a command says nothing without an option, by its own word or by a group that it stands in.
+/// Whether an option is required, alone or by its group.
 fn is_due(command: &[String], option: &str, required: bool, seed: u64) -> bool {
     let wanted = if seed.is_multiple_of(2) { &["displacement"][..] } else { &["torque", "pressure"] };
     required
@@ -246,17 +245,18 @@ fn is_due(command: &[String], option: &str, required: bool, seed: u64) -> bool {
         || (seeks_forms(command) && FORMS.contains(&option))
 }
 
-/// What bounds the classes of a synthesis: with limits that nothing keeps it would go on to ever larger ones.
+/// Options that bound the classes of a synthesis; with limits that nothing meets, the search would continue
+/// with ever larger classes.
 const CLASS: [&str; 2] = ["sets", "elements"];
 
-/// Numbers of motors that bound a search.
+/// Options that bound the numbers of motors in a search.
 const BOUNDS: [&str; 4] = ["stator", "rotor", "z3", "zs"];
 
-/// What bounds the tooth forms.
+/// Options that bound the tooth forms.
 const FORMS: [&str; 4] = ["places", "pressure-angle", "addendum", "shift"];
 
-/// A command line: the command, and options with values that fit or do not. What takes seconds is left out:
-/// searches over all sets of tooth numbers, and over motors of many sets.
+/// Random command line: the command, and options with values that fit or do not. Searches that take seconds
+/// are left out: those over all tooth numbers, and over motors of many sets.
 fn line() -> impl Strategy<Value = Vec<String>> {
     let choice = (any::<prop::sample::Index>(), 0..10_u8, any::<prop::sample::Index>());
     let choices = prop::collection::vec(choice, 0..6);
@@ -283,7 +283,7 @@ fn line() -> impl Strategy<Value = Vec<String>> {
             }
             used.push(place);
             let fits = sensible(name);
-            // Of a tooth count a wild range may take minutes, of sets hours.
+            // A wild range of tooth numbers may take minutes, one of sets hours.
             let bounded = ["sun", "planet", "ring", "sets", "elements", "engaged"].contains(&name.as_str())
                 || (seeks_motors && BOUNDS.contains(&name.as_str()));
             let from = if (wild < 7 || bounded) && !fits.is_empty() { fits } else { &VALUES[..] };
@@ -297,7 +297,7 @@ fn line() -> impl Strategy<Value = Vec<String>> {
     })
 }
 
-/// Whether the line was run to an answer.
+/// Runs a line; returns whether it had an answer.
 fn try_line(line: &[String], answer: &PathBuf) -> bool {
     let mut all = line.to_vec();
     all.extend(["-o".to_owned(), answer.display().to_string()]);
@@ -317,12 +317,12 @@ fn try_line(line: &[String], answer: &PathBuf) -> bool {
         0 => {
             let text = std::fs::read_to_string(answer).unwrap();
             let mut words = text.split(|c: char| !c.is_alphanumeric());
-            // What is said of a picture or a page may be any word.
+            // Titles of pictures and pages may contain any word.
             let says = ["--title", "--project", "--customer", "--author", "--date"];
             let is_titled = line.iter().any(|word| says.iter().any(|option| word.starts_with(option)));
             let no_number = |word: &str| word == "NaN" || word == "inf";
             assert!(!text.is_empty() && (is_titled || !words.any(no_number)), "{line:?}\n{text}");
-            // JSON and CSV have what there is.
+            // JSON and CSV contain names unchanged; text for people must have no control characters.
             assert!(
                 is_plain(&text) || line.iter().any(|word| word.starts_with("--format")),
                 "{line:?}\n{text}"
@@ -351,16 +351,16 @@ fn whatever_the_options_say_nothing_panics() {
     if let Err(error) = done {
         panic!("{error}");
     }
-    // Enough is run and not only refused.
+    // Enough lines must be run and not just refused.
     assert!(answered.get() > cases / 5, "{} of {cases}", answered.get());
 }
 
-/// So many cases, unless `PROPTEST_CASES` says how many.
+/// Number of cases, unless `PROPTEST_CASES` gives it.
 fn cases(usual: u32) -> u32 {
     std::env::var("PROPTEST_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(usual)
 }
 
-/// Examples, and the commands that read them.
+/// Examples with the commands that read them.
 const READ: [(&str, &[&str]); 18] = [
     ("every-gearbox-key.yaml", GEARBOXES),
     ("ravigneaux.yaml", GEARBOXES),
@@ -403,8 +403,8 @@ const GEARBOXES: &[&str] = &[
     "report",
 ];
 
-/// A text with some of its words replaced: by values of every kind, or by other words of it; some lines are
-/// lost or doubled.
+/// Text with some words replaced by values of every kind or by other words of it, and some lines removed or
+/// doubled.
 fn mutated(text: &str, changes: &[(usize, usize, u8)]) -> String {
     let mut text = text.to_owned();
     for (place, by, how) in changes {
@@ -435,7 +435,7 @@ fn mutated(text: &str, changes: &[(usize, usize, u8)]) -> String {
                 let other = words[by % words.len()].clone();
                 format!("{}{}{}", &text[..at.start], &text[other], &text[at.end..])
             }
-            // A number a little off is a good number still.
+            // A slightly changed number is still a valid number.
             6..8 => match text[at.clone()].parse::<f64>() {
                 Ok(number) => {
                     let number = number + (by % 5) as f64 - 2.0;
@@ -443,7 +443,7 @@ fn mutated(text: &str, changes: &[(usize, usize, u8)]) -> String {
                 }
                 Err(_) => continue,
             },
-            // A name may be `inf`; what is looked for in the answer is no name.
+            // A name may be `inf`; the numbers of the answer may not.
             _ => match VALUES[by % VALUES.len()] {
                 "inf" => continue,
                 value => format!("{}{value}{}", &text[..at.start], &text[at.end..]),
@@ -460,8 +460,8 @@ fn whatever_a_file_says_nothing_panics() {
     let texts: Vec<String> =
         READ.iter().map(|(name, _)| std::fs::read_to_string(example(name)).unwrap()).collect();
     let answered = std::cell::Cell::new(0);
-    // 543 of 2000 changed files were still answered. Of 600 a fifth is four standard deviations below; of 150
-    // it was two.
+    // With 2000 changed files, 543 were still answered. For 600 files a fifth is four standard deviations
+    // below that, for 150 it was two.
     let cases = cases(600);
     let mut runner =
         TestRunner::new(ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() });
@@ -482,13 +482,13 @@ fn whatever_a_file_says_nothing_panics() {
     assert!(answered.get() > cases / 5, "{} of {cases}", answered.get());
 }
 
-/// Whatever outputs are named, the input stays as it is, and either each output is a file of its own or none
-/// is written.
+/// Whatever outputs are named, the input must remain, and each output must be a separate file or none is
+/// written.
 #[cfg(unix)]
 #[test]
 fn whatever_files_are_named_none_is_lost() {
     use std::os::unix::fs::symlink;
-    /// Names, and the file that each means.
+    /// Names with the file that each denotes.
     const NAMES: [(&str, &str); 9] = [
         ("in.yaml", "in.yaml"),
         ("./in.yaml", "in.yaml"),

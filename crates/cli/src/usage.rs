@@ -64,7 +64,8 @@ pub(crate) fn shown(mut error: clap::Error) -> clap::Error {
     error
 }
 
-/// A unit that stands by itself where an option, command or file is due: the shell parted it from its number.
+/// Message about a loose unit, in the place of an option, command or file: the shell separated it from its
+/// number.
 pub(crate) fn loose_unit(error: &clap::Error, words: &[OsString]) -> Option<String> {
     let kinds = [ContextKind::InvalidArg, ContextKind::InvalidSubcommand];
     let refused = kinds.into_iter().filter_map(|kind| match error.get(kind) {

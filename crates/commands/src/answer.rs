@@ -1,4 +1,4 @@
-//! What all answers have in common: a name, a version, JSON and its schema.
+//! Common parts of all answers: name, version, JSON and its schema.
 
 use crate::error::Error;
 use crate::finite;
@@ -8,40 +8,40 @@ use serde_json::Value;
 use serde_json::ser::{Formatter, PrettyFormatter};
 use std::io::{self, Write};
 
-/// Version of the records: raised when a key goes, or changes its meaning or unit.
+/// Version of the records: raised when a key is removed, or changes its meaning or unit.
 pub const SCHEMA_VERSION: u32 = 1;
 
 /// An answer of the program.
 pub trait Answer: Serialize + JsonSchema {
-    /// Which answer it is, as JSON says it under `answer`.
+    /// Name of the answer in JSON, under `answer`.
     const NAME: &'static str;
 }
 
-/// Something that the reader of an answer should know.
+/// Warning for the reader of an answer.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Warning {
-    /// Its kind: a name that stays the same whatever the message says.
+    /// Kind of the warning: a name that does not depend on the message.
     pub name: &'static str,
-    /// What is the matter, for people.
+    /// Message for people.
     pub message: String,
 }
 
-/// An answer with its version and name.
+/// Answer with its version and name.
 #[derive(Serialize, JsonSchema)]
 struct Whole<'a, A> {
-    /// Version of the records; raised when a key goes, or changes its meaning or unit.
+    /// Version of the records: raised when a key is removed, or changes its meaning or unit.
     schema_version: u32,
-    /// Which answer it is.
+    /// Name of the answer.
     answer: &'static str,
     #[serde(flatten)]
     content: &'a A,
 }
 
-/// The JSON of an answer, with a final line break; zero is `0.0` there, whichever sign it had.
+/// Writes an answer as JSON with a final line break; negative zero becomes `0.0`.
 ///
 /// # Errors
-/// [`Error::NotFinite`] with the key of a number that no double holds.
+/// [`Error::NotFinite`] with the key of a number that is infinite or NaN.
 pub fn to_json<A: Answer>(answer: &A) -> Result<String, Error> {
     finite::check(answer)?;
     let mut bytes = vec![];
@@ -49,10 +49,11 @@ pub fn to_json<A: Answer>(answer: &A) -> Result<String, Error> {
     String::from_utf8(bytes).map_err(|error| Error::Json(error.to_string()))
 }
 
-/// The same, written as it comes; that every number is one, [`finite::check`] tells before.
+/// Writes an answer as JSON without buffering it. The caller checks with [`finite::check`] that all numbers
+/// are finite.
 ///
 /// # Errors
-/// Those of the writer, and what a record refuses that makes its entries while they are written.
+/// Errors of the writer, and those of records that compute their entries while they are written.
 pub fn write_json<A: Answer>(answer: &A, mut out: impl Write) -> io::Result<()> {
     let whole = Whole { schema_version: SCHEMA_VERSION, answer: A::NAME, content: answer };
     let mut serializer = serde_json::Serializer::with_formatter(&mut out, Plain(PrettyFormatter::new()));
@@ -60,7 +61,7 @@ pub fn write_json<A: Answer>(answer: &A, mut out: impl Write) -> io::Result<()> 
     out.write_all(b"\n")
 }
 
-/// JSON on several lines, without negative zeros.
+/// JSON formatter for several lines, without negative zeros.
 struct Plain<'a>(PrettyFormatter<'a>);
 
 impl Formatter for Plain<'_> {
@@ -106,7 +107,7 @@ impl Formatter for Plain<'_> {
     }
 }
 
-/// The JSON Schema of an answer: its name and version are those of its records and no others.
+/// JSON Schema of an answer, restricted to its own name and version.
 #[must_use]
 pub fn schema<A: Answer>() -> Schema {
     let mut schema = schema_for!(Whole<'_, A>);
@@ -123,7 +124,7 @@ pub fn schema<A: Answer>() -> Schema {
     schema
 }
 
-/// The JSON Schema of a file that is read, under its name.
+/// JSON Schema of an input file with this name.
 #[must_use]
 pub fn schema_of_file<F: JsonSchema>(name: &str) -> Schema {
     let mut schema = schema_for!(F);

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`sheet`] | a page |
 //! | [`imprint`] | what a page says of itself |
-//! | `paper` | sizes on paper |
+//! | [`imprint`] | customer, author, date and paper of a page |
 
 pub mod imprint;
 pub(crate) mod paper;

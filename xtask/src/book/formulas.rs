@@ -1,32 +1,32 @@
-//! Formulas of a chapter as MathML, which browsers set themselves: no script, no fonts, no network.
+//! Formulas of a chapter as MathML, which browsers typeset without a script, fonts or a network.
 //!
-//! `$…$` stands in a line of text, `$$…$$` in a paragraph of its own. What is between is LaTeX; a command
-//! that the converter does not know is a fault and not a blank.
+//! A formula `$…$` is part of a line of text, `$$…$$` a separate paragraph. The content is LaTeX; a command
+//! that the converter does not know is an error and not a blank.
 
 use math_core::{LatexToMathML, MathDisplay};
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 use std::fmt;
 use std::ops::Range;
 
-/// A formula where it stands.
+/// Formula with its place in the chapter.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Formula {
-    /// LaTeX, without the dollars.
+    /// LaTeX of the formula, without the dollars.
     pub latex: String,
-    /// Whether it is a paragraph of its own.
+    /// Whether the formula is a separate paragraph.
     pub is_block: bool,
-    /// Bytes of the chapter, with the dollars.
+    /// Range of bytes in the chapter, with the dollars.
     pub range: Range<usize>,
 }
 
-/// A formula that cannot be set.
+/// Formula that cannot be typeset.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fault {
-    /// Its line in the chapter, from 1.
+    /// Line of the formula in the chapter, from 1.
     pub line: usize,
-    /// LaTeX.
+    /// LaTeX of the formula.
     pub latex: String,
-    /// What is wrong with it.
+    /// Message about the fault.
     pub message: String,
 }
 
@@ -41,7 +41,7 @@ fn events(markdown: &str) -> impl Iterator<Item = (Event<'_>, Range<usize>)> {
     Parser::new_ext(markdown, options).into_offset_iter()
 }
 
-/// Every formula of a chapter, in its order. Dollars in code are none.
+/// Formulas of a chapter in their order; dollars in code do not count.
 #[must_use]
 pub fn of(markdown: &str) -> Vec<Formula> {
     let formula = |(event, range)| match event {
@@ -52,7 +52,7 @@ pub fn of(markdown: &str) -> Vec<Formula> {
     events(markdown).filter_map(formula).collect()
 }
 
-/// Bytes of the dollars that stand in the text: of formulas that are not closed, or whose braces do not
+/// Places in bytes of stray dollars in the text: of formulas that are not closed, or whose braces do not
 /// match.
 fn stray_dollars(markdown: &str) -> Vec<usize> {
     let mut is_code = false;
@@ -63,7 +63,7 @@ fn stray_dollars(markdown: &str) -> Vec<usize> {
             Event::End(TagEnd::CodeBlock) => is_code = false,
             Event::Text(_) if !is_code => {
                 let dollars = markdown[range.clone()].match_indices('$').map(|(at, _)| range.start + at);
-                // One behind a backslash is meant as a dollar.
+                // A dollar after a backslash is meant as a dollar sign.
                 stray.extend(dollars.filter(|at| !markdown[..*at].ends_with('\\')));
             }
             _ => {}
@@ -72,15 +72,15 @@ fn stray_dollars(markdown: &str) -> Vec<usize> {
     stray
 }
 
-/// Sets formulas.
+/// Converter of formulas.
 #[derive(Debug, Default)]
 pub struct Typesetter(LatexToMathML);
 
 impl Typesetter {
-    /// The chapter with MathML for its formulas.
+    /// Replaces the formulas of a chapter by MathML.
     ///
     /// # Errors
-    /// Every formula that cannot be set.
+    /// All formulas that cannot be typeset.
     pub fn chapter(&self, markdown: &str) -> Result<String, Vec<Fault>> {
         let mut text = String::with_capacity(markdown.len());
         let mut faults = Vec::new();
@@ -107,20 +107,21 @@ impl Typesetter {
         if faults.is_empty() { Ok(text) } else { Err(faults) }
     }
 
-    /// One formula as it stands within Markdown.
+    /// Converts one formula to MathML that can be placed within Markdown.
     ///
     /// # Errors
-    /// What the converter says of it.
+    /// The message of the converter.
     pub fn set(&self, latex: &str, is_block: bool) -> Result<String, String> {
         let display = if is_block { MathDisplay::Block } else { MathDisplay::Inline };
         let set = self.0.convert_with_local_state(latex, display).map_err(|error| error.error_message())?;
         let set = without_markdown(&set.mathml);
-        // A wide formula is moved sideways in its own box and does not widen the page.
+        // A wide formula is scrolled in its own box, so that it does not widen the page.
         Ok(if is_block { format!("<div class=\"formula\">{set}</div>") } else { set })
     }
 }
 
-/// MathML that Markdown leaves as it is: no line break, and no character between tags that could be a mark.
+/// MathML that Markdown leaves unchanged: without line breaks, and without characters between tags that could
+/// be a mark.
 fn without_markdown(mathml: &str) -> String {
     let mut text = String::with_capacity(mathml.len());
     let (mut in_tag, mut in_entity) = (false, false);

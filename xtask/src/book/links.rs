@@ -1,11 +1,11 @@
-//! Links of finished pages: each leads to a file of the book, and to a place in it; nothing is loaded from
-//! outside.
+//! Check of the links of finished pages: each leads to a file of the book, and to a place in it; nothing is
+//! loaded from outside.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Component, Path, PathBuf};
 use std::{fs, io};
 
-/// A page: where its links lead, and the places it has.
+/// Page with its links and the places that they can lead to.
 #[derive(Debug, Default)]
 struct Page {
     /// `href` of anchors and stylesheets, `src` of pictures and scripts.
@@ -16,7 +16,7 @@ struct Page {
 #[derive(Debug)]
 struct Link {
     to: String,
-    /// Whether the browser fetches it by itself.
+    /// Whether the browser fetches the target automatically.
     is_loaded: bool,
 }
 
@@ -45,14 +45,14 @@ pub fn dead(folder: &Path) -> io::Result<Vec<String>> {
     Ok(dead)
 }
 
-/// Why a link within the book leads nowhere.
+/// Reason why a link within the book leads nowhere; `None` if it is valid.
 fn missing(folder: &Path, pages: &BTreeMap<PathBuf, Page>, from: &Path, link: &str) -> Option<&'static str> {
     if link.starts_with("mailto:") || link.starts_with("data:") || link.starts_with("javascript:") {
         return None;
     }
     let (file, place) = link.split_once('#').unwrap_or((link, ""));
     let file = file.split('?').next().unwrap_or(file);
-    // The page for what is not found is shown at any address, so its links begin at the root.
+    // The page for missing files is shown at any address, so its links begin at the root.
     let target = match file {
         "" => from.to_owned(),
         _ if file.starts_with('/') => PathBuf::from(file.trim_start_matches('/')),
@@ -71,7 +71,7 @@ fn missing(folder: &Path, pages: &BTreeMap<PathBuf, Page>, from: &Path, link: &s
     (!is_known).then_some("is no place of that page")
 }
 
-/// A path without `..`; none where it leads out of the book.
+/// Path without `..`; `None` if it leads out of the book.
 fn within(path: &Path) -> Option<PathBuf> {
     let mut plain = PathBuf::new();
     for component in path.components() {
@@ -85,7 +85,7 @@ fn within(path: &Path) -> Option<PathBuf> {
     Some(plain)
 }
 
-/// `%CE%B7` as the letter it stands for.
+/// Decodes escapes such as `%CE%B7` to their letters.
 fn decoded(text: &str) -> String {
     let mut bytes = Vec::with_capacity(text.len());
     let mut rest = text.as_bytes();

@@ -35,10 +35,10 @@ pub struct Arguments {
     pub source: Option<PathBuf>,
 }
 
-/// A page that every book of ours has, by which its folder is known.
+/// Page that every book of ours has, by which its folder is recognized.
 const SIGN: &str = "toc.html";
 
-/// Where a chapter links the report of `verify`, which is then a page of the book.
+/// Place in a chapter where the report of `verify` is linked, which then becomes a page of the book.
 const REPORT_HERE: &str = "<!-- cargo xtask book links the report of verify here -->";
 /// Where a chapter lists the keys of all answers.
 const KEYS_HERE: &str = "<!-- cargo xtask book lists the keys of every answer here -->";
@@ -47,7 +47,7 @@ const REPORT: &str = "verification-report.html";
 /// Runs the command.
 ///
 /// # Errors
-/// A message where a formula cannot be set, a link leads nowhere, or the folder is not that of a book.
+/// A message if a formula cannot be typeset, a link leads nowhere, or the folder is not that of a book.
 pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
     let source = arguments.source.clone().unwrap_or_else(|| project_root().join("docs"));
     let output = std::path::absolute(&arguments.output).map_err(|error| error.to_string())?;
@@ -60,7 +60,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
     let said = |error: std::io::Error| format!("{}: {error}", arguments.output.display());
     let parent = output.parent().unwrap_or(Path::new("."));
     fs::create_dir_all(parent).map_err(said)?;
-    // Beside the folder, so that it is put in its place at once.
+    // A temporary folder next to the target allows a renaming in one step.
     let workshop = tempfile::tempdir_in(parent).map_err(said)?;
     let pages = workshop.path().join("book");
     let chapters = build(&source, &pages)?;
@@ -82,10 +82,10 @@ fn replaceable(folder: &Path) -> bool {
     is_empty || folder.join(SIGN).is_file()
 }
 
-/// Writes the pages of a book into a folder; how many chapters there are.
+/// Writes the pages of a book into a folder; returns the number of chapters.
 ///
 /// # Errors
-/// What mdBook says of the source, or the formulas that cannot be set, each with chapter and line.
+/// The message of mdBook, or all formulas that cannot be typeset, with chapter and line.
 pub fn build(source: &Path, pages: &Path) -> Result<usize, String> {
     let said = |error: mdbook_driver::errors::Error| format!("{}: {error:#}", source.display());
     let mut config = Config::from_disk(source.join("book.toml")).map_err(said)?;

@@ -1,9 +1,8 @@
-//! The symbols of a formula: a letter with what stands below it, as `\omega_a` or `T_{\mathrm{in}}`.
+//! Symbols of a formula: letters with their subscripts, as `\omega_a` or `T_{\mathrm{in}}`.
 
 use std::collections::BTreeSet;
 
-/// Commands that are letters in formulas. What is not among them is an operator, an arrow, a blank or a
-/// layout.
+/// Commands that are letters in formulas; all others are operators, arrows, blanks or layout.
 const LETTERS: &[&str] = &[
     "alpha",
     "beta",
@@ -38,13 +37,13 @@ const LETTERS: &[&str] = &[
     "ell",
 ];
 
-/// Commands whose braces hold words, units or names of functions and no symbols.
+/// Commands whose braces hold words, units or names of functions, but no symbols.
 const TEXTS: &[&str] = &["text", "mathrm", "mathsf", "operatorname", "begin", "end", "tag"];
 
-/// Marks above a letter: they belong to its name.
+/// Accents above a letter, which belong to the name of its symbol.
 const ACCENTS: &[&str] = &["hat", "bar", "dot", "tilde", "vec"];
 
-/// Every symbol of a formula, spelled in one way: without blanks, and without braces about a single letter.
+/// Symbols of a formula in a unique spelling: without blanks, and without braces around a single letter.
 #[must_use]
 pub fn of(latex: &str) -> BTreeSet<String> {
     let mut symbols = BTreeSet::new();
@@ -70,7 +69,7 @@ impl<'a> Reader<'a, '_> {
         }
     }
 
-    /// A letter, if one is next.
+    /// Reads a letter, if one is next.
     fn letter(&mut self) -> Option<String> {
         let first = self.rest.chars().next()?;
         if first.is_alphabetic() {
@@ -90,7 +89,7 @@ impl<'a> Reader<'a, '_> {
         None
     }
 
-    /// What stands below, as it is kept in the symbol's name.
+    /// Reads a subscript in the form in which it belongs to the symbol's name.
     fn below(&mut self) -> String {
         let after = self.rest.trim_start();
         let Some(below) = after.strip_prefix('_') else { return String::new() };
@@ -103,7 +102,7 @@ impl<'a> Reader<'a, '_> {
         }
     }
 
-    /// Primes and a star, which make another symbol of a letter; a power does not.
+    /// Reads primes and a star, which make a different symbol of a letter; a power does not.
     fn marks(&mut self) -> &'a str {
         let end = self.rest.find(|character| character != '\'').unwrap_or(self.rest.len());
         let end = if self.rest[end..].starts_with("^*") { end + 2 } else { end };
@@ -112,7 +111,7 @@ impl<'a> Reader<'a, '_> {
         marks
     }
 
-    /// What is in the next braces, or the next letter or command.
+    /// Reads the contents of the next braces, or the next letter or command.
     fn group(&mut self) -> &'a str {
         let rest = self.rest;
         let end = if let Some(inner) = rest.strip_prefix('{') {
@@ -137,7 +136,7 @@ impl<'a> Reader<'a, '_> {
         &rest[..end]
     }
 
-    /// Passes over what is no symbol.
+    /// Skips text that is not a symbol.
     fn other(&mut self) {
         if let Some(command) = command(self.rest) {
             self.rest = self.rest[1 + command.len()..].trim_start();
@@ -147,20 +146,20 @@ impl<'a> Reader<'a, '_> {
             return;
         }
         let skipped = self.rest.chars().next().map_or(0, char::len_utf8);
-        // A backslash before a sign is the sign.
+        // A backslash before a character other than a letter escapes it.
         let skipped = if self.rest.starts_with('\\') { self.rest.len().min(2) } else { skipped };
         self.rest = &self.rest[skipped..];
     }
 }
 
-/// The command that is next, without its backslash.
+/// Name of the next command, without its backslash.
 fn command(text: &str) -> Option<&str> {
     let name = text.strip_prefix('\\')?;
     let end = name.find(|character: char| !character.is_ascii_alphabetic()).unwrap_or(name.len());
     (end > 0).then(|| &name[..end])
 }
 
-/// Without blanks, except one after a command before a letter.
+/// Removes blanks, except one after a command before a letter.
 fn tight(text: &str) -> String {
     let words: Vec<&str> = text.split_whitespace().collect();
     let mut tight = String::new();

@@ -59,6 +59,7 @@ struct ShaftLoadsGiven {
 
 fn shaft_loads(given: &ShaftLoadsGiven) -> Result<Results, Refusal> {
     let sun = loads::shaft_torque(given.power.0, given.sun_speed.0)?;
+    // A rounded torque of the source replaces the exact one only in what the source calculates from it.
     let taken = given.sun_torque.map_or(sun, |torque| torque.0);
     let mesh = MeshEfficiency::new(given.sun_planet.get())?;
     let bearing = MeshEfficiency::new(given.bearing.get())?;
@@ -128,6 +129,7 @@ fn planetary(given: &PlanetaryGiven) -> Result<Results, Refusal> {
     let motion = drive.motion(driving, load)?;
     let sun_planet = MeshEfficiency::new(given.sun_planet.get())?;
     let planet_ring = MeshEfficiency::new(given.planet_ring.get())?;
+    // The direction of motion decides in which direction friction acts, even during the start.
     let turning = if given.speed.0.value < 0.0 { Turning::Backward } else { Turning::Forward };
     let lossy = drive.motion_with_losses(driving, load, sun_planet, planet_ring, turning)?;
     let [held_from, held_to] = drive.held_loads(driving, sun_planet, planet_ring);
@@ -195,7 +197,7 @@ fn link_accelerations(given: &LinkAccelerationsGiven) -> Result<Results, Refusal
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct ReducedGiven {
-    /// Reduced inertia.
+    /// Equivalent inertia.
     inertia: Quantity<MomentOfInertia>,
     /// Speed of the driving shaft.
     speed: Quantity<AngularVelocity>,

@@ -1,5 +1,5 @@
-//! Printed formulas beside the solver: at numbers, and as quotients of polynomials in `k1`, `k2`, `eta0`,
-//! which are equal as formulas or not, whatever the numbers.
+//! Comparison of printed formulas with the solver: at numbers, and as quotients of polynomials in `k1`, `k2`,
+//! `eta0`, which decides whether they are equal for all numbers.
 
 use super::{Refusal, Results};
 use epicyclic_gears::efficiency::MeshEfficiency;
@@ -21,7 +21,7 @@ use std::str::FromStr;
 pub(super) struct PrintedFormulaGiven {
     /// `I`, `II`, `III`, `I-1` … `III-3`.
     scheme: String,
-    /// What it gives, of the scheme's last braked gear.
+    /// Quantity that the formula gives, for the scheme's last braked gear.
     gives: PrintedQuantity,
     /// The formula: `(k1+1)*(k2+1)/(k1+k2+1)`.
     formula: String,
@@ -66,7 +66,7 @@ pub(super) fn evaluate(formula: &str, names: &[(&str, f64)]) -> Result<f64, Refu
     parsed.eval(&values).map_err(|error| unreadable(error.to_string()))
 }
 
-/// Parameters at which a printed formula is held against the solver.
+/// Parameters at which a printed formula is compared with the solver.
 pub(super) const GRID: [f64; 6] = [1.3, 1.7, 2.5, 4.0, 7.0, 10.0];
 
 pub(super) fn printed_formula(given: &PrintedFormulaGiven) -> Result<Results, Refusal> {
@@ -99,7 +99,7 @@ pub(super) fn printed_formula(given: &PrintedFormulaGiven) -> Result<Results, Re
             }
         }
     }
-    // Numbers and formulas must say the same: everywhere, or nowhere as a formula.
+    // The comparison at numbers and that of the formulas must have the same result.
     let equals_solver = largest < 1e-12;
     if is_formula.iter().any(|is_equal| *is_equal != equals_solver) {
         let message = format!("{}: equal as numbers: {equals_solver}; as formulas not so", given.formula);
@@ -107,7 +107,7 @@ pub(super) fn printed_formula(given: &PrintedFormulaGiven) -> Result<Results, Re
     }
     let mut results = Results::default();
     results.answer("equals_solver", equals_solver).answer("equals_catalogue", from_catalogue < 1e-12);
-    // Rounding alone would only make the snapshot noisy.
+    // A difference by rounding would only make the snapshot vary.
     results.number("largest_relative_difference", if largest < 1e-12 { 0.0 } else { largest });
     Ok(results)
 }
@@ -115,7 +115,7 @@ pub(super) fn printed_formula(given: &PrintedFormulaGiven) -> Result<Results, Re
 /// The variables, by their places.
 const NAMES: [&str; 3] = ["k1", "k2", "eta0"];
 
-/// The place of `eta0`.
+/// Index of `eta0`.
 const ETA: usize = 2;
 
 /// Coefficients, none of them 0, by powers of the variables.
@@ -186,7 +186,7 @@ impl Quotient {
         self.times(Self::number(-1))
     }
 
-    /// To a power that is a whole number above 0.
+    /// Power with a whole exponent above 0.
     fn power(self, power: Self) -> Self {
         let whole = |[a, b]: [Polynomial; 2]| {
             let number = (b == constant(1)).then(|| a.get(&[0; 3]).copied()).flatten()?;
@@ -198,7 +198,7 @@ impl Quotient {
         }
     }
 
-    /// Whether both are the same formula: a/b = c/d where a·d = c·b.
+    /// Whether both formulas are equal: a/b = c/d if a·d = c·b.
     fn equals(&self, other: &Self) -> Option<bool> {
         let ([a, b], [c, d]) = (self.0.as_ref()?, other.0.as_ref()?);
         Some(product(a, d)? == product(c, b)?)
@@ -234,7 +234,7 @@ impl MakeOperators<Quotient> for Operators {
     }
 }
 
-/// What a formula gives.
+/// Quantity that a formula gives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 enum PrintedQuantity {

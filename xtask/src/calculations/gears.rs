@@ -224,7 +224,7 @@ fn planets_over_k(given: &PlanetsOverKGiven) -> Result<Results, Refusal> {
     Ok(results)
 }
 
-/// A wanted ratio and the bounds within which its tooth sets are sought.
+/// Required ratio, with the bounds of the search for tooth numbers.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct ToothSynthesisGiven {
@@ -273,7 +273,7 @@ fn tooth_synthesis(given: &ToothSynthesisGiven) -> Result<Results, Refusal> {
         .count("ring", best.teeth.ring.get())
         .count("planets", best.teeth.planets)
         .text("exact_ratio", best.exact_ratio)
-        // Rounding of the wanted ratio aside.
+        // A deviation within the rounding of the required ratio does not count.
         .answer("deviates", best.ratio_error.abs() > 1e-12)
         .number("ratio_error", best.ratio_error);
     Ok(results)
@@ -471,7 +471,7 @@ fn shaft_diameter(given: &ShaftGiven) -> Result<Results, Refusal> {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct BearingGiven {
-    /// Such as `"310"`.
+    /// Designation such as `"310"`.
     designation: String,
 }
 

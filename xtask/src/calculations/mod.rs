@@ -1,7 +1,7 @@
-//! The calculations that a case can name, and what they return.
+//! Calculations that a case can name, and their results.
 //!
-//! A calculation is a function from a record of inputs to named results. It only translates: inputs
-//! into the domain crates' types, their results into [`Value`]s. One file a crate.
+//! A calculation is a function from a record of inputs to named results. It only translates: inputs into the
+//! types of the domain crates, and their results into [`Value`]s. There is one file per crate.
 
 mod bodies;
 mod dynamics;
@@ -90,7 +90,7 @@ impl Results {
         self.0.iter().find(|(known, _)| known == name).map(|(_, value)| value)
     }
 
-    /// All results in order.
+    /// Iterates over the results in their order.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &Value)> {
         self.0.iter().map(|(name, value)| (name.as_str(), value))
     }
@@ -102,7 +102,7 @@ impl Results {
 pub struct Refusal {
     /// Name of the fault, as `expect_error` has it: `no-tooth-numbers`.
     pub name: String,
-    /// What is wrong and what is allowed.
+    /// Message about the fault, with the allowed values.
     pub message: String,
 }
 
@@ -163,6 +163,7 @@ impl Calculation {
             about,
             schema: || {
                 let settings =
+                    // References are inlined, because the schema becomes a part of that of a case.
                     SchemaSettings::draft2020_12().with(|settings| settings.inline_subschemas = true);
                 settings.into_generator().into_root_schema_for::<Given>()
             },
@@ -175,7 +176,7 @@ impl Calculation {
         }
     }
 
-    /// Runs it on the `given` of a document, of which some parts may have been replaced.
+    /// Runs the calculation on the `given` of a document; parts of it may have been replaced.
     ///
     /// # Errors
     /// [`Failure`], with the position in the document where its inputs do not read.

@@ -259,7 +259,7 @@ fn scheme(given: &SchemeGiven) -> Result<Results, Refusal> {
 struct SchemeRangeGiven {
     /// `I`, `II`, `III`, `I-1` … `III-3`.
     scheme: String,
-    /// What every `k` runs over.
+    /// Range of every `k`.
     k: RangeGiven,
 }
 
@@ -295,7 +295,7 @@ fn scheme_range(given: &SchemeRangeGiven) -> Result<Results, Refusal> {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct RowRangeGiven {
-    /// What `k` runs over.
+    /// Range of `k`.
     k: RangeGiven,
 }
 
@@ -476,7 +476,7 @@ fn usage(standing: Standing) -> Option<Use> {
 struct RatioSeriesGiven {
     /// The speeds.
     speeds: Vec<Quantity<Velocity>>,
-    /// Number of the printed series, which says where direct drive stands: `(2.13)`.
+    /// Number of the printed series, which determines the place of direct drive: `(2.13)`.
     series: String,
 }
 
@@ -519,7 +519,7 @@ fn mobility_of(given: &MobilityGiven) -> Result<Results, Refusal> {
     Ok(results)
 }
 
-/// Which table of machines.
+/// Table of machines.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct MachinesGiven {

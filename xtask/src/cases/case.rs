@@ -1,4 +1,4 @@
-//! A case as it is written.
+//! Case as written in a file.
 
 use crate::cases::tolerance::Rounding;
 use epicyclic_formats::yaml::Value as Yaml;
@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// A case: inputs, a calculation, and what the source publishes of its results.
+/// Case: inputs, a calculation, and the published results of the source.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Case {
@@ -16,47 +16,47 @@ pub struct Case {
     pub cite: String,
     /// Name of a registered calculation.
     pub calculation: String,
-    /// Its inputs. A value may be taken from another case: `{ from: case/quantity, as: exact }`, or
-    /// `as: published`.
+    /// Inputs of the calculation. A value may be taken from another case:
+    /// `{ from: case/quantity, as: exact }`, or `as: published`.
     #[serde(default)]
     #[schemars(with = "BTreeMap<String, serde_json::Value>")]
     pub given: Yaml,
-    /// What the source publishes, by the calculation's results.
+    /// Published figures of the source, by the results of the calculation.
     #[serde(default)]
     pub expect: BTreeMap<String, Expectation>,
-    /// Name of the error that these inputs must raise, in place of `expect`.
+    /// Name of the error that these inputs must raise, instead of `expect`.
     #[serde(default)]
     pub expect_error: Option<String>,
-    /// Where the figures were read, if not in the source itself.
+    /// Place where the figures were read, if not in the source itself.
     #[serde(default)]
     pub evidence: Option<Evidence>,
-    /// How a formula was inferred that the copy of the source lost.
+    /// Explanation of how a formula was inferred that the copy of the source lost.
     #[serde(default)]
     pub restored: Option<String>,
-    /// What a reader should know besides.
+    /// Further information for the reader.
     #[serde(default)]
     pub note: Option<String>,
 }
 
-/// What becomes of a published figure.
+/// Verdict on a published figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
-    /// It follows from the source's inputs.
+    /// The figure follows from the source's inputs.
     #[default]
     Agrees,
-    /// It does not follow from the source's own inputs.
+    /// The figure does not follow from the source's own inputs.
     Contradicted,
-    /// The figure follows from the source's inputs by a restored reading: the copy lost or garbled the
-    /// formula, or the document never had it. Judged as [`Verdict::Agrees`], counted apart.
+    /// The figure follows from the source's inputs by a restored reading, because the copy lost or garbled
+    /// the formula, or the document never had it. Judged as [`Verdict::Agrees`], counted separately.
     Reconstructed,
     /// The figure repeats the definition of its own quantity, our copy of a table, or an input that was
-    /// solved for; or it is the value of a closed form or of another program, which no source prints. Judged
-    /// as [`Verdict::Agrees`], counted apart. Needs `because`.
+    /// solved for. Values of a closed form or of another program, which no source prints, also belong here.
+    /// Judged as [`Verdict::Agrees`], counted separately. Needs `because`.
     Definition,
-    /// The source sets it: an input, not a result.
+    /// The source sets the figure: an input, not a result.
     Given,
-    /// The copy lost it.
+    /// The copy lost the figure.
     Unrecoverable,
 }
 
@@ -75,7 +75,7 @@ impl Verdict {
     }
 }
 
-/// Why a tolerance is loose.
+/// Reason why a tolerance is loose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Cause {
@@ -83,7 +83,7 @@ pub enum Cause {
     Constant,
     /// The source rounds or truncates figures on the way.
     Rounding,
-    /// The source states the figure roughly.
+    /// The source gives the figure roughly.
     Rough,
 }
 
@@ -99,13 +99,13 @@ impl Cause {
     }
 }
 
-/// Where a figure was read, if not in the source that it is cited from.
+/// Place where a figure was read, if not in the source that it is cited from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Evidence {
-    /// In another publication that quotes the source.
+    /// Another publication that quotes the source.
     Secondary,
-    /// In none that is named.
+    /// No named publication.
     Unverified,
 }
 
@@ -128,45 +128,45 @@ pub struct Expectation {
     /// Another figure, `case/quantity`, that compares the same print.
     #[serde(default)]
     pub print_of: Option<String>,
-    /// What becomes of the figure.
+    /// Verdict on the figure.
     #[serde(default)]
     pub verdict: Verdict,
-    /// Of a contradicted figure, the right value by an independent calculation, to 1e-6.
+    /// Right value of a contradicted figure by an independent calculation, to 1e-6.
     #[serde(default)]
     pub computed: Option<String>,
-    /// That calculation as arithmetic, in the unit of `computed`: `(16*521.8/(PI*20e6))^(1/3)*1000`; of a yes
-    /// or no the margin, above 0 for yes.
+    /// Arithmetic of that calculation, in the unit of `computed`: `(16*521.8/(PI*20e6))^(1/3)*1000`. For a
+    /// yes or no the margin, above 0 for yes.
     #[serde(default)]
     pub arithmetic: Option<String>,
-    /// Why: the derivation of a contradiction, the reason for a tolerance.
+    /// Reason: the derivation of a contradiction, or the cause of a tolerance.
     #[serde(default)]
     pub because: Option<String>,
-    /// The unit that the source prints, where it is not the right one of `published`.
+    /// Unit that the source prints, if it is not the right one of `published`.
     #[serde(default)]
     pub printed_unit: Option<String>,
-    /// Of an unrecoverable figure, what is legible.
+    /// Legible part of an unrecoverable figure.
     #[serde(default)]
     pub legible: Option<String>,
-    /// Where this figure was read, if not as those of the case.
+    /// Place where this figure was read, if it differs from that of the case.
     #[serde(default)]
     pub evidence: Option<Evidence>,
-    /// Places of this figure, where they are not those of the case.
+    /// Places of this figure, if they differ from those of the case.
     #[serde(default)]
     pub cite: Option<String>,
 }
 
-/// A value taken from another case.
+/// Value taken from another case.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct From {
     /// The case and its result: `case/quantity`.
     pub from: String,
-    /// Which value of it.
+    /// Form in which the value is taken.
     #[serde(rename = "as")]
     pub taken: Taken,
 }
 
-/// Which value of a linked result is taken.
+/// Form in which a linked result is taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Taken {

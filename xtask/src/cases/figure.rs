@@ -1,4 +1,4 @@
-//! One published figure, judged.
+//! Judgement of one published figure.
 
 use crate::calculations::Value;
 use crate::cases::case::{Cause, Evidence, Expectation, Verdict};
@@ -10,13 +10,13 @@ use serde::Serialize;
 /// How close the stated value of a contradicted figure must be to the computed one, relative.
 const STATED: f64 = 1e-6;
 
-/// What became of a figure.
+/// Result of the comparison of a figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Status {
     /// Published and computed agree.
     Agrees,
-    /// Computed and a restored reading agree; the print is lost or garbled, or there never was one.
+    /// Computed and restored reading agree; the print is lost or garbled, or never existed.
     Reconstructed,
     /// The figure repeats a definition; the case says which.
     Definition,
@@ -32,7 +32,7 @@ pub enum Status {
     Failed,
 }
 
-/// What a figure is.
+/// Kind of a figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Kind {
@@ -45,7 +45,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// Of a figure as printed.
+    /// Kind of a figure as printed.
     #[must_use]
     pub fn of(published: &str) -> Self {
         let is_number = |text: &str| quantity::parse(text).is_ok();
@@ -58,7 +58,7 @@ impl Kind {
     }
 }
 
-/// A figure with its verdict.
+/// Figure with its verdict.
 #[derive(Debug, Clone, Serialize)]
 pub struct Figure {
     /// Case and result: `drive/kinetic_energy`.
@@ -67,42 +67,42 @@ pub struct Figure {
     pub file: String,
     /// Line of the published figure, from 1.
     pub line: usize,
-    /// Its column, from 1.
+    /// Column of the published figure, from 1.
     pub column: usize,
-    /// What became of it.
+    /// Result of the comparison.
     pub status: Status,
-    /// What it is; of a printed figure.
+    /// Kind of the figure; `None` without a print.
     pub kind: Option<Kind>,
-    /// Places of the source that it is cited from.
+    /// Places of the source from which the figure is cited.
     pub cite: String,
-    /// Where it was read, if not in the source itself.
+    /// Place where the figure was read, if not in the source itself.
     pub evidence: Option<Evidence>,
-    /// As printed.
+    /// Figure as printed.
     pub published: Option<String>,
-    /// As computed, in the unit of the printed figure.
+    /// Figure as computed, in the unit of the printed figure.
     pub computed: Option<String>,
-    /// Computed less published, in that unit.
+    /// Computed minus published value, in that unit.
     pub difference: Option<String>,
-    /// How far the printed digits reach, in that unit.
+    /// Tolerance of the printed digits, in that unit.
     pub tolerance: Option<String>,
-    /// Why the tolerance is loose, where it is.
+    /// Cause of a loose tolerance.
     pub cause: Option<Cause>,
     /// Name of the first figure that compares the same print; `None` without a print.
     pub print: Option<String>,
-    /// The unit the source prints, where it is wrong.
+    /// Unit that the source prints, if it is wrong.
     pub printed_unit: Option<String>,
-    /// The reason of the verdict, or what is legible of a lost figure.
+    /// Reason for the verdict, or the legible part of a lost figure.
     pub because: Option<String>,
-    /// Of a contradicted figure, the independent calculation of the right value.
+    /// Independent calculation of the right value of a contradicted figure.
     pub arithmetic: Option<String>,
-    /// Why the case does not hold.
+    /// Reason why the case does not hold.
     pub failure: Option<String>,
     /// The remedy for a failure.
     pub remedy: Option<String>,
 }
 
 impl Figure {
-    /// Whether it compares a result; else it is inputs that must be refused.
+    /// Whether the figure compares a result; otherwise it is an input that must be refused.
     #[must_use]
     pub const fn is_comparison(&self) -> bool {
         self.kind.is_some() || matches!(self.status, Status::Unrecoverable)
@@ -115,16 +115,16 @@ impl Figure {
     }
 }
 
-/// The judgement of one expectation, without its place.
+/// Judgement of one expectation, without its place.
 #[derive(Debug, Default)]
 pub struct Judgement {
-    /// As computed, in the unit of the printed figure.
+    /// Figure as computed, in the unit of the printed figure.
     pub computed: Option<String>,
-    /// Computed less published.
+    /// Computed minus published value.
     pub difference: Option<String>,
-    /// Reach of the printed digits.
+    /// Tolerance of the printed digits.
     pub tolerance: Option<String>,
-    /// Why it does not hold.
+    /// Reason why the expectation does not hold.
     pub failure: Option<String>,
     /// The remedy for a failure.
     pub remedy: Option<String>,
@@ -136,15 +136,15 @@ impl Judgement {
     }
 }
 
-/// Of a figure that differs from the result.
+/// Remedy for a figure that differs from the result.
 const COMPARE: &str = "compare `published` and the inputs with the source; if they stand there, either a formula of ours \
     changed, or the source contradicts itself: then write `verdict: contradicted` with `computed` and `because`";
-/// Of a contradiction whose figure agrees.
+/// Remedy for a contradiction whose figure agrees.
 const AGREES_NOW: &str = "a formula or a case was adapted to the print: undo that, or remove the verdict";
-/// Of a `computed` that is not the result.
+/// Remedy for a `computed` that differs from the result.
 const DERIVE: &str = "if a formula of ours changed by mistake, undo that; else derive the right value again, apart from our code, \
     and state it as `computed`";
-/// Of an `arithmetic` that does not give `computed`.
+/// Remedy for an `arithmetic` that does not give `computed`.
 const RECKON: &str = "correct `arithmetic`, or `computed` where that is wrong";
 
 /// The unit of a dimension with factor 1.
@@ -190,7 +190,7 @@ fn judge_exact(expectation: &Expectation, published: &str, computed: &str) -> Ju
     }
 }
 
-/// Whether arithmetic gives a count; or, of a yes or no, a margin above 0 or below.
+/// Whether arithmetic gives a count, or for a yes or no a margin of the right sign.
 fn stated_exactly(arithmetic: &str, computed: &str) -> Result<(), String> {
     let result = evaluated(arithmetic)?;
     let holds = match computed {
@@ -230,7 +230,7 @@ fn judge_quantity(expectation: &Expectation, published: &str, si: f64, dimension
     };
     let unit = printed.measured.unit;
     let value = printed.in_unit(si);
-    // As many digits as show the difference, and at least those of the print with some to spare.
+    // Enough digits to show the difference, and some more than the print has.
     let digits = printed.measured.number.chars().filter(char::is_ascii_digit).count();
     judgement.computed = Some(with_unit(significant(value, (digits + 2).max(8)), unit));
     judgement.difference = Some(with_unit(significant(value - printed.measured.value, 3), unit));
@@ -262,7 +262,7 @@ fn judge_quantity(expectation: &Expectation, published: &str, si: f64, dimension
         Err(error) => return judgement.failed(format!("`computed`: {error}"), DERIVE),
     };
     if !close(stated.si(), si) {
-        // What is missed is the stated value, not the print.
+        // The result misses the stated value, not the print.
         let right = printed.in_unit(stated.si());
         judgement.difference = Some(with_unit(significant(value - right, 3), unit));
         judgement.tolerance = Some(with_unit(significant(STATED * right.abs(), 3), unit));

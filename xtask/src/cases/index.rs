@@ -11,11 +11,11 @@ pub const FILE: &str = "index.yaml";
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Index {
-    /// The source's id: the name of the folder.
+    /// Name of the source, equal to that of its folder.
     pub source: String,
-    /// What the source is.
+    /// Title of the source.
     pub title: String,
-    /// The places that cases can cite.
+    /// Places that cases can cite.
     pub places: Vec<Place>,
 }
 
@@ -23,20 +23,20 @@ pub struct Index {
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Place {
-    /// Its name, as cases cite it: `(3)`, `table 2.2`, `§3.3`. No commas.
+    /// Name of the place, as cases cite it: `(3)`, `table 2.2`, `§3.3`. No commas.
     pub place: String,
-    /// What stands there.
+    /// Content of the place.
     pub what: String,
-    /// What stands there is a restored reading, which the document as it was received does not print.
+    /// Whether the content is a restored reading, which the document as received does not print.
     #[serde(default)]
     pub reconstructed: bool,
-    /// Why no case covers it.
+    /// Reason why no case covers the place.
     #[serde(default)]
     pub excused: Option<String>,
 }
 
 impl Index {
-    /// Whether a place has a restored reading in place of a print.
+    /// Whether a place has a restored reading instead of a print.
     #[must_use]
     pub fn restores(&self, place: &str) -> bool {
         self.places.iter().any(|known| known.place == place && known.reconstructed)

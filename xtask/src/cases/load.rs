@@ -1,4 +1,4 @@
-//! Reading a folder of cases: every file, every fault.
+//! Reader of a folder of cases that reports every fault.
 
 use crate::calculations::Calculation;
 use crate::cases::case::{Case, Expectation, Verdict};
@@ -13,18 +13,18 @@ use std::{fs, io};
 /// Name of the fault of a case that holds and has no snapshot yet.
 pub const NEW: &str = "missing-snapshot";
 
-/// Something wrong with a file of cases, or with what it says.
+/// Fault of a file of cases, or of its content.
 #[derive(Debug, Clone, Serialize)]
 pub struct Fault {
-    /// The file, from the project's root.
+    /// Path of the file from the project's root.
     pub file: String,
     /// Line, from 1.
     pub line: usize,
     /// Column, from 1.
     pub column: usize,
-    /// The fault's name: `unknown-key`.
+    /// Name of the fault: `unknown-key`.
     pub name: String,
-    /// What is wrong, and what is allowed.
+    /// Message about the fault, with the allowed values.
     pub message: String,
 }
 
@@ -35,7 +35,7 @@ impl Fault {
         Self::at_position(document.file(), document.position(path), name, message)
     }
 
-    /// Whether it is a case that holds and has no snapshot yet.
+    /// Whether the fault is a case that holds and has no snapshot yet.
     #[must_use]
     pub fn is_new(&self) -> bool {
         self.name == NEW
@@ -66,32 +66,32 @@ impl From<FormatError> for Fault {
     }
 }
 
-/// A case that reads, with the document it stands in.
+/// Case with its document.
 #[derive(Debug)]
 pub struct Loaded {
     /// The case.
     pub case: Case,
-    /// Its document.
+    /// Document of the case.
     pub document: Document,
 }
 
-/// A source: its index, its cases, and what is wrong with them.
+/// Source: its index, its cases, and their faults.
 #[derive(Debug)]
 pub struct Source {
-    /// Name of its folder.
+    /// Name of the source's folder.
     pub id: String,
     /// The folder.
     pub folder: PathBuf,
-    /// Its index, where that reads.
+    /// Index of the source; `None` if it cannot be read.
     pub index: Option<Index>,
-    /// The cases that read, in the order of file names and documents.
+    /// Valid cases, in the order of file names and documents.
     pub cases: Vec<Loaded>,
-    /// What is wrong.
+    /// Faults of index and cases.
     pub faults: Vec<Fault>,
 }
 
 impl Source {
-    /// A file of the source, from the project's root.
+    /// Path of a file of the source, from the project's root.
     #[must_use]
     pub fn file(&self, name: &str) -> String {
         let root = self.folder.parent().and_then(Path::file_name).unwrap_or_default().to_string_lossy();
@@ -102,7 +102,7 @@ impl Source {
 /// Reads every source below `root`: one folder each.
 ///
 /// # Errors
-/// A folder that cannot be listed.
+/// The error of a folder that cannot be listed.
 pub fn sources(root: &Path, calculations: &[Calculation]) -> io::Result<Vec<Source>> {
     let mut folders: Vec<PathBuf> =
         fs::read_dir(root)?.map(|entry| entry.map(|entry| entry.path())).collect::<io::Result<Vec<_>>>()?;
@@ -117,6 +117,7 @@ fn source(folder: PathBuf, calculations: &[Calculation]) -> io::Result<Source> {
         .map(|entry| entry.map(|entry| entry.path()))
         .collect::<io::Result<Vec<_>>>()?;
     files.retain(|path| path.extension().is_some_and(|extension| extension == "yaml" || extension == "yml"));
+    // Folders are listed in any order; sorted files give every report the same order.
     files.sort();
 
     let mut source = Source { id, folder, index: None, cases: Vec::new(), faults: Vec::new() };
@@ -147,6 +148,7 @@ fn source(folder: PathBuf, calculations: &[Calculation]) -> io::Result<Source> {
             }
         }
     }
+    // Cases are checked last, because citations and links need the index and all other cases.
     check_index(&mut source, index_document.as_ref());
     let faults: Vec<Fault> =
         (0..source.cases.len()).flat_map(|at| check_case(&source, at, calculations)).collect();
@@ -275,6 +277,7 @@ fn check_case(source: &Source, at: usize, calculations: &[Calculation]) -> Vec<F
         }
         let cite = expectation.cite.as_deref().unwrap_or(&case.cite);
         let restored = |place: &str| source.index.as_ref().is_some_and(|index| index.restores(place));
+        // `agrees` is also the default, so only the text shows whether the author has decided.
         let is_stated = document.text_at(&path.clone().key("verdict")).is_some();
         let message = match (expectation.verdict, index::places(cite).any(restored), case.restored.is_some())
         {

@@ -1,7 +1,7 @@
-//! Spec cases: what the sources publish, held against what the crates compute.
+//! Spec cases: comparison of the published figures of the sources with the results of the crates.
 //!
-//! [`load`] reads a folder a source, [`run`] executes its cases and returns a [`run::Outcome`] for
-//! every figure; reports are made of those and of nothing else.
+//! [`load`] reads the folder of a source. [`run`] executes its cases and returns a [`run::Outcome`] with
+//! every figure; all reports are made of outcomes.
 
 pub mod case;
 pub mod figure;

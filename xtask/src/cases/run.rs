@@ -12,68 +12,68 @@ use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
-/// What `verify` says of a source.
+/// Result of `verify` for a source.
 #[derive(Debug, Serialize)]
 pub struct Outcome {
-    /// The source's id.
+    /// Name of the source.
     pub source: String,
-    /// What it is.
+    /// Title of the source.
     pub title: String,
-    /// How many cases were run.
+    /// Number of cases that were run.
     pub cases: usize,
-    /// Every figure.
+    /// Figures of all cases.
     pub figures: Vec<Figure>,
-    /// Which places of the source the cases cover; empty where only some cases were run.
+    /// Places of the source with the number of figures that cite them; empty if only some cases were run.
     pub coverage: Vec<Coverage>,
-    /// What is wrong besides figures.
+    /// Faults besides those of figures.
     pub faults: Vec<Fault>,
 }
 
-/// A place of the index.
+/// Place of the index with its coverage.
 #[derive(Debug, Serialize)]
 pub struct Coverage {
-    /// Its name.
+    /// Name of the place.
     pub place: String,
-    /// What stands there.
+    /// Content of the place.
     pub what: String,
-    /// How many figures cite it.
+    /// Number of figures that cite the place.
     pub figures: usize,
-    /// Why none does.
+    /// Reason why no figure cites the place.
     pub excused: Option<String>,
 }
 
 impl Outcome {
-    /// Whether everything holds.
+    /// Whether all figures hold and there are no faults.
     #[must_use]
     pub fn holds(&self) -> bool {
         self.faults.is_empty() && self.figures.iter().all(|figure| figure.status != Status::Failed)
     }
 
-    /// How many figures have a status.
+    /// Number of figures with a status.
     #[must_use]
     pub fn count(&self, status: Status) -> usize {
         self.figures.iter().filter(|figure| figure.status == status).count()
     }
 
-    /// How many results were compared: every figure but the inputs that must be refused.
+    /// Number of results that were compared: all figures except inputs that must be refused.
     #[must_use]
     pub fn comparisons(&self) -> usize {
         self.figures.iter().filter(|figure| figure.is_comparison()).count()
     }
 
-    /// How many printed figures these compare. One print may stand in several comparisons.
+    /// Number of printed figures in these comparisons; several comparisons may use one print.
     #[must_use]
     pub fn prints(&self) -> usize {
         self.figures.iter().filter_map(|figure| figure.print.as_ref()).collect::<BTreeSet<_>>().len()
     }
 }
 
-/// What to do with the snapshots.
+/// Treatment of the snapshots.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Snapshots {
-    /// Compare; write nothing.
+    /// Compares, and writes nothing.
     Compare,
-    /// Write those that changed, remove those without a case.
+    /// Writes changed snapshots, and removes those without a case.
     Accept,
 }
 
@@ -116,7 +116,7 @@ pub fn run(source: &Source, calculations: &[Calculation], filter: &str, snapshot
     outcome
 }
 
-/// What a case came to.
+/// Result of a case.
 #[derive(Debug, Clone)]
 enum Computed {
     Results(Results),
@@ -128,7 +128,7 @@ struct Run<'a> {
     source: &'a Source,
     calculations: &'a [Calculation],
     done: BTreeMap<&'a str, Computed>,
-    /// Cases under way, to see a circle.
+    /// Cases in progress, to detect a circular link.
     stack: Vec<&'a str>,
 }
 
@@ -149,7 +149,7 @@ impl<'a> Run<'a> {
         let Loaded { case, document } = loaded;
         let path = YamlPath::root().key("given");
         let given = self.linked(loaded, &case.given, &path)?;
-        // An unknown calculation is a fault of its own, found when the case was read.
+        // An unknown calculation is a separate fault, found when the case was read.
         let unknown = || Fault::at(document, &YamlPath::root().key("calculation"), "not-run", "not run");
         let calculation =
             self.calculations.iter().find(|known| known.name == case.calculation).ok_or_else(unknown)?;
@@ -164,7 +164,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// `given` with every `{ from, as }` in it replaced by the value it names.
+    /// Replaces every `{ from, as }` in `given` by the linked value.
     fn linked(&mut self, loaded: &'a Loaded, value: &Yaml, path: &YamlPath) -> Result<Yaml, Fault> {
         match value {
             Yaml::Mapping(map) if map.contains_key("from") => {
@@ -223,7 +223,7 @@ impl<'a> Run<'a> {
     }
 }
 
-/// A published figure as an input: a number where it has no unit.
+/// Published figure as an input: a number if it has no unit.
 fn as_yaml(published: &str) -> Yaml {
     let text = published.trim().replace('−', "-");
     if let Ok(count) = text.parse::<i64>() {
@@ -232,7 +232,7 @@ fn as_yaml(published: &str) -> Yaml {
     text.parse::<f64>().map_or_else(|_| Yaml::from(published), Yaml::from)
 }
 
-/// A result as an input, to the last bit.
+/// Result as an input, to the last bit.
 fn value_as_yaml(value: &Value) -> Yaml {
     match value {
         Value::Quantity { si, dimension } => match si_unit(*dimension).symbol {
@@ -334,7 +334,8 @@ fn figures(source: &Source, loaded: &Loaded, results: &Results) -> Vec<Figure> {
         .collect()
 }
 
-/// A figure that the source sets must be the input of that name: `arm.length` is `given.arm.length`.
+/// Judges a figure that the source sets: it must be the input of that name, such as `given.arm.length` for
+/// `arm.length`.
 fn judge_given(loaded: &Loaded, name: &str, published: Option<&str>) -> Judgement {
     let start = YamlPath::root().key("given");
     let path = name.split('.').fold(start, |path, key| match key.parse() {
@@ -415,7 +416,7 @@ fn compare_snapshot(
     };
     let (name, message) = difference?;
     if snapshots == Snapshots::Compare {
-        // A case that fails is told by its figures; accepting comes when it holds.
+        // A failing case is reported by its figures; its snapshot is accepted only when it holds.
         let message = format!("{}: {message} with `{ACCEPT} {}`", case.case, case.case);
         return if holds { fault(name, message) } else { None };
     }
@@ -434,7 +435,7 @@ fn orphans(source: &Source, snapshots: Snapshots) -> Vec<Fault> {
             continue;
         }
         let file = source.file(&format!("{}/{}", snapshot::FOLDER, entry.file_name().to_string_lossy()));
-        // A case that does not read keeps its snapshot: mending the case must not need accepting.
+        // A case that cannot be read keeps its snapshot, so that its repair needs no acceptance.
         if snapshots == Snapshots::Accept && source.faults.is_empty() {
             if let Err(error) = fs::remove_file(&path) {
                 faults.push(orphan(file, format!("cannot be removed: {error}")));
@@ -456,7 +457,7 @@ fn orphan(file: String, message: String) -> Fault {
 fn coverage(source: &Source, outcome: &mut Outcome) {
     let Some(index) = &source.index else { return };
     let mut cited: BTreeMap<&str, usize> = BTreeMap::new();
-    // A case that cannot run has no figures, or figures that were not compared: it covers nothing.
+    // A case that cannot run has no compared figures, so it covers no place.
     for figure in outcome.figures.iter().filter(|figure| figure.was_compared()) {
         places(&figure.cite).for_each(|place| *cited.entry(place).or_default() += 1);
     }

@@ -1,5 +1,5 @@
-//! Snapshots of everything a case computes, in insta's file format: they say *changed*, never
-//! *right*.
+//! Snapshots of all results of a case, in insta's file format. They detect changes, but do not prove
+//! correctness.
 
 use crate::calculations::{Refusal, Results, Value};
 use crate::cases::case::{Case, Expectation};
@@ -13,11 +13,11 @@ use std::path::{Path, PathBuf};
 /// Folder of a source's snapshots.
 pub const FOLDER: &str = "snapshots";
 
-/// Digits that a snapshot keeps.
+/// Significant digits in a snapshot.
 const DIGITS: usize = 12;
-/// Numbers that differ by no more than this, relative, are the same: a unit of the last digit kept.
+/// Relative difference up to which numbers count as equal: a unit of the last digit.
 const SAME: f64 = 1e-11;
-/// What is below this part of the case's largest like quantity is zero.
+/// Part of the largest comparable quantity of a case below which a value counts as zero.
 const ZERO: f64 = 1e-12;
 
 /// Text of a case's results: a line each, in SI units.
@@ -41,7 +41,7 @@ pub fn of_results(results: &Results) -> String {
     results.iter().map(line).collect()
 }
 
-/// Text of what a case expects: a line each figure, so that a removed or changed one is seen.
+/// Text of the expectations of a case, one line per figure, so that removed or changed ones are visible.
 #[must_use]
 pub fn of_expectations(case: &Case) -> String {
     let line = |(quantity, figure): (&String, &Expectation)| {

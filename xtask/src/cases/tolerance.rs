@@ -1,26 +1,26 @@
-//! What a printed figure says: its digits, and so how far the true value may be from it.
+//! Tolerance of a printed figure, as implied by its digits.
 
 use epicyclic_units::{self as quantity, Measured, QuantityError};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// How the source came from a value to its digits.
+/// Rounding by which the source obtained the digits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Rounding {
-    /// To the nearest: within half a unit of the last digit, both ends included.
+    /// Rounded to nearest: within half a unit of the last digit, both ends included.
     #[default]
     Nearest,
-    /// Digits cut off, toward zero.
+    /// Truncated: digits cut off, toward zero.
     Truncated,
 }
 
-/// A figure as printed, and the values it stands for.
+/// Printed figure with the range of values that it represents.
 #[derive(Debug, Clone)]
 pub struct Printed {
     /// Number, digits and unit.
     pub measured: Measured,
-    /// The values it stands for, in its own unit: lower and upper end.
+    /// Lower end of the range of values that the figure represents, in its own unit; the upper end follows.
     low: f64,
     high: f64,
     open_end: OpenEnd,
@@ -33,7 +33,7 @@ enum OpenEnd {
     High,
 }
 
-/// How wide a stated tolerance is.
+/// Width of a stated tolerance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Width {
     /// No wider than the digits.
@@ -46,10 +46,10 @@ pub enum Width {
 
 /// Half-units of the last printed digit beyond which a tolerance is loose.
 const LOOSE_HALF_UNITS: f64 = 10.0;
-/// Share of the figure beyond which a tolerance is loose.
+/// Relative tolerance above which a tolerance is loose.
 const LOOSE_SHARE: f64 = 0.02;
 
-/// Room for the rounding of the comparison itself, relative to the figure.
+/// Relative margin for the rounding of the comparison itself.
 const SLACK: f64 = 4.0 * f64::EPSILON;
 
 impl Printed {
@@ -70,11 +70,11 @@ impl Printed {
         Ok(Self { measured, low, high, open_end })
     }
 
-    /// The same figure with a stated tolerance: relative for `2 %`, else absolute and in a unit of
-    /// the figure's dimension.
+    /// Adds a stated tolerance: relative for `2 %`, otherwise absolute and in a unit of the figure's
+    /// dimension.
     ///
     /// # Errors
-    /// A tolerance that does not read, or is of another dimension.
+    /// The error of a tolerance that cannot be read, or has another dimension.
     pub fn with_tolerance(self, tolerance: &str) -> Result<Self, QuantityError> {
         let stated = quantity::parse(tolerance)?;
         let half_width = if stated.unit.symbol == "%" {
@@ -103,13 +103,13 @@ impl Printed {
         })
     }
 
-    /// A value in SI units in the unit of the figure.
+    /// Converts a value from SI units to the unit of the figure.
     #[must_use]
     pub fn in_unit(&self, si: f64) -> f64 {
         si / self.measured.unit.factor
     }
 
-    /// Whether the figure stands for a value, given in SI units.
+    /// Whether the figure represents a value in SI units.
     #[must_use]
     pub fn stands_for(&self, si: f64) -> bool {
         let value = self.in_unit(si);
@@ -124,7 +124,7 @@ impl Printed {
         above && below
     }
 
-    /// How far the values it stands for reach from it, in its unit.
+    /// Distance of the ends of the represented range from the figure, in its unit.
     #[must_use]
     pub fn reach(&self) -> f64 {
         (self.high - self.measured.value).max(self.measured.value - self.low)

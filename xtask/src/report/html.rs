@@ -1,20 +1,19 @@
-//! Outcomes as a page: a summary, then every figure source by source, with what is printed, computed and said
-//! of it.
+//! Outcomes as a page: a summary, then every figure source by source, with print, result and remarks.
 //!
-//! The page is whole in itself: one stylesheet, no script. What is shown is chosen by switches that the
-//! stylesheet reads.
+//! The page is complete: one stylesheet, no script. Switches that the stylesheet reads select the figures
+//! shown.
 
 use crate::cases::figure::{Figure, Status};
 use crate::cases::run::Outcome;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-/// The stylesheet of the program's pages.
+/// Stylesheet of the program's pages.
 const PAGES: &str =
     include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../crates/commands/src/page/page.css"));
-/// What this page needs besides.
+/// Additional stylesheet of this page.
 const OWN: &str = include_str!("html.css");
 
-/// What may become of a figure: the class in the page, the word, and its meaning.
+/// Verdicts on a figure: the class in the page, the word, and its meaning.
 const VERDICTS: [(Status, &str, &str, &str); 8] = [
     (Status::Failed, "failed", "does not hold", "The case does not hold: the program or the case is wrong."),
     (
@@ -92,7 +91,7 @@ fn present(
     VERDICTS.iter().filter(move |(status, ..)| count(outcomes, *status) > 0)
 }
 
-/// Figures by source and verdict, and what the verdicts mean.
+/// Numbers of figures by source and verdict, and the meaning of the verdicts.
 fn summary(outcomes: &[Outcome]) -> Markup {
     let present: Vec<_> = present(outcomes).collect();
     html! {
@@ -134,7 +133,7 @@ fn covered(outcome: &Outcome) -> String {
     format!("{covered} of {}{excused}", outcome.coverage.len())
 }
 
-/// Which figures are shown.
+/// Switches that select the figures shown.
 fn switches(outcomes: &[Outcome]) -> Markup {
     html! {
         fieldset.switches {
@@ -188,6 +187,7 @@ fn source(outcome: &Outcome) -> Markup {
 
 fn case(name: &str, figures: &[&Figure]) -> Markup {
     let places: Vec<&str> = figures.iter().map(|figure| figure.cite.as_str()).collect();
+    // A place common to all figures is shown once, at the head of the case.
     let one_place = places.windows(2).all(|pair| pair[0] == pair[1]);
     html! {
         tbody {

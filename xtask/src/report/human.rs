@@ -1,4 +1,5 @@
-//! Outcomes for people: what is contradicted and why, what is lost, and last what does not hold.
+//! Outcomes for people: contradictions with their reasons, lost figures, and at the end everything that does
+//! not hold.
 
 use crate::cases::case::{Cause, Evidence};
 use crate::cases::figure::{Figure, Kind, Status};
@@ -9,8 +10,8 @@ use std::fmt::Write;
 /// Width of a line.
 const WIDTH: usize = 100;
 
-/// The report of every source, then what does not hold, then a line of totals. `shows_values` lists every
-/// comparison.
+/// Report of every source, then everything that does not hold, then a line of totals. `shows_values` lists
+/// every comparison.
 #[must_use]
 pub fn render(outcomes: &[Outcome], shows_values: bool) -> String {
     let mut text = String::new();
@@ -115,6 +116,7 @@ fn failures(text: &mut String, outcomes: &[Outcome]) {
             text.push('\n');
         }
     };
+    // New cases are not failures, so they have their own heading.
     section("NOT ACCEPTED YET", &Fault::is_new, false);
     section("DOES NOT HOLD", &|fault| !fault.is_new(), true);
 }
@@ -186,7 +188,7 @@ pub(crate) const fn evidence_word(evidence: Evidence) -> &'static str {
     }
 }
 
-/// What the figures of a status are, where they are not all numbers read in their source:
+/// Kinds of the figures with a status, if they are not all numbers read in their source:
 /// ` (58 numbers, 4 yes or no)`.
 fn kinds(outcomes: &[Outcome], status: Status) -> String {
     let figures =
@@ -201,6 +203,7 @@ fn kinds(outcomes: &[Outcome], status: Status) -> String {
         (evidence(Evidence::Secondary), "by secondary sources"),
         (evidence(Evidence::Unverified), "unverified"),
     ];
+    // Figures that are all numbers need no explanation.
     if parts[1..].iter().all(|(count, _)| *count == 0) {
         return String::new();
     }

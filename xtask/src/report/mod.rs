@@ -1,5 +1,5 @@
-//! How an outcome is shown: for people, as a page, for programs, for continuous integration; and what the
-//! texts of the project say of it.
+//! Formats of an outcome: for people, as a page, for programs, for continuous integration; and the check of
+//! the project's texts.
 
 pub mod html;
 pub mod human;

@@ -1,4 +1,4 @@
-//! Which crate of the workspace may stand on which.
+//! Allowed dependencies between the crates of the workspace.
 
 use super::{Breach, source::Source};
 

@@ -2,16 +2,16 @@
 
 use super::{Breach, excused, source::Source};
 
-/// The file that converts.
+/// File that may convert.
 const DOOR: &str = "crates/units/src/conversion.rs";
 
-/// Files that convert still.
+/// Files that still convert.
 const NOT_YET: &[&str] = &[];
 
-/// What a conversion looks like.
+/// Text patterns of a conversion.
 const PATTERNS: [&str; 2] = [".get::<", "::new::<"];
 
-/// Lines of libraries that convert elsewhere.
+/// Finds lines of libraries that convert elsewhere.
 #[must_use]
 pub fn check(sources: &[Source]) -> Vec<Breach> {
     excused(sources.iter().flat_map(of).collect(), sources, NOT_YET)

@@ -1,14 +1,14 @@
-//! Every library can be taken by itself: a README with an example that runs, and what a registry asks of it.
+//! Requirements of every library: a README with an example that runs, and the data that a registry needs.
 
 use super::{Breach, source::Source};
 
-/// Crates that are no libraries.
+/// Crates that are not libraries.
 const PROGRAMS: [&str; 4] = ["browser", "calls", "cli", "python"];
 
-/// What a manifest says besides its name.
+/// Keys of a manifest besides its name.
 const KEYS: [&str; 4] = ["description", "readme", "keywords", "categories"];
 
-/// The most lines of an example.
+/// Maximum number of lines of an example.
 const MOST: usize = 30;
 
 /// A chapter and the example that it shows.

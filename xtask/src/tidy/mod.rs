@@ -1,18 +1,18 @@
-//! `cargo xtask tidy`: what ARCHITECTURE.md promises of the code, held.
+//! `cargo xtask tidy`: check of the rules for the code in ARCHITECTURE.md.
 //!
 //! | module | rule |
 //! |---|---|
-//! | [`arrows`] | which crate may stand on which |
+//! | [`arrows`] | allowed dependencies between crates |
 //! | [`circles`] | no circle of files within a crate |
 //! | [`conversions`] | conversions of quantities in `crates/units` alone |
 //! | [`purity`] | libraries neither print nor open files |
 //! | [`length`] | files of bounded length |
 //! | [`library`] | a README with an example that runs, and what a registry asks |
-//! | [`words`] | words that have given way to the field's |
-//! | [`zeros`] | what counts as nothing stands in `tolerance.rs` |
+//! | [`words`] | words replaced by those of the field |
+//! | [`zeros`] | limits below which a value counts as zero, in `tolerance.rs` |
 //!
-//! A rule is a function of path and text. Where the code does not keep one yet, a table in the rule's own
-//! file names the place; an entry that is no longer needed is a breach too, so that the tables only shrink.
+//! A rule is a function of path and text. If the code does not comply yet, a table in the rule's own file
+//! names the place. An entry that is no longer needed is a breach too, so that the tables only shrink.
 
 pub mod arrows;
 pub mod circles;
@@ -37,14 +37,14 @@ use std::process::ExitCode;
 #[command(after_help = "Example:\n  cargo xtask tidy")]
 pub struct Arguments {}
 
-/// A place that does not keep a rule.
+/// Place that breaks a rule.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Breach {
     /// The file, from the project's root.
     pub path: String,
-    /// Its line, from 1.
+    /// Line of the place, from 1.
     pub line: usize,
-    /// What is wrong and what to do.
+    /// Message about the fault, with the remedy.
     pub message: String,
 }
 
@@ -78,7 +78,7 @@ pub fn run(_: &Arguments) -> Result<ExitCode, String> {
     Ok(ExitCode::from(1))
 }
 
-/// Every breach of every rule, in the order of the files.
+/// Finds every breach of every rule, in the order of the files.
 #[must_use]
 pub fn check(sources: &[Source]) -> Vec<Breach> {
     let mut breaches: Vec<Breach> = [

@@ -2,7 +2,7 @@
 
 use super::{Breach, source::Source};
 
-/// What a library has no business with.
+/// Text patterns that a library must not contain.
 const PATTERNS: [&str; 13] = [
     "println!",
     "print!",
@@ -19,7 +19,7 @@ const PATTERNS: [&str; 13] = [
     "OpenOptions",
 ];
 
-/// Lines of libraries that do.
+/// Finds lines of libraries with such patterns.
 #[must_use]
 pub fn check(sources: &[Source]) -> Vec<Breach> {
     sources.iter().filter(|source| source.is_library()).flat_map(of).collect()

@@ -6,12 +6,12 @@ use std::{fs, ops::Range};
 /// A file of the project.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Source {
-    /// From the project's root, with `/`.
+    /// Path from the project's root, with `/`.
     pub path: String,
-    /// As it is written.
+    /// Text of the file.
     pub text: String,
-    /// Of Rust: the text with blanks for comments, the contents of strings, and items under `#[cfg(test)]`;
-    /// every byte keeps its place. Empty for other files.
+    /// Rust code with blanks for comments, the contents of strings, and items under `#[cfg(test)]`; every
+    /// byte keeps its place. Empty for other files.
     pub code: String,
     /// Modules in other files that are declared under `#[cfg(test)]`.
     pub test_modules: Vec<String>,
@@ -31,11 +31,11 @@ const ROOTS: [&str; 8] = [
     "CHANGELOG.md",
 ];
 
-/// What a rule can read.
+/// Endings of the files that a rule can read.
 const ENDINGS: [&str; 4] = [".rs", ".md", ".toml", ".yaml"];
 
 impl Source {
-    /// From path and text.
+    /// Source from path and text.
     #[must_use]
     pub fn new(path: &str, text: &str) -> Self {
         let mut source = Self {
@@ -46,6 +46,7 @@ impl Source {
             test_lines: 0,
         };
         if path.ends_with(".rs") {
+            // Comments go first, because braces in them would end a test item too early or too late.
             let mut code = without_comments(text);
             for item in test_items(&code) {
                 source.test_lines += code[item.clone()].matches('\n').count() + 1;
@@ -140,7 +141,7 @@ fn declared(item: &str) -> Option<String> {
     Some(path.map_or(name.trim(), |(path, _)| path).to_owned())
 }
 
-/// The same bytes with a blank for everything that is no line's end.
+/// Bytes of a text replaced by blanks, except the ends of lines.
 fn blanked(text: &str) -> String {
     text.bytes().map(|byte| if byte == b'\n' { '\n' } else { ' ' }).collect()
 }
@@ -192,6 +193,7 @@ fn block_comment(rest: &str) -> usize {
 
 /// Length of the string literal that begins here, with its quotes.
 fn string(rest: &str, before: Option<u8>) -> Option<usize> {
+    // A name that ends with `r` or `b` before a quote does not begin a raw or byte string.
     let in_word = before.is_some_and(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
     let open = rest.strip_prefix('b').filter(|_| !in_word).unwrap_or(rest);
     if let Some(raw) = open.strip_prefix('r').filter(|_| !in_word) {
@@ -224,7 +226,7 @@ fn character(rest: &str) -> Option<usize> {
     body[first.len_utf8()..].starts_with('\'').then(|| first.len_utf8() + 2)
 }
 
-/// Where items under `#[cfg(test)]` stand, attribute and body.
+/// Ranges of items under `#[cfg(test)]`, attribute and body.
 fn test_items(code: &str) -> Vec<Range<usize>> {
     let mut items = Vec::new();
     let mut from = 0;

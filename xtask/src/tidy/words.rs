@@ -1,4 +1,4 @@
-//! Words that have given way to those of the field do not return: in code, docs, help texts, book and files.
+//! Check that words replaced by those of the field do not return: in code, docs, help texts, book and files.
 //!
 //! Words are compared whole, without case, across `_`, `-`, a line's end and the humps of a name:
 //! `row parameter` is in `RowParameter`, `row_parameter` and `Row parameters`.
@@ -6,22 +6,22 @@
 use super::{Breach, source::Source};
 use std::ops::Range;
 
-/// A word, or several in a row, that is no longer written.
+/// Word, or sequence of words, that is no longer used.
 pub struct Word {
-    /// In lower case, one blank between two; a last one is found with an `s` too.
+    /// Words in lower case with single blanks; the last one is also found with an `s`.
     pub not: &'static str,
-    /// What is written instead.
+    /// Replacement for the word.
     pub but: &'static str,
-    /// Where it is looked for.
+    /// Places that are searched for the word.
     pub within: Within,
 }
 
-/// Where a word is looked for.
+/// Places that are searched for a word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Within {
     /// Everything that people and callers read.
     All,
-    /// What is read without the code: the book, README, ARCHITECTURE.
+    /// Texts read without the code: the book, README, ARCHITECTURE.
     Book,
     /// Names in the code, not its comments and texts.
     Code,
@@ -67,13 +67,13 @@ pub const GONE: &[Word] = &[
     word("bearing capacity", "basic dynamic load rating", All),
 ];
 
-/// Files in which a word may stand, and why.
+/// Files in which a word may occur, with the reason.
 const EXCEPTIONS: &[(&str, &str)] = &[
-    // The words of the sources stand there once.
+    // The book's glossary names the words of the sources.
     ("docs/src/glossary.md", "row parameter"),
     ("docs/src/glossary.md", "reduced inertia"),
     ("docs/src/glossary.md", "neighbour condition"),
-    // Old keys of files and options, which are refused with the new ones.
+    // Old keys of files and options are refused with the names of the new ones.
     ("CHANGELOG.md", "bearing capacity"),
     ("CHANGELOG.md", "control"),
     ("CHANGELOG.md", "one sense"),
@@ -175,7 +175,7 @@ fn joins(between: &str) -> bool {
     between.chars().all(|c| matches!(c, ' ' | '_' | '-' | '\n') || (has_end && matches!(c, '/' | '!')))
 }
 
-/// Whether a part stands where a YAML key does.
+/// Whether a part is a YAML key.
 fn is_key(text: &str, start: usize, end: usize) -> bool {
     let before = text[..start].rsplit('\n').next().unwrap_or("");
     text[end..].starts_with(':')

@@ -1,17 +1,17 @@
-//! What counts as nothing stands in `tolerance.rs`, with its meaning.
+//! Check that limits below which a value counts as zero are defined in `tolerance.rs`, with their meaning.
 
 use super::{Breach, excused, source::Source};
 
-/// A number up to this, written in the code, stands for nothing.
+/// Number up to which a literal in the code counts as such a limit.
 const SMALL: f64 = 1e-6;
 
 /// Files whose small numbers are factors of units.
 const FACTORS: [&str; 1] = ["crates/units/src/unit.rs"];
 
-/// Files that have such numbers still.
+/// Files that still have such numbers.
 const NOT_YET: &[&str] = &[];
 
-/// Small numbers of libraries outside `tolerance.rs`.
+/// Finds small numbers of libraries outside `tolerance.rs`.
 #[must_use]
 pub fn check(sources: &[Source]) -> Vec<Breach> {
     excused(sources.iter().flat_map(of).collect(), sources, NOT_YET)

@@ -1,5 +1,5 @@
-//! The files of the disk, with the answer and the messages of a call kept in memory: for programs that call,
-//! and for tests.
+//! Desk with the files of the disk that keeps answer and messages in memory: for programs that call, and for
+//! tests.
 
 use super::disk;
 use epicyclic_commands::desk::{Content, Desk, NotWritten, Source, Text};
@@ -8,21 +8,21 @@ use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
-/// A desk with the disk, without standard input, that keeps what is told.
+/// Desk with the disk and without standard input that keeps answer and messages.
 #[derive(Debug)]
 pub struct Captured {
     told: Mutex<Told>,
     begun: Instant,
 }
 
-/// What a call told.
+/// Answer and messages of a call.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Told {
-    /// The answer: what a program writes to its standard output.
+    /// Answer that a program writes to its standard output.
     pub answer: Vec<u8>,
-    /// The answer as JSON, where it goes to a file or in another form; where there is none, why.
+    /// Answer as JSON, if it goes to a file or has another format; without an answer, the reason.
     pub record: Option<Vec<u8>>,
-    /// What stands beside the answer, each message of one line or more.
+    /// Messages besides the answer, each of one line or more.
     pub messages: Vec<String>,
 }
 
@@ -33,7 +33,7 @@ impl Default for Captured {
 }
 
 impl Captured {
-    /// What was told.
+    /// Returns the answer and messages.
     #[must_use]
     pub fn into_told(self) -> Told {
         self.told.into_inner().unwrap_or_else(PoisonError::into_inner)
@@ -75,7 +75,8 @@ impl Desk for Captured {
     fn record(&self, source: &mut Source) -> io::Result<()> {
         let mut record = vec![];
         source(&mut record)?;
-        // Where an answer says why nothing was found, the refusal behind it says less.
+        // If an answer explains why nothing was found, the error behind it is less informative, so the first
+        // record is kept.
         self.told.lock().unwrap_or_else(PoisonError::into_inner).record.get_or_insert(record);
         Ok(())
     }

@@ -1,12 +1,12 @@
-//! Files that are written: each whole, and of one call all or none.
+//! Output files: each is written as a whole, and of one call all or none.
 //!
-//! Every content goes into a temporary file beside its target, and when all of them are complete and on the
-//! disk, they take their names. A device or a pipe has no name to take; it is written just before. What can
-//! still fail then is a renaming within a folder.
+//! Every content goes into a temporary file in the folder of its target. When all are complete and on the
+//! disk, they are renamed. A device or a pipe cannot be renamed; it is written just before. After that only a
+//! renaming within a folder can fail.
 //!
-//! A temporary file is called `.epicyclic-` and sixteen hexadecimal digits, then `.tmp`, and is locked while
-//! its program lives. What a killed program left behind has no lock any more, and the next call that writes
-//! into the folder removes it.
+//! The name of a temporary file is `.epicyclic-` with sixteen hexadecimal digits and `.tmp`; it is locked
+//! while its program lives. The files of a killed program have no lock any more, and the next call that
+//! writes into the folder removes them.
 
 use epicyclic_commands::desk::{Content, NotWritten, Source, Text};
 use std::collections::VecDeque;
@@ -23,8 +23,8 @@ fn pending() -> MutexGuard<'static, Vec<PathBuf>> {
     PENDING.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Removes all temporary files of this program, which ends: nothing is written while the answer of this
-/// lives.
+/// Removes all temporary files of this program before it ends; nothing can be written while the returned
+/// guard lives.
 #[must_use]
 pub fn remove_temporary() -> impl Drop {
     let pending = pending();
@@ -37,7 +37,7 @@ pub fn remove_temporary() -> impl Drop {
 /// Reads a file, unless it has more bytes than `most`.
 ///
 /// # Errors
-/// Where it cannot be read.
+/// The error of a file that cannot be read.
 pub fn read(file: &Path, most: u64) -> io::Result<Text> {
     let file = File::open(file)?;
     let metadata = file.metadata()?;
@@ -45,32 +45,32 @@ pub fn read(file: &Path, most: u64) -> io::Result<Text> {
     if size.is_some_and(|size| size > most) {
         return Ok(Text::TooLarge { size });
     }
-    // A file may also have grown since.
+    // The file may have grown since its size was read.
     limited(file, most)
 }
 
-/// Reads no more bytes than the limit: a device may have no end.
+/// Reads no more bytes than the limit, because a device may have no end.
 ///
 /// # Errors
-/// Where it cannot be read.
+/// The error of a stream that cannot be read.
 pub fn limited(from: impl Read, most: u64) -> io::Result<Text> {
     let mut bytes = Vec::new();
     from.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
     Ok(if bytes.len() as u64 > most { Text::TooLarge { size: None } } else { Text::Whole(bytes) })
 }
 
-/// Makes a folder, where it is not there.
+/// Creates a folder if it does not exist.
 ///
 /// # Errors
-/// Where it cannot be made.
+/// The error of a folder that cannot be created.
 pub fn make_folder(folder: &Path) -> io::Result<()> {
     if folder.is_dir() { Ok(()) } else { fs::create_dir(folder) }
 }
 
-/// Removes a file, where it is there.
+/// Removes a file if it exists.
 ///
 /// # Errors
-/// Where it cannot be removed.
+/// The error of a file that cannot be removed.
 pub fn remove(file: &Path) -> io::Result<()> {
     match fs::remove_file(file) {
         Err(error) if error.kind() != ErrorKind::NotFound => Err(error),
@@ -78,10 +78,10 @@ pub fn remove(file: &Path) -> io::Result<()> {
     }
 }
 
-/// Writes files: all of them whole, or none; the last may be written as it comes.
+/// Writes all files completely, or none; the last one may be streamed.
 ///
 /// # Errors
-/// The file that cannot be written: then none is.
+/// The file that cannot be written; no file is written then.
 pub fn write(files: &[Content], streamed: Option<(&Path, &mut Source)>) -> Result<(), NotWritten> {
     let mut all: Vec<(&Path, Box<Source>)> = vec![];
     for (file, content) in files {
@@ -130,8 +130,8 @@ enum Stream {
 }
 
 impl Stream {
-    /// The stream that goes into a file: `/dev/stdout`, or the file that a shell has opened for it. It is
-    /// written where it stands, since a file that takes its name would leave the stream's own behind.
+    /// Stream that leads to a file: `/dev/stdout`, or the file that a shell has opened for it. The file is
+    /// written through the stream, because a renamed file would leave the stream's own file behind.
     #[cfg(unix)]
     fn of(file: &fs::Metadata) -> Option<Self> {
         use std::os::fd::{AsFd as _, BorrowedFd};
@@ -163,16 +163,16 @@ impl Stream {
     }
 }
 
-/// Where a file goes.
+/// Target of a file.
 enum Target {
-    /// Has no content to keep.
+    /// Device, which has no content to keep.
     Device,
-    /// Is open already.
+    /// Stream that is already open.
     Stream(Stream),
     File {
-        /// Behind any links, so that they stay links.
+        /// Place of the file behind any links, so that they remain links.
         place: PathBuf,
-        /// Of the file that is there.
+        /// Permissions of the existing file.
         permissions: Option<Permissions>,
     },
 }
@@ -209,9 +209,9 @@ fn folder_of(file: &Path) -> &Path {
     }
 }
 
-/// The place that a path means, also where nothing is there yet: links are followed to their end.
+/// Place that a path denotes, even if nothing exists there yet; links are followed to their end.
 fn behind_links(file: &Path) -> io::Result<PathBuf> {
-    /// As many as Linux follows.
+    /// Maximum number of links, as in Linux.
     const MOST_LINKS: usize = 40;
     let mut place = file.to_owned();
     for _ in 0..MOST_LINKS {
@@ -224,7 +224,7 @@ fn behind_links(file: &Path) -> io::Result<PathBuf> {
     Err(io::Error::other("too many links"))
 }
 
-/// Whether two paths mean one file, which may not be there yet. Devices and pipes are never one: nothing in
+/// Whether two paths denote one file, which may not exist yet. Devices and pipes never do, because nothing in
 /// them is replaced.
 #[must_use]
 pub fn are_one_file(one: &Path, other: &Path) -> bool {
@@ -249,7 +249,7 @@ pub fn are_one_file(one: &Path, other: &Path) -> bool {
     }
 }
 
-/// Where a file that is not there would be.
+/// Place of a file that does not exist yet.
 fn place_to_be(file: &Path) -> Option<PathBuf> {
     let place = behind_links(file).ok()?;
     let folder = folder_of(&place);
@@ -261,7 +261,7 @@ const PREFIX: &str = ".epicyclic-";
 const SUFFIX: &str = ".tmp";
 const DIGITS: usize = 16;
 
-/// Whether a file is called as our temporary files are.
+/// Whether a file has a name like our temporary files.
 fn is_ours(name: &str) -> bool {
     let digits = name.strip_prefix(PREFIX).and_then(|name| name.strip_suffix(SUFFIX));
     digits.is_some_and(|digits| {
@@ -269,8 +269,8 @@ fn is_ours(name: &str) -> bool {
     })
 }
 
-/// Removes temporary files of programs that are no more. Whatever is in the way of that is no fault of this
-/// call.
+/// Removes temporary files of programs that no longer run. Obstacles are ignored, because they are not faults
+/// of this call.
 fn remove_stale(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else { return };
     for entry in entries.flatten() {
@@ -278,8 +278,9 @@ fn remove_stale(folder: &Path) {
         if !is_file || !entry.file_name().to_str().is_some_and(is_ours) {
             continue;
         }
-        // A living program holds the lock, but for the moment between making the file and locking it. Ours is
-        // held until the file is gone, so that such a program waits, finds its file gone and makes another.
+        // A living program holds the lock, except in the moment between creating and locking the file. Our
+        // lock is held until the file is removed; such a program then waits, finds its file gone and creates
+        // another.
         let Ok(file) = OpenOptions::new().read(true).write(true).open(entry.path()) else { continue };
         if file.try_lock().is_ok() {
             let _ = fs::remove_file(entry.path());
@@ -287,7 +288,7 @@ fn remove_stale(folder: &Path) {
     }
 }
 
-/// Complete files that have not their names yet. Those that do not get them go with this.
+/// Complete files without their final names; files that do not get them are removed with this value.
 #[derive(Default)]
 struct Prepared(VecDeque<Temporary>);
 
@@ -295,14 +296,14 @@ struct Prepared(VecDeque<Temporary>);
 struct Temporary {
     path: PathBuf,
     file: File,
-    /// The file as it was named.
+    /// Name of the target as given.
     named: PathBuf,
-    /// Where it is to stand.
+    /// Final place of the file.
     place: PathBuf,
 }
 
 impl Prepared {
-    /// Errors name no file: the temporary one nobody asked for.
+    /// Adds a file. Errors name the target, because the user did not ask for the temporary file.
     fn add(
         &mut self,
         named: &Path,
@@ -323,7 +324,7 @@ impl Prepared {
         file.sync_all()
     }
 
-    /// From here Ctrl-C waits: all have their names then.
+    /// Renames all files; Ctrl-C waits until all have their names.
     fn take_names(&mut self) -> Result<(), NotWritten> {
         let mut pending = pending();
         while let Some(next) = self.0.front() {
@@ -335,15 +336,15 @@ impl Prepared {
     }
 }
 
-/// A new temporary file, locked.
+/// Creates a temporary file and locks it.
 fn create(folder: &Path) -> io::Result<(PathBuf, File)> {
-    /// Another program may take the file for a stale one before it is locked; it hardly does so twice.
+    /// Another program may take the file for a stale one before it is locked; that hardly happens twice.
     const MOST_TRIES: u32 = 16;
     for attempt in 0..MOST_TRIES {
         let number = RandomState::new().hash_one((std::process::id(), attempt));
         let path = folder.join(format!("{PREFIX}{number:016x}{SUFFIX}"));
         let file = {
-            // Held, so that Ctrl-C knows every one that there is.
+            // The list is held, so that Ctrl-C knows every existing file.
             let mut pending = pending();
             let made = OpenOptions::new().read(true).write(true).create_new(true).open(&path);
             match made {
@@ -355,7 +356,7 @@ fn create(folder: &Path) -> io::Result<(PathBuf, File)> {
                 }
             }
         };
-        // Where a file system knows no locks, nobody gets one there, and nothing is taken for stale.
+        // On a file system without locks nobody gets one, so no file is taken for stale.
         let _ = file.lock();
         if path.try_exists()? {
             return Ok((path, file));

@@ -5,7 +5,7 @@ use epicyclic_commands::failure::Failure;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// What is asked for first.
+/// Page for a request without a path.
 const PAGE: &str = "index.html";
 
 /// Files with their names, compressed by gzip.
@@ -16,14 +16,14 @@ const BUILT_IN: &[(&str, &[u8])] = &[];
 
 /// The app.
 pub(super) enum App {
-    /// In the program.
+    /// App that is built into the program.
     BuiltIn,
-    /// In a folder, with the names of its files: nothing else of the disk is given out.
+    /// App in a folder, with the names of its files; nothing else of the disk is served.
     Folder(PathBuf, Vec<String>),
 }
 
 impl App {
-    /// The one of a folder, or the one in the program.
+    /// App of a folder, or the one in the program.
     pub(super) fn of(folder: Option<&Path>) -> Result<Self, Failure> {
         let refuse = |message: String| Failure::invalid("--app", message);
         let Some(folder) = folder else {
@@ -53,7 +53,8 @@ impl App {
         Ok(Self::Folder(folder.to_owned(), names))
     }
 
-    /// A file of it as a reply of this media type; the one in the program stays packed for who takes that.
+    /// Reply with a file of the app and this media type; the built-in one remains compressed for clients that
+    /// accept it.
     pub(super) fn reply(&self, name: &str, kind: &'static str, takes_gzip: bool) -> Option<Reply> {
         match self {
             Self::BuiltIn => {

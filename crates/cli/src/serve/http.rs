@@ -1,5 +1,5 @@
-//! As much of HTTP/1.1 as the app asks for: GET and HEAD, one reply on a connection, and limits on what
-//! whoever asks may send and how long that may take.
+//! Part of HTTP/1.1 that the app needs: GET and HEAD, one reply per connection, and limits on size and time
+//! of requests.
 
 use std::io::{self, ErrorKind, Read as _, Write as _};
 use std::net::{Shutdown, TcpListener, TcpStream};
@@ -7,29 +7,29 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// The most bytes of a request's head.
+/// Maximum size of a request's head in bytes.
 const MOST_HEAD: usize = 16 << 10;
-/// How long a request may take to come.
+/// Time limit for a request to arrive.
 const TO_ASK: Duration = Duration::from_secs(5);
-/// How long a reply may take to be taken.
+/// Time limit for a reply to be received.
 const TO_TAKE: Duration = Duration::from_secs(30);
-/// How long the end of a request is waited for that gets its reply before it is read.
+/// Time to wait for the rest of a request that gets its reply before it is read.
 const TO_LEAVE: Duration = Duration::from_millis(200);
-/// The most connections at one time; others are told to come again.
+/// Maximum number of simultaneous connections; further clients are asked to try again.
 const MOST_CONNECTIONS: usize = 64;
 
 /// A request without a body.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Request {
-    /// GET, HEAD or another word.
+    /// Method: GET, HEAD or another word.
     pub(super) method: String,
-    /// The path with what follows it.
+    /// Path of the request with its query.
     pub(super) url: String,
-    /// The name by which this machine is asked.
+    /// Name under which the client addresses this machine.
     pub(super) host: Option<String>,
-    /// Whether a reply may be packed by gzip.
+    /// Whether the client accepts compression by gzip.
     pub(super) takes_gzip: bool,
-    /// Whether a body is announced.
+    /// Whether the request announces a body.
     has_body: bool,
 }
 
@@ -43,22 +43,22 @@ pub(super) struct Reply {
 }
 
 impl Reply {
-    /// A file of this media type.
+    /// Reply with a file of this media type.
     pub(super) const fn of(body: Vec<u8>, kind: &'static str) -> Self {
         Self { status: 200, kind, body, is_packed: false }
     }
 
-    /// A file of this media type that is packed by gzip.
+    /// Reply with a file of this media type, compressed by gzip.
     pub(super) const fn packed(body: Vec<u8>, kind: &'static str) -> Self {
         Self { status: 200, kind, body, is_packed: true }
     }
 
-    /// Why there is no file, which is this program's own fault.
+    /// Reply that no file can be given because of a fault of this program.
     pub(super) const fn failed(body: Vec<u8>, kind: &'static str) -> Self {
         Self { status: 500, kind, body, is_packed: false }
     }
 
-    /// No file, for a reason.
+    /// Reply without a file, with a status.
     pub(super) const fn refusal(status: u16) -> Self {
         Self { status, kind: "text/plain", body: Vec::new(), is_packed: false }
     }
@@ -79,7 +79,7 @@ impl Reply {
     }
 
     fn head(&self) -> String {
-        // A newer program has newer files under the same names.
+        // A newer program has newer files under equal names, so nothing may be cached.
         format!(
             "HTTP/1.1 {} {}\r\nContent-Type: {}\r\n{}Content-Length: {}\r\nVary: Accept-Encoding\r\nCache-Control: no-cache\r\n\
              X-Content-Type-Options: nosniff\r\nConnection: close\r\n\r\n",
@@ -92,14 +92,14 @@ impl Reply {
     }
 }
 
-/// Replies to every request, each connection on a thread of its own, for as long as the program runs.
+/// Replies to every request, each connection on its own thread, as long as the program runs.
 pub(super) fn serve(listener: &TcpListener, reply: &(dyn Fn(&Request) -> Reply + Sync)) {
     let open = AtomicUsize::new(0);
     let open = &open;
     thread::scope(|scope| {
         for stream in listener.incoming() {
             let Ok(stream) = stream else {
-                // Of too many open files some are closed soon.
+                // With too many open files, some will be closed soon.
                 thread::sleep(Duration::from_millis(10));
                 continue;
             };
@@ -109,7 +109,7 @@ pub(super) fn serve(listener: &TcpListener, reply: &(dyn Fn(&Request) -> Reply +
                 continue;
             }
             let answered = move || {
-                // Whoever asked may be gone.
+                // The client may be gone.
                 let _ = answer(&stream, reply);
                 open.fetch_sub(1, Ordering::SeqCst);
             };
@@ -130,7 +130,7 @@ fn answer(stream: &TcpStream, reply: &dyn Fn(&Request) -> Reply) -> io::Result<(
     write(stream, &answer, is_head, Instant::now() + TO_TAKE)?;
     stream.shutdown(Shutdown::Write)?;
     if !is_whole {
-        // What is closed with something unread takes its reply with it.
+        // Closing a connection with unread data would discard the reply.
         let until = Instant::now() + TO_LEAVE;
         let mut left = [0; 4096];
         while read_some(stream, &mut left, until)? > 0 {}
@@ -138,7 +138,7 @@ fn answer(stream: &TcpStream, reply: &dyn Fn(&Request) -> Reply) -> io::Result<(
     Ok(())
 }
 
-/// Waits for some bytes no longer than until then.
+/// Waits until this time for some bytes.
 fn read_some(mut stream: &TcpStream, into: &mut [u8], until: Instant) -> io::Result<usize> {
     let left = until.saturating_duration_since(Instant::now());
     if left.is_zero() {
@@ -148,7 +148,7 @@ fn read_some(mut stream: &TcpStream, into: &mut [u8], until: Instant) -> io::Res
     stream.read(into)
 }
 
-/// The head of a request, or the status of what is wrong with it.
+/// Reads the head of a request; otherwise returns the status of its fault.
 fn read(stream: &TcpStream, until: Instant) -> io::Result<Result<Request, u16>> {
     let (mut head, mut some) = (Vec::new(), [0; 2048]);
     loop {

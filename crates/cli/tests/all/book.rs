@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// All files of a folder and of those in it.
+/// Collects the files of a folder and its subfolders.
 fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     let mut entries: Vec<PathBuf> =
         fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
@@ -47,7 +47,7 @@ fn the_commands_print_what_the_book_shows() {
     assert!(run >= 120, "{run}");
 }
 
-/// Those of `cargo xtask` are run by its own tests.
+/// Commands of `cargo xtask` are run by its own tests.
 #[test]
 fn every_command_of_the_book_is_run_by_a_test() {
     for (path, chapter) in chapters() {
@@ -58,7 +58,7 @@ fn every_command_of_the_book_is_run_by_a_test() {
     }
 }
 
-/// What stands between fences that open so.
+/// Contents of the blocks between fences that begin with this text.
 fn fenced<'a>(text: &'a str, fence: &'static str) -> impl Iterator<Item = &'a str> {
     text.split(fence).skip(1).map(|rest| rest.split("```").next().unwrap())
 }

@@ -31,7 +31,7 @@ fn all_examples() -> BTreeMap<PathBuf, Vec<u8>> {
     files
 }
 
-/// What commands a file is for, by its first key.
+/// Commands for a file, by its first key.
 fn commands(text: &str) -> &'static [&'static str] {
     let has = |key: &str| text.lines().any(|line| line.starts_with(key));
     if has("scenario:") {

@@ -63,7 +63,7 @@ fn a_drive_that_does_not_start_forward_is_warned_of() {
             answer["warnings"].as_array().unwrap().last().unwrap()["message"].as_str().unwrap().to_owned();
         (outcome, acceleration, motion["starting_time_s"].as_f64(), warning)
     };
-    // Between 3000.4 and 3264.7 N·m the meshes hold it.
+    // Between 3000.4 and 3264.7 N·m the meshes hold the drive.
     let (outcome, acceleration, time, warning) = at("3050 N·m");
     assert_eq!((outcome.as_str(), acceleration, time), ("held", 0.0, None));
     assert!(warning.contains("holds loads from 3000.4 to 3264.7 N·m"), "{warning}");
@@ -343,11 +343,11 @@ fn an_answer_is_written_whole_or_not_at_all() {
     let first = fs::read_to_string(&answer).unwrap();
     assert_eq!(first.lines().count(), 48);
 
-    // No answer: the old one stays.
+    // No answer is written, and the old file remains.
     assert_eq!(write(&["60"]).status.code(), Some(1));
     assert_eq!(fs::read_to_string(&answer).unwrap(), first);
 
-    // It may not be written: the same.
+    // A file that may not be written remains, too.
     let mut permissions = fs::metadata(&answer).unwrap().permissions();
     permissions.set_readonly(true);
     fs::set_permissions(&answer, permissions).unwrap();

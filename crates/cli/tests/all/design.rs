@@ -1,4 +1,4 @@
-//! The command design: speeds first, directions of rotation, limits that would have to give, factors.
+//! The command design: speeds first, directions of rotation, limits to relax, factors.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
@@ -53,7 +53,7 @@ fn typed(limit: &Value) -> Option<Vec<String>> {
     }
 }
 
-/// No gear reverses that should not, and what would have to give is found by the same search once it is
+/// No gear reverses unless required, and the gearbox of a way out is found by the same search with the option
 /// typed.
 #[test]
 fn ways_out_are_what_the_same_search_finds_with_the_option_typed() {

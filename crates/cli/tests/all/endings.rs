@@ -1,5 +1,5 @@
-//! Everything that takes long ends soon after it is asked to: at whatever moment, with a documented exit
-//! code, and no file half-written.
+//! Every long calculation ends soon after a request, at any moment, with a documented exit code, and without
+//! half-written files.
 
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
@@ -30,8 +30,8 @@ fn moments() -> usize {
 
 const WIDE: &str = "--sun 1..5000 --planet 1..5000 --ring 1..9000 --tolerance 0.1%";
 
-/// Every command that computes, on an input that is long where there are such, with the files that it writes:
-/// a word `@name` is a file that it reads from the examples.
+/// Every command that computes, with a long input if there is one, and the files that it writes. A word
+/// `@name` is a file that is read from the examples.
 fn commands() -> Vec<(String, &'static [&'static str])> {
     const ANSWER: &[&str] = &["answer.json"];
     let long = |line: &str| (format!("{line} -o answer.json"), ANSWER);
@@ -167,7 +167,8 @@ fn every_command_ends_soon_after_a_signal() {
                         );
                     }
                 } else {
-                    // Before it hears it ends by the signal, and some are quicker than the signal.
+                    // Before the handlers are installed the signal ends the program, and some commands end
+                    // before the signal.
                     assert!(
                         matches!(code, Some(0 | 1) | None) || told.contains("--longest"),
                         "{line}: {code:?} {told}"
@@ -193,8 +194,8 @@ fn every_command_ends_soon_after_a_signal() {
     println!("{ended} were ended, the slowest after {slowest:?}");
 }
 
-/// A desk that asks its call to end when it is asked for the time so often, and leaves time to tell what was
-/// found.
+/// Desk that asks its call to end after a number of queries of the time, and leaves time to print the
+/// results.
 struct Impatient {
     disk: Captured,
     asked: AtomicUsize,
@@ -234,7 +235,7 @@ impl Desk for Impatient {
     }
 }
 
-/// Ended at any of its polls, a synthesis has an answer that says that it is not whole, or none; never
+/// A synthesis that is ended at any of its queries has an incomplete answer that says so, or none, but never
 /// another.
 #[test]
 fn a_synthesis_that_is_ended_tells_what_it_found() {
@@ -273,7 +274,7 @@ fn a_synthesis_that_is_ended_tells_what_it_found() {
     assert!(some > 0 && none > 0, "{some} had found something, {none} nothing");
 }
 
-/// The size is told before anything else, also of classes that take long to count.
+/// The size is printed before anything else, also for classes that take long to count.
 #[test]
 fn the_size_of_a_large_synthesis_is_told_first() {
     for sets in ["5", "6"] {

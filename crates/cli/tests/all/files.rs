@@ -1,5 +1,5 @@
-//! Files that are read and written: which may be one, how large, what is left behind, and names that a
-//! terminal would obey.
+//! Files that are read and written: which may be equal, size limits, files left behind, and names with
+//! control characters.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 #![cfg(unix)]
@@ -53,7 +53,7 @@ fn an_output_that_is_the_input_is_refused() {
         (&["analyze", "sub/link.yaml", "-o", "box.yaml"], "--output box.yaml", "the input sub/link.yaml"),
         (&["draw", "box.yaml", "--svg", "hard.yaml"], "--svg hard.yaml", "the input box.yaml"),
         (&["draw", "box.yaml", "--dxf", "box.yaml"], "--dxf box.yaml", "the input box.yaml"),
-        // Before anything is read: this is no drive.
+        // The fault is found before anything is read: this is no drive.
         (&["drive", "box.yaml", "--output=box.yaml"], "--output box.yaml", "the input box.yaml"),
     ] {
         let done = output(folder.path(), line);
@@ -63,7 +63,7 @@ fn an_output_that_is_the_input_is_refused() {
         assert_eq!((done.status.code(), text(&done.stderr)), (Some(2), due), "{line:?}");
         assert_eq!(fs::read_to_string(path("box.yaml")).unwrap(), BOX);
     }
-    // What is not there is no input to lose; the name of a scheme is none either.
+    // A file that does not exist cannot be lost, and the name of a scheme is not a file.
     let done = output(folder.path(), &["draw", "II-3", "-o", "ii-3.svg"]);
     assert!(done.status.success(), "{done:?}");
     let done = output(folder.path(), &["analyze", "new.yaml", "-o", "new.yaml"]);
@@ -95,7 +95,7 @@ fn outputs_that_are_one_file_are_refused() {
                 && message.ends_with(" are one file; name a file for each\n"),
             "{message}"
         );
-        // Nothing was computed before.
+        // The refusal comes before any calculation.
         assert!(start.elapsed() < Duration::from_secs(2), "{line:?}");
         assert_eq!(names(folder.path()), ["link"]);
     }
@@ -126,8 +126,8 @@ fn of_several_files_all_are_written_or_none() {
     }
 }
 
-/// A write that fails names what was asked for and why, not the temporary file. The limit on the size of
-/// files stands for a full disk.
+/// A write that fails names the target and the reason, not the temporary file. The limit on the size of files
+/// simulates a full disk.
 #[test]
 fn a_failed_write_names_its_target() {
     let folder = here();
@@ -162,8 +162,8 @@ fn a_link_to_nothing_is_kept_and_its_target_made() {
     assert!(path("lost.txt").is_symlink());
 }
 
-/// A writer that is killed in the middle leaves its temporary file; the next call in that folder removes it,
-/// and none that lives.
+/// A writer that is killed leaves its temporary file. The next call in that folder removes it, but no file of
+/// a living program.
 #[test]
 fn what_a_killed_program_left_is_removed_by_the_next() {
     let folder = here();
@@ -217,7 +217,7 @@ fn files_beyond_the_limit_are_refused_at_once() {
     }
 }
 
-/// Whatever is in a file or a name, the terminal is told nothing but text.
+/// Whatever a file or a name contains, only text is written to the terminal.
 #[test]
 fn control_characters_are_written_out() {
     let folder = here();
@@ -290,7 +290,7 @@ fn control_characters_are_written_out() {
     assert_eq!(json["gears"][0]["gear"], gear);
 }
 
-/// One fault, one code, whatever command meets it.
+/// One fault has one exit code in every command.
 #[test]
 fn the_same_fault_of_a_file_ends_with_the_same_code() {
     let folder = here();
@@ -409,7 +409,7 @@ fn no_answer_has_a_number_that_is_none() {
     }
 }
 
-/// What a picture cannot show is told with the place of the gear; a page leaves that picture out.
+/// A picture that cannot be drawn is an error with the place of the gear; a page leaves that picture out.
 #[test]
 fn a_picture_that_cannot_be_drawn_names_its_place() {
     let folder = here();

@@ -382,8 +382,8 @@ fn gearboxes_side_by_side() {
     ));
 }
 
-/// Gear names that two makers give in opposite order of the ratios name different gears; the order of a file
-/// says nothing of steps.
+/// Two makers number their gears in opposite order of the ratios, so equal names denote different gears; the
+/// order of a file does not determine steps.
 #[test]
 fn gears_of_one_name_and_other_order_stand_by_their_ratios() {
     let folder = here();
@@ -627,8 +627,8 @@ fn sizes_that_are_refused() {
     insta::assert_snapshot!(seen);
 }
 
-/// What `select` and `synthesize` save of sets with profile shift; the centre distance of the data sheet is
-/// the one that was told.
+/// Files that `select` and `synthesize` save for sets with profile shift are read by every command, and the
+/// centre distance of the data sheet is that of the search.
 #[test]
 fn every_command_reads_a_saved_gearbox_with_profile_shift() {
     let folder = here();
@@ -1299,7 +1299,7 @@ fn analyzed(folder: &std::path::Path, file: &str) -> Vec<(String, f64)> {
         .collect()
 }
 
-/// In every mode, of simple and of double-planet sets: the ratio of the file is that of the list, exactly.
+/// In every mode, for simple and double-planet sets, the ratio of the file equals that of the list exactly.
 #[test]
 fn a_saved_set_of_tooth_numbers_has_its_ratio() {
     let folder = here();
@@ -1332,7 +1332,7 @@ fn a_saved_set_of_tooth_numbers_has_its_ratio() {
         let read = run(&["analyze", "set.yaml", "--format", "json"]);
         let read: serde_json::Value = serde_json::from_slice(&read.stdout).unwrap();
         assert_eq!(read["gears"][0]["exact_ratio"], set["exact_ratio"], "{mode} {more:?}");
-        // The teeth fit together; of some rings the tips are shortened, which is told.
+        // The teeth fit together; a warning reports shortened tips of some rings.
         let warnings = read["warnings"].as_array().unwrap();
         assert!(
             warnings.iter().all(|one| one["message"].as_str().unwrap().contains("cut the blank so")),
@@ -1346,7 +1346,7 @@ fn a_saved_set_of_tooth_numbers_has_its_ratio() {
     assert!(!folder.path().join("no.yaml").exists());
 }
 
-/// What keeps everything out names the options that let something in, and these do.
+/// If all candidates are rejected, the answer names options that accept some, and these do.
 #[test]
 fn options_that_are_named_where_nothing_is_found_do_help() {
     let wheel = "0.76 m/s, 1.33 m/s, 1.95 m/s";
@@ -1392,7 +1392,7 @@ fn a_saved_design_has_the_module_and_face_width_of_its_load_factor() {
     assert!(read["planet_bearings"][0]["carrier_radius_m"].as_f64().unwrap() > 0.0, "{read}");
 }
 
-/// One design of each scheme stands beside the first of the front, which are much alike.
+/// One design of each scheme is listed besides the first ones of the front, which are similar.
 #[test]
 fn the_best_design_of_each_scheme_is_told() {
     let line = ["select", "--ratios", "1.465,2.56", "--teeth", "--ring", "..60", "--planet-speed", "4"];

@@ -79,7 +79,7 @@ fn the_data_sheet_of_a_helical_stage_has_the_printed_angles() {
     }
 }
 
-/// The planets of a helical set stand further out than those of a spur set, and weigh more.
+/// The planets of a helical set have a larger centre distance than those of a spur set, and more mass.
 #[test]
 fn forces_on_planets_are_at_the_helical_centre_distance() {
     let told = json(&["analyze", DTU, "--gear", "only", "--torque", "1 MN·m", "--speed", "10 rpm"]);
@@ -183,8 +183,8 @@ fn helical_teeth_are_rated_with_their_factors() {
     }
 }
 
-/// `F_a = F_t·tan β` at the reference circle, at the lever of the working circles; and what `analyze` tells
-/// without losses is the same.
+/// `F_a = F_t·tan β` at the reference circle, with the lever of the working circles; the values of `analyze`
+/// without losses agree.
 #[test]
 fn axial_forces_tilt_the_planets() {
     let told = json(&RATED);
@@ -200,7 +200,7 @@ fn axial_forces_tilt_the_planets() {
     assert_eq!(steps.iter().map(|one| one["step"].as_u64().unwrap()).collect::<Vec<_>>(), [1, 2]);
 }
 
-/// Nothing jumps where teeth begin to be helical.
+/// Safeties are continuous at the helix angle 0.
 #[test]
 fn a_small_helix_angle_changes_safeties_little() {
     let folder = here();
@@ -285,7 +285,7 @@ fn friction_losses_have_the_base_helix_angle() {
     assert!(losses.iter().any(|told| (told / loss - 1.0).abs() < 1e-4), "{losses:?} {loss}");
 }
 
-/// What `size` finds and saves has the same safeties in `strength`; without the angle it is another set.
+/// Sizes that `size` finds and saves have equal safeties in `strength`; without the helix angle they differ.
 #[test]
 fn helical_sets_are_sized_as_they_are_rated() {
     let folder = here();

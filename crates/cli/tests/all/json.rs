@@ -1,4 +1,4 @@
-//! Every answer in JSON is one by its own schema, and every key of a schema is written by some answer.
+//! Every answer in JSON is valid by its own schema, and every key of a schema is written by some answer.
 
 #![allow(
     clippy::unwrap_used,
@@ -19,7 +19,7 @@ type Keys = BTreeMap<String, BTreeSet<String>>;
 
 const WHEEL: &str = "0.76 m/s, 1.33 m/s, 1.95 m/s";
 
-/// Each section with commands that together write all of its keys.
+/// Sections with commands that together write all of their keys.
 const RUNS: &[(&str, &[&str])] = &[
     ("teeth", &["teeth", "--ratio", "6", "--limit", "1"]),
     ("error", &["teeth", "--ratio", "24"]),
@@ -716,7 +716,7 @@ const RUNS: &[(&str, &[&str])] = &[
         ],
     ),
     ("motor", &["motor", "--stator", "4", "--rotor", "3", "--z3", "44", "--zs", "5", "--module", "1 mm"]),
-    // Tips without room: where they overlap is told.
+    // Tips without room: the place of the overlap is in the answer.
     (
         "motor",
         &[
@@ -1041,7 +1041,8 @@ const APART: &str = "gearbox: apart\ninput: s\noutput: r\ncompound_sets:\n  - id
                      - { gears: [short, long] }\n      - { gears: [long, r] }\nbrakes: [{ id: K, link: c }]\ngears: [{ \
                      name: \"1\", engaged: [K] }]\n";
 
-/// A motor by the cosine law, and one whose tips have no room: where they overlap is told.
+/// A motor by the cosine law, and one whose tips have no room, so that the answer has the place of the
+/// overlap.
 const COSINE: &str = "stator: 7\nrotor: 5\nz3: 84\nzs: 11\nmodule: 1 mm\nlaw: cosine\n";
 /// A motor with a kidney at high and a hole at low pressure, and nothing said of its oil.
 const PORTED: &str = "stator: 6\nrotor: 4\nz3: 66\nzs: 10\nmodule: 2 mm\nl: 80 mm\nfriction: 0.1\nports:\n  \
@@ -1080,7 +1081,7 @@ fn held() -> String {
         .replace("oil:", "  - { id: next, sun: track, ring: ground, carrier: wheel, teeth: [20, 100] }\noil:")
 }
 
-/// The same with another set, of more planets than a load is known to be shared by.
+/// The travel drive with another set, of more planets than the table of load sharing contains.
 fn many() -> String {
     let drive = drive().replace("output: track", "output: wheel");
     let set = &drive[drive.find("  - id: final").unwrap()..drive.find("oil:").unwrap()];
@@ -1114,7 +1115,7 @@ fn wind_stage() -> String {
     std::fs::read_to_string(examples().join("wind-stage.yaml")).unwrap()
 }
 
-/// Two sets, of which the second says nothing of its planets' number.
+/// Two sets; for the second the file gives no number of planets.
 fn unplaced() -> String {
     let set = common::SHARP.lines().skip(4).take(4).collect::<Vec<_>>().join("\n");
     let second = set.replace("id: P, sun: sun", "id: Q, sun: arm").replace("carrier: arm", "carrier: out");
@@ -1164,7 +1165,7 @@ fn collect(value: &Value, path: &str, found: &mut BTreeSet<String>) {
         Value::Object(entries) => {
             entries.iter().for_each(|(key, value)| collect(value, &below(key), found));
         }
-        // Of an empty list nothing is known.
+        // An empty list gives no information about its entries.
         Value::Array(entries) => match entries.first() {
             None => {}
             Some(Value::Object(_)) => {
@@ -1181,7 +1182,7 @@ fn answers() -> Vec<(&'static str, Value)> {
     let folder = folder();
     let answer = |(section, args): &(&'static str, &[&str])| {
         let done = output(folder.path(), &[args, &["--format", "json"][..]].concat());
-        // That there is none is an answer too.
+        // A refusal is an answer, too.
         let is_refused = *section == "error" && done.status.code() == Some(2);
         assert!(is_refused || matches!(done.status.code(), Some(0 | 1)), "{args:?} {done:?}");
         (*section, serde_json::from_slice(&done.stdout).unwrap())
@@ -1197,7 +1198,7 @@ fn written() -> Keys {
     keys
 }
 
-/// The schema of an answer, as the program tells it.
+/// Schema of an answer as the program prints it.
 fn schema(name: &str) -> Value {
     let done = output(Path::new("."), &["schema", &format!("answer-{name}")]);
     assert!(done.status.success(), "{name}: {done:?}");
@@ -1299,7 +1300,7 @@ fn the_names_of_warnings_stand_in_the_book() {
     }
 }
 
-/// Whatever happens there is one object on standard output.
+/// Standard output always has exactly one object.
 #[test]
 fn there_is_always_one_object() {
     let folder = folder();
@@ -1346,7 +1347,7 @@ fn there_is_always_one_object() {
     assert!(to_file.stdout.is_empty() && !folder.path().join("no.json").exists());
 }
 
-/// Quantities say their unit: a key is never one thing with a unit and the same without.
+/// Quantities have their unit in the key, and no key occurs both with and without a unit.
 #[test]
 fn a_key_keeps_its_unit_where_there_is_no_value() {
     const UNITS: [&str; 12] =

@@ -1,4 +1,4 @@
-//! What is read is never replaced by what is written, and an answer that nobody takes is an error.
+//! An input file is never replaced by an output file, and an answer that cannot be written is an error.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 #![cfg(unix)]

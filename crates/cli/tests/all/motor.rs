@@ -54,8 +54,8 @@ fn a_motor_of_a_file_is_that_of_its_options() {
     ));
 }
 
-/// What a program sees, numbers to nine digits; without the places where limits of the teeth are nearest, as
-/// many are alike.
+/// Answers for programs with numbers to nine digits, without the places where limits of the teeth are
+/// closest, because many are equally close.
 fn seen_by_programs(args: &[&str]) -> String {
     let is_of_number = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '-' | '+' | '_');
     let rounded = |token: &str| match token.parse::<f64>() {

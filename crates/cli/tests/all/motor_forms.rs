@@ -187,7 +187,7 @@ fn every_family_is_drawn() {
     }
 }
 
-/// A design that is saved has the figures that the search tells, of every family, with material and without.
+/// A saved design has the figures of the search, for every family, with and without a material.
 #[test]
 fn a_saved_design_has_the_figures_of_the_search() {
     let numbers = "motor forms --stator 5 --rotor 4 --z3 110 --zs 10 --places 4 --crests tooth --pressure-angle 25deg --addendum 0.7..0.8/2 \

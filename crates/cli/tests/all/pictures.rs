@@ -41,7 +41,7 @@ const ON_PAGES: &[(&str, &str, &str)] = &[
     ("drive-start.svg", "report examples/xe215cll-drive.yaml", "Start"),
 ];
 
-/// What is drawn by a command that writes files.
+/// Pictures drawn by commands that write files.
 fn written() -> Vec<(&'static str, String)> {
     let folder = here();
     let run = |command: &str| {

@@ -1,5 +1,5 @@
-//! Planets on their carrier and on their pins: angles, load sharing, limits of speed; and what of teeth is
-//! not rated.
+//! Planets on their carrier and on their pins: angles, load sharing, limits of speed; and teeth that are not
+//! rated.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
@@ -97,7 +97,7 @@ fn stated_angles_are_the_angles_of_every_command() {
     assert!(text(&refused.stderr).contains("stated twice"), "{}", text(&refused.stderr));
 }
 
-/// One root that the standard does not hold for leaves every other flank and root rated; it is named with its
+/// One root outside the range of the standard leaves every other flank and root rated, and is named with its
 /// value.
 #[test]
 fn a_root_outside_the_standard_withholds_nothing_else() {

@@ -44,7 +44,7 @@ fn is_sound(page: &str) {
     assert_eq!(once.len(), names.len());
 }
 
-/// Structure: what a reader needs first stands first, the input last, and nothing has to be fetched.
+/// Checks the order of a page: the most important parts first, the input last, and nothing to be fetched.
 fn is_in_order(page: &str) {
     let place = |part: &str| page.find(part).unwrap_or_else(|| unreachable!("{part}"));
     let (answer, contents) = (place("<section class=\"answer\">"), place("<nav aria-label=\"Contents\">"));
@@ -339,7 +339,7 @@ fn the_first_page_has_the_sets_and_whether_their_planets_fit() {
     assert!(told.contains("neighbours among 7 planets"), "{told}");
 }
 
-/// A column for each gear, told once; gears without torques have none.
+/// Table with a column for each gear with torques, and each figure once.
 #[test]
 fn the_figures_of_every_gear_stand_side_by_side() {
     let page = page(&["real-transmissions.yaml", "--transmission", "8HP", "--efficiency", "97%"]);

@@ -1,4 +1,4 @@
-//! The program as a server: what it gives out, to whom, and that every option tells.
+//! The program as a server: the files that it serves, its clients, and the effect of every option.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
@@ -146,7 +146,7 @@ fn a_browser_is_opened_but_where_none_is_wanted() {
             command
         });
         let begun = Instant::now();
-        // Of what does not come there is no end to wait for; what was told before the address would be there
+        // A browser that is not opened cannot be waited for; messages before the address would have arrived
         // by now.
         while !told.exists() && begun.elapsed() < Duration::from_secs(if quiet { 1 } else { 60 }) {
             std::thread::sleep(Duration::from_millis(20));

@@ -43,7 +43,7 @@ fn completions_know_every_command_and_its_options() {
     assert_eq!(refused.status.code(), Some(2));
 }
 
-/// What bash makes of the script, where there is a bash.
+/// Bash completes a command with the script; without a bash the test does nothing.
 #[test]
 fn bash_completes_a_command() {
     let test = "\nCOMP_WORDS=(epicyclic sel); COMP_CWORD=1; _epicyclic epicyclic sel epicyclic; echo \"${COMPREPLY[*]}\"\n";

@@ -144,7 +144,7 @@ fn interrupt(pid: u32) {
     Command::new("kill").args(["-INT", &pid.to_string()]).status().unwrap();
 }
 
-/// Ctrl-C at many moments: the file is the old one or the new one, never a part, and nothing lies beside it.
+/// Ctrl-C at many moments: the file is the old one or the new one, never a part, and no other file remains.
 #[test]
 fn ctrl_c_leaves_no_broken_file() {
     let args = [&LONG[..], &["-o", "answer.json"]].concat();
@@ -175,12 +175,13 @@ fn ctrl_c_leaves_no_broken_file() {
     assert!(old > 0, "{old} old, {new} new");
 }
 
-/// An hour of a motor that shakes: the first Ctrl-C ends it, and what is known of it is told.
+/// Simulation of one hour of a vibrating motor: the first Ctrl-C ends it, and the results up to then are
+/// printed.
 #[test]
 fn ctrl_c_tells_the_motion_up_to_there() {
     let folder = here();
     fs::write(folder.path().join("shaken.yaml"), SHAKEN).unwrap();
-    // On a busy machine it hears late, and may have no time to tell.
+    // On a busy machine the program reacts late, and may have no time to print.
     for wait in [100, 300, 1000, 3000, 6000] {
         let child = in_the_foreground(folder.path(), &["simulate", "shaken.yaml", "--csv", "shaken.csv"])
             .stdout(Stdio::piped())
@@ -191,7 +192,7 @@ fn ctrl_c_tells_the_motion_up_to_there() {
         interrupt(child.id());
         let done = child.wait_with_output().unwrap();
         let (told, refused) = (text(&done.stdout), text(&done.stderr));
-        // Before it listens it ends as any program.
+        // Before its handlers are installed, the program ends like any other.
         if done.status.code() == Some(130) && !told.is_empty() {
             assert!(told.contains("ended at ") && refused.contains("error: interrupted"), "{told}{refused}");
             assert!(folder.path().join("shaken.csv").exists());
@@ -237,7 +238,7 @@ fn ctrl_c_ends_a_search() {
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
 }
 
-/// What the program writes when it believes in a terminal; `None` where there is no `script` to make it one.
+/// Output of the program on a terminal; `None` if there is no `script` to emulate one.
 fn on_a_terminal(args: &str, no_color: bool) -> Option<String> {
     let folder = here();
     let log = folder.path().join("log");
@@ -272,8 +273,8 @@ fn colour_and_progress_are_for_terminals() {
     assert!(seen.contains("searching: ") && seen.contains("sets of tooth numbers found"), "{seen}");
 }
 
-/// The size of a long search first, then how far it is; of a short one neither, and none of it but on a
-/// terminal.
+/// A long search prints its size, then its progress; a short one prints neither, and without a terminal
+/// nothing is printed.
 #[test]
 fn a_long_search_tells_its_size_on_a_terminal() {
     let wide = "--sun 1..6000 --planet 1..6000 --ring 1..9000 --tolerance 0.1%";
@@ -299,8 +300,7 @@ fn a_long_search_tells_its_size_on_a_terminal() {
     assert!(piped.status.success() && piped.stderr.is_empty(), "{piped:?}");
 }
 
-/// More designs than an answer holds: the same on standard output and in a file, and as many as the front
-/// has.
+/// With more designs than an answer holds, standard output and file are equal, and contain the whole front.
 #[test]
 fn a_whole_front_is_written_as_it_comes() {
     let folder = here();
@@ -337,7 +337,7 @@ fn a_whole_front_is_written_as_it_comes() {
     assert!(table.status.code() == Some(2) && text(&table.stderr).contains("at most 10000"), "{table:?}");
 }
 
-/// The file that a shell has opened for standard output is written where the stream stands.
+/// The file that a shell has opened for standard output is written at the position of the stream.
 #[cfg(unix)]
 #[test]
 fn standard_output_by_its_name_keeps_what_stands_in_its_file() {
@@ -383,7 +383,7 @@ fn the_end_of_a_name_says_the_format_or_is_refused() {
     }
 }
 
-/// A list in CSV has no place for warnings: they are told beside it.
+/// A list in CSV has no place for warnings, so they are printed as messages.
 #[test]
 fn warnings_of_a_list_in_csv_are_told() {
     let file = examples().join("ravigneaux.yaml");
@@ -394,8 +394,8 @@ fn warnings_of_a_list_in_csv_are_told() {
     );
 }
 
-/// What no design meets is not saved as if one did; a rejected one is only where it is asked for, and says
-/// so.
+/// Without an accepted design nothing is saved; a rejected one is saved only on request, with a note in the
+/// file.
 #[test]
 fn rejected_designs_are_saved_only_on_demand() {
     let folder = here();

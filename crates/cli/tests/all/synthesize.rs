@@ -61,8 +61,8 @@ fn a_saved_compound_set_has_the_figures_of_the_answer() {
     }
 }
 
-/// What is of use by a limit decides where the search ends; the classes by themselves say what it has to
-/// find.
+/// The limits of a usable gearbox decide where the search ends; searches of the single classes give the
+/// expected result.
 #[test]
 fn a_search_goes_on_until_a_gearbox_is_of_use() {
     let folder = here();

@@ -310,8 +310,7 @@ fn the_gyroscopic_effect_changes_forces_where_the_carrier_turns() {
     assert_eq!((with, with.0), (without, false));
 }
 
-/// What turns the other way with the torque of the other sign is a mirror image; a torque of the other sign
-/// alone is not.
+/// Reversed rotation with reversed torque is a mirror image; a reversed torque alone is not.
 #[test]
 fn forces_are_those_of_the_mirror_image() {
     let of = |speeds: &str| {
@@ -584,8 +583,8 @@ fn planets_at_unequal_angles_part_the_double_modes() {
     assert!(list(&file, "orders").iter().all(|order| order["excites"].is_null()));
 }
 
-/// Planets whose centrifugal forces have a resultant: modes at rest are told, what needs a carrier that turns
-/// about its centre is not, and the rest of the gearbox is.
+/// Planets whose centrifugal forces have a resultant: modes at rest are computed, and so is the rest of the
+/// gearbox. Results that need a carrier turning about its centre are left out.
 #[test]
 fn of_planets_out_of_balance_the_modes_at_rest_are_told() {
     let angles = "planet_angles: [0 deg, 80 deg, 180 deg, 270 deg]\n      planet_bearing: 350";
@@ -602,7 +601,7 @@ fn of_planets_out_of_balance_the_modes_at_rest_are_told() {
     assert_eq!((list(&answer, "torsional").len(), list(&answer, "coupled").len()), (1, 1));
 }
 
-/// Two sets that are not round, in two gears: what keeps them from being coupled is told once.
+/// Two sets without rotational symmetry, in two gears: the reason why they are not coupled is listed once.
 #[test]
 fn two_sets_that_are_not_round_are_not_coupled() {
     let slow = "planet_angles: [0 deg, 124 deg, 240 deg]\n      planet_bearing: 600";

@@ -12,8 +12,8 @@ pub(crate) fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap().to_owned()
 }
 
-/// Runs every block of a document that calls the program, one after another in one folder, and holds what it
-/// prints against what is shown; how many there were.
+/// Runs every block of a document that calls the program, one after another in one folder, and compares the
+/// output with the text shown. Returns the number of blocks.
 pub(crate) fn check(document: &str) -> usize {
     let mut run = 0;
     let folder = bench();
@@ -30,8 +30,8 @@ pub(crate) fn check(document: &str) -> usize {
     run
 }
 
-/// The document with every block shown as it is printed now: as many sections of it from the same line on, or
-/// as many lines, where a part is shown.
+/// Document with every block replaced by the present output. If a part is shown, the same number of sections
+/// or lines from the same line on is used.
 pub(crate) fn updated(document: &str) -> String {
     let mut text = document.to_owned();
     let folder = bench();
@@ -45,7 +45,7 @@ pub(crate) fn updated(document: &str) -> String {
         let first = kept.lines().next().unwrap_or_default();
         let lines: Vec<&str> = printed.lines().collect();
         let start = if from { lines.iter().position(|line| *line == first) } else { Some(0) };
-        // A part whose first line is gone is to be changed by hand.
+        // A block whose first line no longer occurs must be changed by hand.
         let Some(start) = start else { continue };
         let sections = kept.lines().filter(|line| line.is_empty()).count();
         let end_of_sections = || {
@@ -85,8 +85,7 @@ fn bench() -> tempfile::TempDir {
     folder
 }
 
-/// What a command prints. A refusal is shown too: where the program ends with an error, what it says of it
-/// follows.
+/// Output of a command; if the program ends with an error, its message follows.
 fn printed(folder: &Path, command: &str) -> String {
     let words = words(command);
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
@@ -98,7 +97,7 @@ fn printed(folder: &Path, command: &str) -> String {
     printed
 }
 
-/// Whether a text is shown. A line of dots stands for what is left out before it, or after it.
+/// Whether a text is contained in the output. A line of dots marks a part left out before it, or after it.
 fn holds(shown: &str, printed: &str) -> bool {
     let (from, to) = (shown.starts_with("…\n"), shown.ends_with("\n…\n"));
     let kept = shown.trim_start_matches("…\n").trim_end_matches("…\n");

@@ -29,7 +29,7 @@ pub(crate) fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
 }
 
-/// What a person sees.
+/// Output as a person sees it.
 pub(crate) fn session(folder: &Path, args: &[&str]) -> String {
     let output = output(folder, args);
     let mut seen = format!("$ epicyclic {}\n{}", args.join(" "), text(&output.stdout));
@@ -50,7 +50,7 @@ pub(crate) fn here() -> tempfile::TempDir {
     tempfile::tempdir().unwrap()
 }
 
-/// An hour of a motor that shakes.
+/// Simulation of one hour of a vibrating motor.
 pub(crate) const SHAKEN: &str = "\
 scenario: shaken
 gearbox: { gearbox: g, input: D, output: B, sets: [{ id: P, sun: D, ring: ground, carrier: B, k: 3 }] }
@@ -60,7 +60,7 @@ duration: 1 h
 sample_every: 60 s
 ";
 
-/// A set whose ring has so sharp a root that the standard does not hold for it.
+/// Set whose ring has roots too sharp for the standard.
 pub(crate) const SHARP: &str = "\
 gearbox: sharp root
 input: sun

@@ -1,25 +1,25 @@
-//! What a gearbox does in its gears.
+//! Analysis of a gearbox in its gears.
 //!
 //! | module | answers |
 //! |---|---|
-//! | [`overview`] | all gears side by side, with the engagement table |
+//! | [`overview`] | overview of all gears, with the engagement table |
 //! | [`gear`] | everything about one gear |
-//! | [`formulas`] | the ratios as formulas, and the way to them |
+//! | [`formulas`] | the ratios as formulas, with the steps that lead to them |
 //! | [`inputs`] | a gear with several inputs, at a point or over a map of two speeds |
 //! | [`combinations`] | every combination of shift elements |
 //! | [`shifts`] | the shifts between gears |
 //! | [`progression`] | spread, steps and ideal progressions |
 //! | [`elements`] | shift elements in a gear and over all gears |
-//! | [`planets`] | the largest speeds of planets and forces on them over all gears |
-//! | [`records`] | records that these answers share |
+//! | [`planets`] | largest planet speeds and forces over all gears |
+//! | [`records`] | records shared by these answers |
 //! | [`planet_bearings`] | forces on the planet bearings |
 //! | [`sets`] | the planet sets: teeth, ratios, and whether their planets fit |
 //! | [`step_losses`] | torques and powers with losses down to the efficiency, as steps of a calculation |
 //! | [`step_torques`] | torques without losses and their balance, as steps of a calculation |
-//! | [`warnings`] | what the reader should know of a gearbox and of its gears |
+//! | [`warnings`] | warnings about a gearbox and its gears |
 //!
-//! Speeds are multiples of the input's speed, torques of the input's torque and powers of what enters, unless
-//! the key ends in a unit: then they follow from the speed and load that were given.
+//! Speeds are given relative to the input speed, torques relative to the input torque, powers relative to the
+//! entering power. Keys that end in a unit are absolute values at the given speed and load.
 
 pub mod combinations;
 pub mod elements;
@@ -46,24 +46,24 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::AngularVelocity;
 
-/// What is known of the input's motion and load.
+/// Known motion and load of the input.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Input {
-    /// Its speed.
+    /// Speed of the input.
     pub speed: Option<AngularVelocity>,
-    /// Its load; at a torque without a speed no power follows.
+    /// Load of the input; with a torque but no speed, powers cannot be computed.
     pub load: Option<InputLoad>,
 }
 
-/// The speed and load of the input that were asked for.
+/// Speed and load of the input that were asked for.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct OperatingPoint {
-    /// Speed of the input.
+    /// Input speed in rad/s; null if none was given.
     pub speed_rad_s: Option<f64>,
-    /// Torque on the input.
+    /// Torque on the input in N·m; null if none was given.
     pub torque_n_m: Option<f64>,
-    /// Power into the input; negative where the machine drives it.
+    /// Power into the input in W, negative if the driven machine drives it; null if none was given.
     pub power_w: Option<f64>,
 }
 
@@ -82,13 +82,13 @@ impl OperatingPoint {
     }
 }
 
-/// The analysis of a gear by its name.
+/// Analyzes the gear with this name.
 ///
 /// # Errors
-/// [`Error::NoGear`] with the names of those that there are.
+/// [`Error::NoGear`] with the names of the existing gears.
 pub fn analysis<'g>(gearbox: &'g Gearbox, gear: &str) -> Result<Analysis<'g>, Error> {
     match gearbox.analyze(gear) {
-        // With few short names, the nearest says less than all.
+        // With a few short names, the full list helps more than the nearest name.
         Err(epicyclic_train::Error::Unknown { .. }) => Err(Error::NoGear {
             name: gear.to_owned(),
             gears: gearbox.gears().iter().map(|gear| gear.name().to_owned()).collect(),
@@ -97,20 +97,20 @@ pub fn analysis<'g>(gearbox: &'g Gearbox, gear: &str) -> Result<Analysis<'g>, Er
     }
 }
 
-/// A gear with what the input's speed and load make of it.
+/// Gear with the results at the speed and load of the input.
 pub(crate) struct Worked<'g> {
     pub(crate) analysis: Analysis<'g>,
     input: Input,
-    /// `None` where no load is given, or where the gear cannot take it.
+    /// Speeds, torques and powers at the load; `None` without a load, or if the gear cannot carry it.
     pub(crate) operation: Option<Operation>,
-    /// Places of the one-way clutches that let go at the load, which the gear then cannot take.
+    /// Places of the one-way clutches that overrun at the load, so that the gear cannot carry it.
     released: Vec<usize>,
 }
 
 impl<'g> Worked<'g> {
     pub(crate) fn new(gearbox: &'g Gearbox, gear: &str, input: Input) -> Result<Self, Error> {
         let analysis = analysis(gearbox, gear)?;
-        // At a torque alone powers depend on a speed that nobody gave: none is told.
+        // A torque alone gives no powers. The speed of 1 rad/s serves only to get the torques.
         let speed = input.speed.unwrap_or(AngularVelocity::from_si(1.0));
         let operation = match input.load.map(|load| analysis.at(speed, load)) {
             None | Some(Err(epicyclic_train::Error::NotDriven { .. })) => None,
@@ -128,23 +128,23 @@ impl<'g> Worked<'g> {
         Ok(Self { analysis, input, operation, released })
     }
 
-    /// Driven from the output, because the load brakes.
+    /// Whether the load brakes, so that the gear is driven from its output.
     fn is_back_driven(&self) -> bool {
         self.operation.as_ref().is_some_and(|operation| operation.direction == Direction::BackDrive)
     }
 
-    /// Torques with losses in the direction in which power runs.
+    /// Torques with losses in the actual direction of power.
     fn case(&self) -> Option<&LoadCase> {
         if self.is_back_driven() { self.analysis.back_driving() } else { self.analysis.driving() }
     }
 
-    /// A torque of the case as a multiple of the input's.
+    /// Torque of the load case relative to the input torque.
     fn of_input(&self, torque: impl Fn(&LoadCase) -> Option<f64>) -> Option<f64> {
         let case = self.case()?;
         torque(case).map(|torque| torque / case.input)
     }
 
-    /// A speed of the gear at the input's speed.
+    /// Speed in rad/s from a speed relative to the input; `None` if the input speed is not given.
     fn speed_rad_s(&self, of_input: Option<f64>) -> Option<f64> {
         self.input.speed.zip(of_input).map(|(speed, of)| (speed * of).si())
     }
@@ -155,7 +155,7 @@ fn engaged(gearbox: &Gearbox, gear: &Gear) -> Vec<String> {
     gear.engaged().iter().map(|&place| gearbox.shift_elements()[place].id().to_owned()).collect()
 }
 
-/// An efficiency of a gear that moves; none of one that its losses hold.
+/// Efficiency if it is positive; `None` if the losses hold the gear.
 pub(crate) fn moving(efficiency: Option<f64>) -> Option<f64> {
     efficiency.filter(|efficiency| *efficiency > 0.0)
 }
@@ -213,7 +213,8 @@ mod tests {
         assert!((load.entering_w - load.leaving_w - load.loss_w).abs() < 1e-9 * load.entering_w);
     }
 
-    /// With the carrier let go nothing carries the torque; the brake beside the one-way clutch does.
+    /// A reversed torque releases the carrier, so that nothing carries the torque; the brake parallel to the
+    /// one-way clutch does.
     #[test]
     fn a_one_way_clutch_takes_no_reversed_torque() {
         let document = document("ravigneaux.yaml");

@@ -1,12 +1,12 @@
-//! Gearboxes side by side: what each has, and how far it differs from the first.
+//! Comparison of gearboxes: the figures of each, and their differences from the first.
 //!
 //! | module | is |
 //! |---|---|
 //! | [`page`] | what a page of it draws |
 //! | [`rows`] | which gears of the gearboxes stand beside each other |
 //!
-//! Speeds are multiples of the input's speed, torques of the input's torque and powers of what enters;
-//! efficiencies are those driven from the input. All of it is taken from the
+//! Speeds are given relative to the input speed, torques relative to the input torque, powers relative to the
+//! entering power. Efficiencies are those when driven from the input. All figures come from the
 //! [overviews](crate::analyze::answer::overview) of the gearboxes.
 
 pub mod page;
@@ -27,54 +27,54 @@ pub use rows::GearsBy;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Gearboxes side by side.
+/// Comparison of gearboxes.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Comparison {
-    /// The gearboxes; the first is the one from which differences are counted.
+    /// Gearboxes compared; differences are taken from the first.
     pub gearboxes: Vec<Compared>,
-    /// By what gears stand beside each other.
+    /// Property by which gears of the gearboxes are paired.
     pub gears_by: GearsBy,
-    /// Speed and load of the input that were asked for, all the same.
+    /// Speed and load of the input that were asked for, equal for all gearboxes.
     pub operating_point: OperatingPoint,
     /// Figures of the gearboxes as a whole.
     pub figures: Vec<ComparedFigure>,
-    /// Figures gear by gear.
+    /// Figures of the gears.
     pub gears: Vec<ComparedGear>,
-    /// What the reader should know.
+    /// Warnings about the comparison.
     pub warnings: Vec<Warning>,
 }
 
-/// A gearbox of a comparison.
+/// Gearbox in a comparison.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Compared {
-    /// Its name.
+    /// Name of the gearbox.
     pub gearbox: String,
-    /// What it is read from: a file, standard input, or the name of a scheme or structure.
+    /// Origin of the gearbox: a file, standard input, or the name of a scheme or structure.
     pub from: String,
-    /// Its shift elements.
+    /// Shift elements of the gearbox.
     pub shift_elements: Vec<ComparedElement>,
 }
 
-/// A shift element over all gears.
+/// Shift element with its largest torque and slip over all gears.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ComparedElement {
-    /// What it is.
+    /// Name, kind and links of the shift element.
     #[serde(flatten)]
     pub element: ShiftElement,
-    /// Its largest torque with losses, over the input's.
+    /// Largest torque with losses over all gears, relative to the input torque; null if none exists.
     pub torque_of_input: Option<f64>,
-    /// In which gear.
+    /// Gear in which the largest torque occurs; null if none exists.
     pub torque_gear: Option<String>,
-    /// Its largest slip over the input's speed.
+    /// Largest slip over all gears, relative to the input speed; null if none exists.
     pub slip_of_input: Option<f64>,
-    /// In which gear.
+    /// Gear in which the largest slip occurs; null if none exists.
     pub slip_gear: Option<String>,
-    /// Its largest torque at the operating point.
+    /// Largest torque at the operating point, in N·m; null without a load.
     pub torque_n_m: Option<f64>,
-    /// Its largest slip at the operating point.
+    /// Largest slip at the operating point, in rad/s; null if no input speed is given.
     pub slip_rad_s: Option<f64>,
 }
 
@@ -93,37 +93,36 @@ impl ComparedElement {
     }
 }
 
-/// Gears that stand beside each other.
+/// Corresponding gears of the gearboxes, with their figures.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ComparedGear {
-    /// The gear of each gearbox; `null` where it has none like it.
+    /// Name of the gear in each gearbox; null for a gearbox without a corresponding gear.
     pub gears: Vec<Option<String>>,
-    /// What they do.
+    /// Figures of the gears.
     pub figures: Vec<GearFigure>,
 }
 
-/// A figure of gears beside each other.
+/// Figure of corresponding gears.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct GearFigure {
-    /// Which.
+    /// Name of the figure.
     pub figure: FigureName,
-    /// Of the gear of each gearbox; `null` where there is none.
+    /// Value for the gear of each gearbox; null if none exists.
     pub values: Vec<Option<f64>>,
-    /// How far they differ.
+    /// Differences between the values.
     #[serde(flatten)]
     pub differs: Differs,
 }
 
-/// How far values differ from that of the first gearbox.
+/// Difference of values from that of the first gearbox.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Differs {
-    /// The largest difference from the first gearbox's value; `null` where all are equal or the first has
-    /// none.
+    /// Largest difference from the first gearbox's value; null if all are equal or the first has none.
     pub difference: Option<f64>,
-    /// The same over the first gearbox's value.
+    /// Largest difference divided by the first gearbox's value; null if all are equal or the first has none.
     pub relative_difference: Option<f64>,
 }
 
@@ -140,28 +139,29 @@ impl Differs {
     }
 }
 
-/// A figure of each gearbox.
+/// Figure of each gearbox as a whole.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ComparedFigure {
-    /// Which.
+    /// Name of the figure.
     pub figure: FigureName,
-    /// Of each gearbox; `null` where there is none.
+    /// Value for each gearbox; null if none exists.
     pub values: Vec<Option<Value>>,
-    /// How far they differ.
+    /// Differences between the values.
     #[serde(flatten)]
     pub differs: Differs,
 }
 
-/// A value, and where it is.
+/// Value with the place where it occurs.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Value {
     /// The value.
     pub value: f64,
-    /// In which gear, or to which gear from the one before, of a largest or smallest value.
+    /// Gear in which a largest or smallest value occurs; for a step, the gear to which it leads. Otherwise
+    /// null.
     pub gear: Option<String>,
-    /// Of which shift element or set, of a largest value.
+    /// Shift element or set in which a largest value occurs; otherwise null.
     pub part: Option<String>,
 }
 
@@ -191,41 +191,42 @@ pub enum FigureName {
     SmallestStep,
     /// Shifts between neighbours at which at most one shift element is released and one applied.
     SingleTransitions,
-    /// Shifts between neighbours at which two are.
+    /// Shifts between neighbours at which two shift elements are released or two applied.
     DoubleTransitions,
-    /// Shifts between neighbours at which more than two are.
+    /// Shifts between neighbours at which more than two shift elements are released or applied.
     MultipleTransitions,
     /// Lowest efficiency of a gear.
     LowestEfficiency,
-    /// Largest circulating power of a gear over what enters; gears that turn as a block have none.
+    /// Largest circulating power of a gear relative to the entering power; none for gears that turn as a
+    /// block.
     LargestCirculatingPower,
-    /// Largest speed of a link over the input's.
+    /// Largest speed of a link relative to the input speed.
     LargestLinkSpeed,
-    /// Largest speed of a planet relative to its carrier over the input's.
+    /// Largest planet speed relative to the carrier, relative to the input speed.
     LargestPlanetSpeed,
-    /// Largest torque of a brake over the input's.
+    /// Largest torque of a brake relative to the input torque.
     LargestBrakeTorque,
-    /// Largest torque of a clutch over the input's.
+    /// Largest torque of a clutch relative to the input torque.
     LargestClutchTorque,
-    /// Largest slip of a brake over the input's speed.
+    /// Largest slip of a brake relative to the input speed.
     LargestBrakeSlip,
-    /// Largest slip of a clutch over the input's speed.
+    /// Largest slip of a clutch relative to the input speed.
     LargestClutchSlip,
     /// Ratio of a gear, input speed over output speed.
     Ratio,
     /// Ratio step to a gear from its neighbour of larger ratio.
     Step,
-    /// Efficiency of a gear, driven from the input.
+    /// Efficiency of a gear when driven from the input.
     Efficiency,
-    /// Circulating power in a gear over what enters.
+    /// Circulating power in a gear relative to the entering power.
     CirculatingPower,
-    /// Largest speed of a link in a gear over the input's.
+    /// Largest speed of a link in a gear, relative to the input speed.
     LinkSpeed,
-    /// Largest speed of a planet in a gear relative to its carrier, over the input's.
+    /// Largest planet speed in a gear relative to the carrier, relative to the input speed.
     PlanetSpeed,
-    /// Speed of the output in a gear at the operating point, in rad/s.
+    /// Output speed in a gear at the operating point, in rad/s.
     OutputSpeedRadS,
-    /// Torque on the gearbox at the output in a gear at the operating point, in N·m.
+    /// Torque on the output in a gear at the operating point, in N·m.
     OutputTorqueNM,
     /// Power lost in a gear at the operating point, in W.
     LossW,
@@ -235,16 +236,16 @@ impl Answer for Comparison {
     const NAME: &'static str = "compare";
 }
 
-/// A gearbox that is compared, and what it is read from.
+/// Gearbox to be compared, with its origin.
 #[derive(Debug)]
 pub struct Candidate<'s, 'd> {
     /// The gearbox.
     pub subject: &'s Subject<'d>,
-    /// A file, standard input, or the name of a scheme or structure.
+    /// Origin: a file, standard input, or the name of a scheme or structure.
     pub from: String,
 }
 
-/// Gearboxes side by side, at one speed and load of the input where these are given.
+/// Compares gearboxes, at one speed and load of the input if these are given.
 ///
 /// # Errors
 /// [`Error::ManyGears`] for a gearbox of more than [`rows::MOST_GEARS`] gears; those of [`overview::answer`].
@@ -281,7 +282,7 @@ pub fn answer(candidates: &[Candidate<'_, '_>], input: Input) -> Result<Comparis
     })
 }
 
-/// Losses that some state and others do not.
+/// Warning if only some of the gearboxes have losses.
 fn warnings(overviews: &[Overview]) -> Vec<Warning> {
     let without: Vec<&str> =
         overviews.iter().filter(|one| !one.has_losses).map(|one| one.gearbox.as_str()).collect();
@@ -312,7 +313,7 @@ const WHOLE: &[(FigureName, OfWhole)] = &[
     }),
     (FigureName::Gears, |_, overview| count(overview.gears.len())),
     (FigureName::Spread, |_, overview| {
-        // Of progressions with as many ratios the first.
+        // If several progressions have the most ratios, the first one is used.
         let mut longest = None::<&crate::analyze::answer::progression::Progression>;
         for one in &overview.progressions {
             if longest.is_none_or(|most| one.ratios > most.ratios) {
@@ -356,7 +357,7 @@ fn elements<'o>(overview: &'o Overview, kinds: &[ShiftElementKind]) -> impl Iter
     overview.shift_elements.iter().filter(move |one| kinds.contains(&one.element.kind))
 }
 
-/// The greatest or least of some values, of equal ones the first.
+/// Finds the greatest or least value, the first of equal ones.
 fn extreme(values: impl IntoIterator<Item = Value>, is_more: fn(&f64, &f64) -> bool) -> Option<Value> {
     values.into_iter().reduce(|most, one| if is_more(&one.value, &most.value) { one } else { most })
 }
@@ -367,13 +368,13 @@ fn gears(overview: &Overview, of: fn(&overview::Gear) -> Option<f64>) -> impl It
     })
 }
 
-/// Circulating power; none of a gearbox that turns as a block, where no mesh passes it on.
+/// Circulating power; `None` for a gearbox that turns as a block, where no mesh transmits power.
 fn circulating(gear: &overview::Gear) -> Option<f64> {
     let rolls = gear.largest_planet_speed_of_input.is_none_or(|speed| speed > ROUNDED);
     gear.circulating_of_entering.filter(|_| rolls)
 }
 
-/// Steps between neighbours, whichever way the file lists them.
+/// Steps between neighbouring gears, in whatever order the file lists them.
 fn steps(overview: &Overview) -> impl Iterator<Item = Value> {
     overview.shifts.iter().map(|shift| Value {
         value: shift.input_speed_after_of_before.recip(),
@@ -406,13 +407,13 @@ fn slip(overview: &Overview, kind: ShiftElementKind) -> Option<Value> {
 
 type OfGear = fn(&Overview, &overview::Gear) -> Option<f64>;
 
-/// The step to a gear from its neighbour of larger ratio, whichever way the file lists them.
+/// Step to a gear from its neighbour of larger ratio, in whatever order the file lists them.
 fn step_to(overview: &Overview, gear: &overview::Gear) -> Option<f64> {
     let shift = overview.shifts.iter().find(|shift| shift.to == gear.facts.gear)?;
     Some(shift.input_speed_after_of_before.recip())
 }
 
-/// The figures of a gear, in their order.
+/// Figures of a gear in their order.
 const OF_GEAR: &[(FigureName, OfGear)] = &[
     (FigureName::Ratio, |_, gear| gear.facts.ratio),
     (FigureName::Step, step_to),
@@ -425,7 +426,7 @@ const OF_GEAR: &[(FigureName, OfGear)] = &[
     (FigureName::LossW, loss),
 ];
 
-/// What enters at the input and at the output together: powers on the gearbox.
+/// Power loss: the sum of the powers that enter at input and output.
 fn loss(overview: &Overview, gear: &overview::Gear) -> Option<f64> {
     let at = &overview.operating_point;
     let speed = at.speed_rad_s?;
@@ -457,7 +458,7 @@ impl ComparedGear {
 
 impl ComparedFigure {
     fn of(figure: FigureName, values: impl Iterator<Item = Option<Value>>) -> Self {
-        // What is nothing is nowhere.
+        // A value of zero occurs nowhere in particular, so it gets no place.
         let placed = |of: Value| {
             if of.value.abs() > ROUNDED { of } else { Value { gear: None, part: None, ..of } }
         };

@@ -8,8 +8,7 @@ use crate::table::report::{AsReport as _, Report};
 use crate::table::text::Error;
 use epicyclic_pictures::gearbox::scheme::{self, Show};
 
-/// The comparison, and the gearboxes as schemes where they are drawable; `input` is the command as it was
-/// written.
+/// Builds the page of a comparison, with the schemes of the drawable gearboxes; `input` is the command line.
 ///
 /// # Errors
 /// [`Error::Picture`] for a scheme that cannot be made into a picture.

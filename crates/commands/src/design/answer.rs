@@ -1,15 +1,12 @@
-//! A gearbox from speeds and power to sizes that hold: its scheme, its tooth numbers, its sizes with their
-//! strength.
+//! Design of a gearbox from speeds and power: its scheme, tooth numbers and sizes with sufficient strength.
 //!
-//! | module | is |
-//! |---|---|
-//! | [`basis`] | assumed materials, factors, oil and life |
-//! | [`records`] | the steps, each with what it chose and what came next |
-//! | [`ways_out`] | limits that would have to give where no gearbox is left, with the gearbox behind each |
+//! - [`basis`]: assumed materials, factors, oil and life.
+//! - [`records`]: steps, each with its choice and the next best.
+//! - [`ways_out`]: limits to relax if no gearbox is found, each with the gearbox that is then found.
 //!
-//! Each step takes the best of the one before it, so that a person can follow it and choose otherwise;
-//! combinations are not searched. Where no tooth numbers of a scheme have sizes, the next scheme is taken.
-//! Another scheme, or other tooth numbers, may give a lighter gearbox.
+//! Each step keeps only the best result of the previous step, so that a person can follow it and choose
+//! otherwise; combinations are not searched. If no tooth numbers of a scheme have sizes, the next scheme is
+//! taken. Another scheme, or other tooth numbers, may give a lighter gearbox.
 
 mod attempt;
 pub mod basis;
@@ -32,52 +29,53 @@ use serde::Serialize;
 use std::ops::RangeInclusive;
 use ways_out::WayOut;
 
-/// What is wanted.
+/// Requirements of a design.
 #[derive(Debug, Clone)]
 pub struct Wanted {
-    /// Ratios, criteria, order, mechanisms and load; speed and load of the input are needed.
+    /// Ratios, criteria, order, mechanisms and load; speed and load of the input are required.
     pub selection: select::Wanted,
-    /// One mechanism in place of the best; it must meet the criteria all the same.
+    /// Mechanism to use instead of the best; it must also meet the criteria.
     pub mechanism: Option<Mechanism>,
-    /// Bounds of tooth numbers and of planets.
+    /// Bounds of tooth numbers and numbers of planets.
     pub bounds: Bounds,
-    /// Offsets of the rings of sets with profile shift, in place of sets that need none. The sizes pick the
-    /// shifts anew at their centre distances, by the same aim and tip thickness.
+    /// Ring offsets of sets with profile shift; `None` for sets without profile shift. The sizing chooses the
+    /// shifts again at its centre distances, with the same aim and tip thickness.
     pub ring_offsets: Option<RangeInclusive<i32>>,
-    /// How many of the tooth designs of each class of deviation get sizes, the smallest rings first.
+    /// Number of tooth designs of each class of deviation that are sized, the smallest rings first.
     pub tries: usize,
-    /// The tooth design with this number, from 1, in place of the lightest.
+    /// Number of the tooth design to use, from 1; `None` for the lightest.
     pub tooth_design: Option<usize>,
-    /// Shares of the time of the gears, the slowest first, then reverse gears; equal where there are none.
+    /// Parts of the time in the gears, the slowest first, then reverse gears; empty for equal parts.
     pub shares: Vec<f64>,
-    /// The greatest torque of the life over that of the load, in every gear.
+    /// Greatest torque during the life over the nominal torque, in every gear.
     pub overload: Option<f64>,
-    /// Materials, factors, oil, life.
+    /// Materials, factors, oil and life.
     pub basis: Basis,
-    /// The space of sizes.
+    /// Search space of sizes.
     pub size: size::Wanted,
 }
 
-/// A gearbox from speeds and power to sizes that hold. A step that finds nothing is the last.
+/// Design of a gearbox from speeds and power, with sufficient strength. The first step that finds nothing is
+/// the last.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Design {
-    /// Speeds of the gears, asked for and reached, the slowest first; empty where there are no tooth numbers.
+    /// Speeds in the gears, required and reached, the slowest first; empty without tooth numbers.
     pub speeds: Vec<ReachedSpeed>,
-    /// Assumed values, key by key.
+    /// Assumed values by key.
     pub basis: Vec<BasisKey>,
-    /// The scheme.
+    /// Choice of the scheme.
     pub scheme: SchemeStep,
-    /// The tooth numbers; `null` where no scheme meets the criteria.
+    /// Choice of the tooth numbers; null if no scheme meets the criteria.
     pub teeth: Option<TeethStep>,
-    /// The sizes and their strength over the duty; `null` where there are no tooth numbers.
+    /// Choice of the sizes, with their strength over the duty; null without tooth numbers.
     pub sizes: Option<SizesStep>,
-    /// The gearbox with its sizes as a file; `null` where a set has none.
+    /// Gearbox file with sizes; null if a set has none.
     pub file: Option<String>,
-    /// Where there is no file: limits that would have to give, each with the gearbox found behind it; `null`
-    /// where there is a file, or the tooth design was chosen by its number.
+    /// Limits to relax if no gearbox is found, each with the gearbox that is then found. Null if there is a
+    /// file, or if the tooth design was given by its number.
     pub ways_out: Option<Vec<WayOut>>,
-    /// What the reader should know.
+    /// Warnings about the design.
     pub warnings: Vec<Warning>,
 }
 
@@ -85,7 +83,7 @@ impl Answer for Design {
     const NAME: &'static str = "design";
 }
 
-/// The order of the tooth search: the smallest ring at one load of the teeth, then the most exact ratio.
+/// Order of the tooth search: the smallest ring at equal tooth load, then the most exact ratio.
 ///
 /// # Panics
 /// Never: the objectives differ.
@@ -94,16 +92,15 @@ pub fn order_of_teeth() -> Order {
     Order::new(&[Objective::Size, Objective::RatioError]).expect("two objectives that differ")
 }
 
-/// The design; `watch` is told how far the searches for tooth numbers are, and may end them, and the sizing
-/// after them. Where no gearbox is left, the search is repeated with each limit relaxed that stands in the
-/// way.
+/// Designs a gearbox. The closures of `watch` receive the progress of the tooth search, and may end it and
+/// the sizing after it. If no gearbox is found, the search is repeated with each obstructing limit relaxed.
 ///
 /// # Errors
 /// - [`Error::NoLoad`] without load, [`Error::LoadWithoutSpeed`] without speed of the input.
-/// - [`Error::NoSuchDesign`] for a number of a tooth design that there is not.
-/// - [`Error::Shares`] for shares that are not one of each gear; those of [`select::answer`],
-///   [`select::teeth::search`] and [`size::answer`], which speak of the file `basis` or of the gearbox in the
-///   making.
+/// - [`Error::NoSuchDesign`] for a number of a tooth design that does not exist.
+/// - [`Error::Shares`] unless there is one share per gear; errors of [`select::answer`],
+///   [`select::teeth::search`] and [`size::answer`], which refer to the file `basis` or to the unfinished
+///   gearbox.
 pub fn answer(wanted: &Wanted, watch: &Watch) -> Result<Design, Error> {
     let (mut design, relaxations) = attempted(wanted, watch)?;
     if design.file.is_none() && wanted.tooth_design.is_none() {
@@ -112,7 +109,8 @@ pub fn answer(wanted: &Wanted, watch: &Watch) -> Result<Design, Error> {
     Ok(design)
 }
 
-/// The design without ways out, and criteria that alone keep schemes out where none is accepted.
+/// Designs a gearbox without ways out; if no scheme is accepted, also returns the criteria that alone reject
+/// schemes.
 fn attempted(wanted: &Wanted, watch: &Watch) -> Result<(Design, Vec<select::Relaxation>), Error> {
     let space = match wanted.mechanism {
         Some(mechanism) => Space::Mechanisms(vec![mechanism]),
@@ -125,12 +123,12 @@ fn attempted(wanted: &Wanted, watch: &Watch) -> Result<(Design, Vec<select::Rela
     for mechanism in mechanisms {
         attempts.push((mechanism, Attempt::of(wanted, mechanism, watch)?));
         let is_last = attempts.last().is_some_and(|(_, attempt)| attempt.file.is_some());
-        // A number is one of the best scheme's list.
+        // A number given for a tooth design refers to the list of the best scheme.
         if is_last || wanted.tooth_design.is_some() {
             break;
         }
     }
-    // Where none has sizes the best scheme tells what it lacks.
+    // If no scheme has sizes, the best one shows what is missing.
     let taken = attempts.iter().position(|(_, attempt)| attempt.file.is_some()).unwrap_or(0);
     let passed_over: Vec<Mechanism> = attempts.drain(..taken).map(|(mechanism, _)| mechanism).collect();
     let taken = attempts.into_iter().next();

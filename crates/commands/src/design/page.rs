@@ -5,8 +5,8 @@ use crate::design::table::{in_short, parts_of_choice, parts_of_sizes};
 use crate::page::sheet::{Arrangement, Block, Section, Sheet};
 use crate::table::report::{AsReport, Report};
 
-/// The page of the gearbox that was designed, with the steps before its other chapters and the command below;
-/// without a gearbox what was found.
+/// Builds the page of the designed gearbox. The design steps precede its other chapters and the command
+/// follows; without a gearbox the page shows the steps.
 #[must_use]
 pub fn sheet(design: &Design, gearbox: Option<Sheet>, command: &str) -> Sheet {
     let choice = || vec![Block::Answer(Report { parts: parts_of_choice(design), ..Report::default() })];

@@ -1,4 +1,4 @@
-//! A drawing: of what it is, what it shows, and which files hold it.
+//! Drawing: its subject, its view, and the files that hold it.
 
 use crate::analyze::answer::elements::ShiftElement;
 use crate::analyze::answer::records::Kind;
@@ -12,107 +12,107 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::Length;
 
-/// A drawing of a gearbox or hydromotor.
+/// Drawing of a gearbox or hydromotor.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Drawing {
-    /// What is drawn.
+    /// Gearbox or motor that is drawn.
     pub subject: Subject,
-    /// How it is looked at.
+    /// View of the drawing.
     pub view: View,
-    /// The gear that is shown, by its name in the gearbox; `null` where the structure or all gears are.
+    /// Name of the gear that is shown; null if the structure or all gears are shown.
     pub gear: Option<String>,
-    /// Whether widths of lines show the power through them.
+    /// Whether line widths show the power through the parts.
     pub power: bool,
-    /// Whether a scheme has both halves.
+    /// Whether a scheme shows both halves.
     pub whole: bool,
     /// Whether input and output of a scheme are on the same side.
     pub same_side: bool,
-    /// Whether gears and planet axes of a scheme stand at heights in proportion to their pitch radii.
+    /// Whether the heights of gears and planet axes in a scheme are proportional to their pitch radii.
     pub to_scale: bool,
-    /// The sheet; `null` where the gearbox cannot be drawn.
+    /// Title and size of the sheet; null if the gearbox cannot be drawn.
     pub sheet: Option<Sheet>,
-    /// Why the gearbox cannot be drawn in this view; `null` where it is drawn.
+    /// Reason why the gearbox cannot be drawn in this view; null if it is drawn.
     pub conflict: Option<Conflict>,
     /// Files that are written.
     pub files: Vec<File>,
-    /// The checks of the teeth that a view of teeth shows; `null` of others.
+    /// Tooth checks in a view of teeth; null in other views.
     pub tooth_checks: Option<ToothChecks>,
 }
 
-/// What is drawn.
+/// Gearbox or motor that is drawn.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Subject {
-    /// Where it comes from.
+    /// Origin of the gearbox or motor.
     pub origin: Origin,
-    /// Name of the gearbox, or title of the motor's file.
+    /// Name of the gearbox, or title of the motor's file; null if none exists.
     pub name: Option<String>,
-    /// Planet sets of a gearbox.
+    /// Planetary sets of a gearbox; empty for a motor.
     pub sets: Vec<Set>,
-    /// Shift elements of a gearbox; of a structure the direct-drive clutch stands between the first links
-    /// that leave room for it.
+    /// Shift elements of a gearbox. In a structure the direct-drive clutch connects the first links with room
+    /// for it.
     pub shift_elements: Vec<ShiftElement>,
-    /// Lobes, teeth and module of a motor.
+    /// Lobes, teeth and module of a motor; null for a gearbox.
     pub motor: Option<Numbers>,
 }
 
-/// Where what is drawn comes from.
+/// Origins of a gearbox or motor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Origin {
-    /// A scheme of the catalogue.
+    /// Scheme of the catalogue.
     Catalogue,
-    /// A structure of two sets by its name.
+    /// Structure of two sets by its name.
     Structure,
-    /// The gearbox of a file.
+    /// Gearbox of a file.
     GearboxFile,
-    /// The hydromotor of a file.
+    /// Hydromotor of a file.
     MotorFile,
 }
 
-/// A planet set that is drawn.
+/// Planetary set that is drawn.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Set {
-    /// Its name.
+    /// Name of the set.
     pub set: String,
-    /// How it is made.
+    /// Kind of the set.
     pub kind: Kind,
-    /// Basic ratio i₀: with the carrier fixed, speed of the first central gear over that of the second.
-    /// `null` where it is not given, and of a set with more than two central gears.
+    /// Basic ratio i₀: with the carrier fixed, speed of the first central gear over that of the second. Null
+    /// if it is not given, or with more than two central gears.
     pub basic_ratio: Option<f64>,
 }
 
-/// How something is looked at.
+/// Views of a drawing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum View {
-    /// The kinematic scheme of a gearbox.
+    /// Kinematic scheme of a gearbox.
     Scheme,
-    /// The speed diagram of a gear.
+    /// Speed diagram of a gear.
     Speeds,
-    /// The lever diagram of a gearbox.
+    /// Lever diagram of a gearbox.
     Levers,
-    /// The ratios of all gears on a logarithmic scale.
+    /// Ratios of all gears on a logarithmic scale.
     Ladder,
-    /// The efficiency of a gear over speed and torque of its input, with all losses.
+    /// Efficiency of a gear over input speed and torque, with all losses.
     Map,
-    /// Of a motor: its centrodes.
+    /// Centrodes of a motor.
     Centrodes,
-    /// Of a motor: the construction of its arcs and of the point where the rotor's arcs meet.
+    /// Construction of a motor's arcs and of the point where the rotor's arcs meet.
     Construction,
-    /// Every tooth in mesh, of a motor or of the simple sets of a gearbox.
+    /// Teeth in mesh, of a motor or of the simple sets of a gearbox.
     Teeth,
-    /// Of a motor: the motor in its housing with its ports.
+    /// Motor in its housing with its ports.
     Motor,
-    /// Of a motor: its chambers by pressure.
+    /// Chambers of a motor by pressure.
     Chambers,
-    /// Of a motor: its dimensions and a table of wheel data.
+    /// Dimensions of a motor with a table of gear data.
     Dimensions,
     /// Forces on the satellites and on the bearing of a motor.
     Forces,
-    /// Ports of a motor as made.
+    /// Ports of a motor as manufactured.
     Ports,
     /// Pressure in a chamber of a motor over its cycle.
     Pressure,
@@ -122,39 +122,39 @@ pub enum View {
     Efficiency,
 }
 
-/// The sheet that a drawing fills.
+/// Title and size of a drawing's sheet.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Sheet {
     /// Title of the drawing.
     pub title: String,
-    /// Its width.
+    /// Width of the sheet in m.
     pub width_m: f64,
-    /// Its height.
+    /// Height of the sheet in m.
     pub height_m: f64,
 }
 
-/// A file that holds the drawing.
+/// File that holds the drawing.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct File {
-    /// Where it is, as it was named.
+    /// Path of the file as it was given.
     pub path: String,
-    /// How it is written.
+    /// Format of the file.
     pub format: FileFormat,
 }
 
-/// How a drawing is written.
+/// File formats of a drawing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum FileFormat {
-    /// An image, one unit a millimetre.
+    /// SVG image, one unit per millimetre.
     Svg,
-    /// A drawing in millimetres for CAD.
+    /// DXF drawing in millimetres for CAD.
     Dxf,
-    /// A page of the drawing's size.
+    /// PDF page of the drawing's size.
     Pdf,
-    /// An image of pixels.
+    /// PNG image.
     Png,
 }
 
@@ -163,7 +163,7 @@ impl Answer for Drawing {
 }
 
 impl Subject {
-    /// A gearbox; `has_sizes` unless its sets have any sizes because only the structure is drawn.
+    /// Subject for a gearbox; `has_sizes` is false if only the structure is drawn and its sets have no sizes.
     #[must_use]
     pub fn of_gearbox(gearbox: &Gearbox, origin: Origin, has_sizes: bool) -> Self {
         let set = |set: &epicyclic_train::PlanetSet| Set {
@@ -180,7 +180,7 @@ impl Subject {
         }
     }
 
-    /// The hydromotor of a file.
+    /// Subject for the hydromotor of a file.
     #[must_use]
     pub fn of_motor(title: Option<String>, motor: &epicyclic_hydromotor::Motor) -> Self {
         Self {
@@ -194,7 +194,7 @@ impl Subject {
 }
 
 impl Sheet {
-    /// A sheet of this size in millimetres.
+    /// Sheet of this size in millimetres.
     #[must_use]
     pub fn of(title: &str, [width_mm, height_mm]: [f64; 2]) -> Self {
         let length = |mm| Length::from_mm(mm).si();

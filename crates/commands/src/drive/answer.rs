@@ -1,4 +1,4 @@
-//! A planetary drive from power, speed and ratio to its starting time.
+//! Design of a planetary drive from power, speed and ratio to its starting time.
 
 mod masses;
 mod warning;
@@ -17,15 +17,15 @@ use epicyclic_gears::geometry::ToothedGear;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// A planetary drive: the sun drives, the ring is fixed, the load is on the carrier.
+/// Planetary drive: the sun drives, the ring is fixed, the load is on the carrier.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Drive {
-    /// What the drive is for, where its file says so.
+    /// Purpose of the drive; null if its file gives no title.
     pub title: Option<String>,
     /// Tooth numbers, planets and ratio.
     pub tooth_numbers: ToothNumbers,
-    /// Efficiencies by the losses of the meshes alone.
+    /// Efficiencies from the mesh losses alone.
     pub efficiencies: Efficiencies,
     /// Speeds, positive in the direction of the sun.
     pub speeds: Speeds,
@@ -41,11 +41,11 @@ pub struct Drive {
     pub shafts: Shafts,
     /// Masses and inertias of the parts.
     pub masses: Masses,
-    /// All moving parts as one inertia at the sun's shaft.
+    /// Equivalent inertia of all moving parts, referred to the sun's shaft.
     pub equivalent_inertia: EquivalentInertia,
     /// The start from rest under constant torques.
     pub start: Starting,
-    /// What deserves a second look.
+    /// Warnings about the design.
     pub warnings: Vec<Warning>,
 }
 
@@ -53,40 +53,39 @@ pub struct Drive {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ToothNumbers {
-    /// Teeth of the sun, `z₁`.
+    /// Tooth number of the sun, `z₁`.
     pub sun: u32,
-    /// Teeth of a planet, `z₂`.
+    /// Tooth number of a planet, `z₂`.
     pub planet: u32,
-    /// Teeth of the ring, `z₃`.
+    /// Tooth number of the ring, `z₃`.
     pub ring: u32,
     /// Number of planets, `N`.
     pub planets: u32,
-    /// The most planets that clear each other at equal spacing.
+    /// Maximum number of planets that clear each other at equal spacing.
     pub most_planets: u32,
-    /// Whether the planets stand at equal angles.
+    /// Whether the planets are equally spaced.
     pub equal_spacing: bool,
-    /// Where each planet stands.
+    /// Angle of each planet about the axis, in rad.
     pub planet_angles_rad: Vec<f64>,
-    /// Clearance between the tips of the planets that stand nearest to each other; negative where they
-    /// overlap.
+    /// Clearance between the tips of the closest planets, in m; negative if they overlap.
     pub tip_gap_m: f64,
     /// Basic ratio `i₀ = −z₃/z₁`, speed of the sun over speed of the ring with the carrier at rest.
     pub basic_ratio: f64,
     /// Ratio `U`, speed of the sun over speed of the carrier.
     pub ratio: f64,
-    /// The same, exactly.
+    /// Exact ratio `U` as a fraction.
     pub exact_ratio: Fraction,
-    /// How far it is from the ratio wanted, as a share of it.
+    /// Relative deviation from the required ratio.
     pub ratio_error: f64,
 }
 
-/// Efficiencies by the losses of the meshes alone.
+/// Efficiencies from the mesh losses alone.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Efficiencies {
-    /// Of the gear set with its carrier fixed, `η₀`.
+    /// Efficiency of the gear set with its carrier fixed, `η₀`.
     pub basic: f64,
-    /// Of the drive, `η`.
+    /// Efficiency of the drive, `η`.
     pub overall: f64,
 }
 
@@ -94,13 +93,13 @@ pub struct Efficiencies {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Speeds {
-    /// Of the sun, `ω₁`.
+    /// Speed of the sun, `ω₁`, in rad/s.
     pub sun_rad_s: f64,
-    /// Planet speed, `ω₂`.
+    /// Planet speed, `ω₂`, in rad/s.
     pub planet_rad_s: f64,
-    /// Planet speed relative to the carrier, `ω₂ − ω_H`.
+    /// Planet speed relative to the carrier, `ω₂ − ω_H`, in rad/s.
     pub planet_relative_rad_s: f64,
-    /// Of the carrier, `ω_H`.
+    /// Speed of the carrier, `ω_H`, in rad/s.
     pub carrier_rad_s: f64,
 }
 
@@ -108,13 +107,13 @@ pub struct Speeds {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Torques {
-    /// On the sun, `T₁`.
+    /// Torque on the sun, `T₁`, in N·m.
     pub sun_n_m: f64,
-    /// On all planets together about their own axes, `T₂`; it does not reach the planet pins.
+    /// Torque on all planets together about their own axes, `T₂`, in N·m; it does not reach the planet pins.
     pub planets_n_m: f64,
-    /// Delivered by the carrier, `T_H`.
+    /// Torque delivered by the carrier, `T_H`, in N·m.
     pub carrier_n_m: f64,
-    /// Of the housing on the ring, `T_H − T₁`.
+    /// Torque of the housing on the ring, `T_H − T₁`, in N·m.
     pub ring_reaction_n_m: f64,
 }
 
@@ -122,15 +121,15 @@ pub struct Torques {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Powers {
-    /// Into the sun, `N₁`.
+    /// Power into the sun, `N₁`, in W.
     pub input_w: f64,
-    /// Rolling power: through the meshes, relative to the carrier.
+    /// Rolling power in W: power through the meshes, relative to the carrier.
     pub rolling_w: f64,
-    /// Lost in the meshes and in the bearings of the planets.
+    /// Power lost in the meshes and in the planet bearings, in W.
     pub lost_w: f64,
-    /// On the shafts of the planets as the source counts, `N₁·η₁₂·η_b`: as if the carrier stood still.
+    /// Power on the planet shafts by the source's formula `N₁·η₁₂·η_b`, in W: as if the carrier were at rest.
     pub planets_w: f64,
-    /// Out of the carrier, `N_H`.
+    /// Power out of the carrier, `N_H`, in W.
     pub output_w: f64,
 }
 
@@ -138,21 +137,21 @@ pub struct Powers {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct GearSet {
-    /// Module `m`.
+    /// Module `m`, in m.
     pub module_m: f64,
-    /// Face width `b`.
+    /// Face width `b`, in m.
     pub face_width_m: f64,
-    /// Centre distance `a_w` of sun and planet, the radius of the planets' orbit.
+    /// Centre distance `a_w` of sun and planet, the radius of the planets' orbit, in m.
     pub centre_distance_m: f64,
-    /// Teeth of an external gear below which the rack undercuts it, `2·h_a*/sin²α`.
+    /// Tooth number of an external gear below which the rack undercuts it, `2·h_a*/sin²α`.
     pub undercut_limit: f64,
-    /// The fewest teeth of an external gear that count as not undercut, `z_min`.
+    /// Least tooth number of an external gear that counts as not undercut, `z_min`.
     pub least_teeth_without_undercut: u32,
-    /// The sun.
+    /// Diameters of the sun.
     pub sun: Gear,
-    /// A planet.
+    /// Diameters of a planet.
     pub planet: Gear,
-    /// The ring.
+    /// Diameters of the ring.
     pub ring: Gear,
 }
 
@@ -160,13 +159,13 @@ pub struct GearSet {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Gear {
-    /// Pitch diameter `d`.
+    /// Pitch diameter `d`, in m.
     pub pitch_diameter_m: f64,
-    /// Tip diameter `d_a`.
+    /// Tip diameter `d_a`, in m.
     pub tip_diameter_m: f64,
-    /// Root diameter `d_f`.
+    /// Root diameter `d_f`, in m.
     pub root_diameter_m: f64,
-    /// Base diameter `d_b`.
+    /// Base diameter `d_b`, in m.
     pub base_diameter_m: f64,
 }
 
@@ -174,157 +173,158 @@ pub struct Gear {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Forces {
-    /// Tangential force at each mesh with the sun, friction of the teeth included.
+    /// Tangential force at each sun mesh in N, friction of the teeth included.
     pub sun_mesh_n: f64,
-    /// Tangential force at each mesh with the ring, friction of the teeth included; with that at the sun it
-    /// adds to `planet_bearing_tangential_n`.
+    /// Tangential force at each ring mesh in N, friction of the teeth included. Together with the force at
+    /// the sun mesh it gives `planet_bearing_tangential_n`.
     pub ring_mesh_n: f64,
-    /// Tangential force on the bearings of each planet, from the carrier's torque.
+    /// Tangential force on the bearings of each planet in N, from the carrier torque.
     pub planet_bearing_tangential_n: f64,
-    /// Radial force of both meshes on the bearings of each planet, outwards.
+    /// Radial force of both meshes on the bearings of each planet in N, outwards.
     pub planet_bearing_meshes_n: f64,
-    /// Centrifugal force of a planet on its bearings, outwards.
+    /// Centrifugal force of a planet on its bearings in N, outwards.
     pub planet_bearing_centrifugal_n: f64,
-    /// On the bearings of each planet, all together.
+    /// Resultant force on the bearings of each planet, in N.
     pub planet_bearing_n: f64,
-    /// Nominal tangential force of a tooth of the sun for its strength, `2·T₁/(N·d₁)`: without the torque of
-    /// friction on the planet, so larger than at the mesh.
+    /// Nominal tangential tooth force of the sun for its strength, `2·T₁/(N·d₁)`, in N. It leaves out the
+    /// friction torque on the planet, and so is larger than the force at the mesh.
     pub sun_nominal_n: f64,
-    /// The same of the ring, `2·T₃/(N·d₃)`.
+    /// Nominal tangential tooth force of the ring for its strength, `2·T₃/(N·d₃)`, in N.
     pub ring_nominal_n: f64,
 }
 
-/// The three shafts.
+/// Shafts of the sun, the planets and the carrier.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Shafts {
-    /// The sun's shaft.
+    /// Shaft of the sun.
     pub sun: Shaft,
-    /// A planet pin. It carries no torque; the method sizes it by the torque on the planets all the same. Its
-    /// real load is bending by the force on the planet bearings.
+    /// Planet pin. A pin carries no torque, but the method sizes it by the torque on the planets. Its real
+    /// load is bending by the force on the planet bearings.
     pub planet_pin: Shaft,
-    /// The carrier's shaft.
+    /// Shaft of the carrier.
     pub carrier: Shaft,
 }
 
-/// A shaft by a low allowable torsional stress.
+/// Shaft sized by a low allowable torsional stress.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Shaft {
-    /// The torque that it is sized for.
+    /// Torque for which the shaft is sized, in N·m.
     pub torque_n_m: f64,
-    /// The diameter that the formula asks for.
+    /// Diameter required by the formula, in m.
     pub needed_diameter_m: f64,
-    /// The next standard diameter.
+    /// Next standard diameter, in m.
     pub standard_diameter_m: f64,
-    /// The smallest bearing of the series that goes on the standard diameter.
+    /// Smallest bearing of the series for the standard diameter; null if none exists.
     pub standard_bearing: Option<Bearing>,
-    /// The diameter used: as given, or else the standard one.
+    /// Diameter used, in m: as given, or else the standard one.
     pub diameter_m: f64,
-    /// Torsional stress at the diameter used.
+    /// Torsional stress at the diameter used, in Pa.
     pub stress_pa: f64,
-    /// The bearing used.
+    /// Bearing used; null if none exists.
     pub bearing: Option<Bearing>,
 }
 
-/// A deep-groove ball bearing.
+/// Deep-groove ball bearing.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Bearing {
-    /// Its designation by GOST; the international one has a 6 before it.
+    /// Designation of the bearing by GOST; the international one has a 6 before it.
     pub designation: String,
-    /// Bore `d`.
+    /// Bore `d`, in m.
     pub bore_m: f64,
-    /// Outside diameter `D`.
+    /// Outside diameter `D`, in m.
     pub outside_diameter_m: f64,
-    /// Width `B`.
+    /// Width `B`, in m.
     pub width_m: f64,
 }
 
-/// The equivalent inertia, referred to the sun's shaft, and its parts.
+/// Equivalent inertia, referred to the sun's shaft, with its parts.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct EquivalentInertia {
-    /// Of the sun.
+    /// Inertia of the sun in kg·m².
     pub sun_kg_m2: f64,
-    /// Of what else is on the sun's shaft.
+    /// Inertia of the motor and other parts on the sun's shaft, in kg·m².
     pub motor_kg_m2: f64,
-    /// Of the planets' masses on their orbit.
+    /// Equivalent inertia of the planets' masses on their orbit, in kg·m².
     pub planets_orbiting_kg_m2: f64,
-    /// Of the planets' own rotation.
+    /// Equivalent inertia of the planets' own rotation, in kg·m².
     pub planets_turning_kg_m2: f64,
-    /// Of the carrier.
+    /// Equivalent inertia of the carrier, in kg·m².
     pub carrier_kg_m2: f64,
-    /// Of the driven machine.
+    /// Equivalent inertia of the driven machine, in kg·m².
     pub machine_kg_m2: f64,
-    /// The whole, `J_pr`.
+    /// Total equivalent inertia `J_pr`, in kg·m².
     pub total_kg_m2: f64,
-    /// Kinetic energy at the nominal speed, `T`.
+    /// Kinetic energy at the nominal speed, `T`, in J.
     pub kinetic_energy_j: f64,
-    /// Equivalent inertia and kinetic energy by the shapes alone; null if no mass or inertia of a part is
+    /// Equivalent inertia and kinetic energy from the shapes alone; null if no mass or inertia of a part is
     /// given.
     pub of_shapes: Option<OfShapes>,
 }
 
-/// Equivalent inertia and kinetic energy by the shapes alone, in place of the given masses and inertias.
+/// Equivalent inertia and kinetic energy from the shapes alone, instead of the given masses and inertias.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct OfShapes {
-    /// Equivalent inertia.
+    /// Equivalent inertia in kg·m².
     pub total_kg_m2: f64,
-    /// Kinetic energy at the nominal speed.
+    /// Kinetic energy at the nominal speed, in J.
     pub kinetic_energy_j: f64,
 }
 
-/// The start from rest.
+/// Start from rest under constant torques.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Starting {
-    /// Torque on the sun, `M₁`.
+    /// Torque on the sun, `M₁`, in N·m.
     pub driving_torque_n_m: f64,
-    /// Torque on the carrier against it, `M_H`.
+    /// Load torque on the carrier against its motion, `M_H`, in N·m.
     pub load_n_m: f64,
-    /// Without losses.
+    /// Motion without losses.
     pub without_losses: Motion,
-    /// With the losses of the meshes.
+    /// Motion with the mesh losses.
     pub with_losses: Motion,
 }
 
-/// How the drive moves from rest.
+/// Motion of the drive from rest.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Motion {
-    /// It starts forward under loads below this one.
+    /// Load in N·m below which the drive starts forward.
     pub held_from_n_m: f64,
-    /// It runs backward under loads above this one; between both it stays at rest.
+    /// Load in N·m above which the drive runs backward; between both limits it stays at rest.
     pub held_to_n_m: f64,
-    /// Generalized force at the sun's shaft, friction taken off, `Q`; 0 where it stays at rest.
+    /// Generalized force at the sun's shaft with friction subtracted, `Q`, in N·m; 0 if the drive stays at
+    /// rest.
     pub generalized_force_n_m: f64,
-    /// The inertia that the driving torque feels.
+    /// Effective inertia at the sun's shaft during the start, in kg·m².
     pub inertia_kg_m2: f64,
-    /// Acceleration of the sun.
+    /// Acceleration of the sun in rad/s².
     pub acceleration_sun_rad_s2: f64,
-    /// Acceleration of a planet.
+    /// Acceleration of a planet in rad/s².
     pub acceleration_planet_rad_s2: f64,
-    /// Acceleration of the carrier.
+    /// Acceleration of the carrier in rad/s².
     pub acceleration_carrier_rad_s2: f64,
-    /// Whether it starts.
+    /// Outcome of the start.
     pub outcome: Outcome,
-    /// Time to the nominal speed; null where it does not start.
+    /// Time to the nominal speed in s; null if the drive does not start.
     pub starting_time_s: Option<f64>,
 }
 
-/// Whether a drive starts.
+/// Outcomes of a start.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Outcome {
-    /// It starts forward.
+    /// The drive starts forward.
     Starts,
-    /// Driving torque and load balance: it does not start.
+    /// Driving torque and load balance: the drive does not start.
     InBalance,
-    /// The friction of the meshes holds it.
+    /// The friction of the meshes holds the drive.
     Held,
-    /// The load turns it backward.
+    /// The load turns the drive backward.
     RunsBackward,
 }
 
@@ -358,7 +358,7 @@ pub fn answer(title: Option<String>, spec: &DriveSpec) -> Result<Drive, Error> {
     Ok(Drive::of(title, &design))
 }
 
-/// The drive of a file.
+/// Designs the drive of a file.
 ///
 /// # Errors
 /// [`Error::Document`] with the place of a fault; [`Error::Placed`] with that of the key that a refused drive
@@ -375,7 +375,7 @@ pub fn of_file(document: &Document) -> Result<Drive, Error> {
 }
 
 impl Drive {
-    /// The design as a record.
+    /// Converts a design into a record.
     #[must_use]
     pub fn of(title: Option<String>, design: &DriveDesign) -> Self {
         let DriveDesign { speeds, torques, powers, forces, shafts, .. } = design;
@@ -385,6 +385,7 @@ impl Drive {
             tooth_numbers: ToothNumbers::of(&design.teeth),
             efficiencies: Efficiencies {
                 basic: design.efficiency.basic,
+                // Values of differences may end as −0.0, which `plain` turns to 0.0.
                 overall: plain(design.efficiency.overall),
             },
             speeds: Speeds {
@@ -527,6 +528,7 @@ impl Motion {
             Start::After(time) => (Outcome::Starts, Some(time)),
             Start::InBalance => (Outcome::InBalance, None),
             Start::Held => (Outcome::Held, None),
+            // The time of a backward start is not that to the nominal speed, so it is left out.
             Start::Backward(_) => (Outcome::RunsBackward, None),
         };
         let [from, to] = motion.held;
@@ -572,7 +574,7 @@ mod tests {
         assert!(drive.warnings.iter().any(|warning| warning.name == "carrier-neglected"));
     }
 
-    /// Energy, equivalent inertia and acceleration from the masses and inertias of the source, against the
+    /// Energy, equivalent inertia and acceleration from the masses and inertias of the source agree with the
     /// sums written out.
     #[test]
     fn what_is_given_of_a_part_replaces_its_shape() {

@@ -15,7 +15,7 @@ use epicyclic_units::Dimension::{self, AngularSpeed, Inertia, Power, Time, Torqu
 use epicyclic_units::Physical as _;
 use uom::si::f64::{Angle, Length};
 
-/// Key figures and drawing, results, plots of a drive; `file` is its file as it was written.
+/// Builds the page of a drive: key figures, drawing, results and plots; `file` is the text of its file.
 ///
 /// # Errors
 /// [`Error::Picture`] for a drive too large for a drawing.
@@ -90,7 +90,7 @@ pub fn sheet(report: &DriveReport, file: String) -> Result<Sheet, Error> {
     })
 }
 
-/// What the drive does, in a few figures.
+/// Key figures of the drive.
 fn in_short(drive: &Drive) -> Block {
     let (numbers, start) = (&drive.tooth_numbers, &drive.start.with_losses);
     let teeth = [numbers.sun, numbers.planet, numbers.ring].map(|teeth| teeth.to_string()).join(" / ");
@@ -124,7 +124,7 @@ fn efficiency_over_ratio(report: &DriveReport) -> Plot {
         .sized(PLOT_MM)
 }
 
-/// Speed of the sun from rest, without and with losses; `None` where it never starts.
+/// Plot of the sun's speed from rest, without and with losses; `None` if the drive never starts.
 fn start(drive: &Drive) -> Option<Plot> {
     let speed = rpm(drive.speeds.sun_rad_s);
     let starts = [

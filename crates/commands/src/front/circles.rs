@@ -1,19 +1,19 @@
-//! Pitch circles of simple and double-planet sets of which the ratio is known, and not all teeth.
+//! Pitch circles of simple and double-planet sets with known ratio and unknown tooth numbers.
 
 use super::{FrontGear, FrontPlanet, Part, PlanetGear, SHOWN, Shape, group_angles};
 use epicyclic_train::PlanetSet;
 use epicyclic_train::planet_set::GearOf;
 use epicyclic_train::set::SetKind;
 
-/// Radius of each of two equal planets in mesh over the room between sun and ring: at a quarter they would
-/// stand on one line with the axis.
+/// Radius of each of two equal meshing planets over the radial space between sun and ring. At a quarter both
+/// would lie on one line with the axis.
 const EACH_OF_TWO: f64 = 0.29;
 
-/// The circles of a set: the ring's is `k` times the sun's.
+/// Pitch circles of a set: the ring's radius is `k` times the sun's.
 pub(super) fn of(set: &PlanetSet) -> Option<Shape> {
     let k = set.ratio_between(0, 1).abs();
     let angles = group_angles(set, SHOWN);
-    // Radii of centres and circles of the planets, and `(ω − ω_H)/(ω_1 − ω_H)` of each.
+    // Centre radius, pitch radius and `(ω − ω_H)/(ω_1 − ω_H)` of each planet.
     let planets: Vec<[f64; 3]> = match set.kind()? {
         SetKind::Simple => {
             let radius = 0.5 * (k - 1.0);

@@ -1,16 +1,18 @@
-//! Sets of which all teeth are known: outlines, and the angles at which they stand in mesh.
+//! Front view of sets with known tooth numbers: outlines, and the angles at which their gears mesh.
 //!
-//! From gear `A` with centre `O_A` a gear `B` in mesh is seen in the direction `φ`. A tooth of the one stands
-//! in a space of the other where
+//! Seen from gear `A` with centre `O_A`, a meshing gear `B` lies in direction `φ`. A tooth of one gear lies
+//! in a space of the other if
 //!
 //! ```text
-//! external   z_A·(φ − t_A) + z_B·(φ + π − t_B) = π        internal   z_B·(φ − t_B) − z_A·(φ − t_A) = π        up to turns of 2π
+//! external   z_A·(φ − t_A) + z_B·(φ + π − t_B) = π
+//! internal   z_B·(φ − t_B) − z_A·(φ − t_A) = π
 //! ```
 //!
-//! `t` is the angle of the centre line of a tooth, and `B` of an internal mesh the ring, whose `φ` is that of
-//! the planet's centre about the axis. The first central gear has a tooth along the first axis; every other
-//! gear follows from one with which it meshes, and a second gear of a planet that no placed gear meshes with
-//! stands as the first one.
+//! up to turns of 2π. `t` is the angle of the centre line of a tooth. In an internal mesh `B` is the ring,
+//! and `φ` is the angle of the planet's centre about the axis.
+//!
+//! The first central gear has a tooth along the first axis; every other gear follows from one with which it
+//! meshes. The second gear of a planet that meshes with no placed gear is turned like the first.
 
 use super::{FrontGear, FrontPlanet, Part, PlanetGear, SHOWN, Shape, group_angles};
 use crate::error::Error;
@@ -26,14 +28,14 @@ use epicyclic_train::set::{SetKind, SetSpec};
 use epicyclic_train::spacing::Spacing;
 use std::f64::consts::{PI, TAU};
 
-/// How far the sides of an outline may leave the curve, modules: below what a screen shows of a gear with 300
-/// teeth.
+/// Maximum deviation of an outline's sides from the curve, in modules: below what a screen shows for a gear
+/// with 300 teeth.
 const DEVIATION: f64 = 4e-3;
 
-/// Rim of a ring beyond its roots, modules.
+/// Rim thickness of a ring beyond its root circle, in modules.
 const RIM: f64 = 3.0;
 
-/// A gear to place.
+/// Gear to be placed.
 struct Placed {
     of: GearOf,
     teeth: f64,
@@ -41,14 +43,15 @@ struct Placed {
     factor: f64,
 }
 
-/// A set with all its teeth; nothing where one is not known, or the planets have no place.
+/// Front view of a set with all its teeth; `None` if a tooth number is unknown, or the planets cannot be
+/// placed.
 pub(super) fn of(set: &PlanetSet, rack: &BasicRack) -> Result<Option<Shape>, Error> {
     let shifted =
         set.short().filter(|spec| spec.kind == SetKind::Simple).and_then(|spec| spec.toothed_set(rack));
     if let Some(Ok(shifted)) = shifted {
         return of_simple(set, &shifted).map(Some);
     }
-    // Without a centre distance of its own; what follows is of spur teeth.
+    // The outlines below are for spur teeth only.
     if set.short().is_some_and(SetSpec::is_helical) {
         return Ok(None);
     }
@@ -73,7 +76,8 @@ pub(super) fn of(set: &PlanetSet, rack: &BasicRack) -> Result<Option<Shape>, Err
     Ok(Some(in_mesh(set, gears, &places, &angles)))
 }
 
-/// A simple set with its shifts, at the places of assembly next to equal ones.
+/// Front view of a simple set with profile shifts, with planets at the assembly angles closest to equal
+/// spacing.
 fn of_simple(set: &PlanetSet, shifted: &ShiftedSet) -> Result<Shape, Error> {
     let fewer =
         |count| ShiftedSet::new(shifted.gears().map(|gear| *gear), count, shifted.centre_distance()).ok();
@@ -99,7 +103,7 @@ fn of_simple(set: &PlanetSet, shifted: &ShiftedSet) -> Result<Shape, Error> {
     Ok(in_mesh(set, gears, &[[shifted.centre_distance(), 0.0]], &angles))
 }
 
-/// The gears of a set: central ones, then those of its planets. A shaft on a planet is no gear.
+/// Gears of a set: central gears, then those of its planets. The shaft of a planet is not a gear.
 fn gears_of(set: &PlanetSet) -> Vec<GearOf> {
     let centrals =
         (0..set.centrals().len()).filter(|&central| set.centrals()[central].kind != CentralKind::PlanetShaft);
@@ -144,7 +148,7 @@ fn placed(
     Ok(Placed { of, teeth: curve.gear().teeth().as_f64(), gear, factor })
 }
 
-/// Whether so many of each planet stand apart.
+/// Whether so many planets of each kind do not overlap.
 fn have_room(gears: &[Placed], places: &[[f64; 2]], count: u32) -> bool {
     let step = TAU / f64::from(count);
     let tip = |planet: usize| {
@@ -162,7 +166,7 @@ fn have_room(gears: &[Placed], places: &[[f64; 2]], count: u32) -> bool {
     })
 }
 
-/// Every gear turned so that it meshes; planets at their places from each of the angles on.
+/// Turns every gear so that it meshes; planets are placed from each of the angles onwards.
 fn in_mesh(set: &PlanetSet, mut gears: Vec<Placed>, places: &[[f64; 2]], angles: &[f64]) -> Shape {
     let index = |of: GearOf| gears.iter().position(|one| one.of == of);
     let meshes: Vec<(usize, usize, bool)> = set
@@ -171,7 +175,7 @@ fn in_mesh(set: &PlanetSet, mut gears: Vec<Placed>, places: &[[f64; 2]], angles:
         .filter_map(|mesh| {
             let [one, other] = mesh.gears;
             let (one, other) = (index(one)?, index(other)?);
-            // The ring last.
+            // In an internal mesh the ring is the second gear.
             let is_internal = mesh.kind == MeshKind::Internal;
             let turned = gears[one].gear.part == Part::Ring;
             Some(if turned { (other, one, is_internal) } else { (one, other, is_internal) })
@@ -192,7 +196,7 @@ fn in_mesh(set: &PlanetSet, mut gears: Vec<Placed>, places: &[[f64; 2]], angles:
             }
         };
         let mut turns = central_turns.clone();
-        // A round without a new gear hands on the turn of a planet to its other gears.
+        // If a round places no new gear, the angle of a planet is passed on to its other gears.
         while let Some(unplaced) = turns.iter().position(Option::is_none) {
             let mut is_new = false;
             for &(one, other, is_internal) in &meshes {
@@ -205,7 +209,7 @@ fn in_mesh(set: &PlanetSet, mut gears: Vec<Placed>, places: &[[f64; 2]], angles:
                     (turns[from].unwrap_or_default(), [from, to].map(|of| gears[of].teeth));
                 let ([x1, y1], [x2, y2]) = (centre(from), centre(to));
                 turns[to] = Some(if is_internal {
-                    // The planet's centre is seen from the axis on both sides.
+                    // In both cases the planet centre is seen from the main axis.
                     let [x, y] = if from == other { [x2, y2] } else { [x1, y1] };
                     let direction = libm::atan2(y, x);
                     let phase = z_from * (direction - turn) + PI;

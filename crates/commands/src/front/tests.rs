@@ -24,10 +24,10 @@ const TOOTHED: &str = "  - { id: P, sun: D, ring: T, carrier: B, teeth: [24, 72]
 const DOUBLE: &str = "  - { id: P, kind: double_planet, sun: D, ring: T, carrier: B, teeth: [30, 72], planet_teeth: [18, 18], planets: 3 }";
 const STEPPED: &str = "  - { id: P, kind: stepped_sun_ring, sun: D, ring: T, carrier: B, teeth: [20, 80], planet_teeth: [40, 20], planets: 3 }";
 
-/// A gear where it stands: its centre, the angle of its centre about the axis, its turn.
+/// Gear at its place: the gear, its centre, and its turn with that of its centre about the axis.
 type Standing<'f> = (&'f FrontGear, [f64; 2], f64);
 
-/// All gears of a set with the planets of one copy.
+/// Gears of a set with the planets of one copy.
 fn standing(set: &FrontSet, copy: usize, of_each: usize) -> Vec<Standing<'_>> {
     let centrals =
         set.gears.iter().filter(|gear| gear.part != Part::Planet).map(|gear| (gear, [0.0; 2], gear.turn_rad));
@@ -39,7 +39,7 @@ fn standing(set: &FrontSet, copy: usize, of_each: usize) -> Vec<Standing<'_>> {
     centrals.chain(planets).collect()
 }
 
-/// Gears whose pitch circles touch: in mesh at the pitch point, and with one speed there.
+/// Gears whose pitch circles touch must mesh at the pitch point and have the same speed there.
 fn check_meshes(set: &FrontSet, of_each: usize, expected: usize) {
     let carrier = set.carrier_of_input.unwrap();
     for copy in 0..set.planets.len() / of_each {
@@ -47,7 +47,7 @@ fn check_meshes(set: &FrontSet, of_each: usize, expected: usize) {
         let mut met = 0;
         let pairs = (0..all.len()).flat_map(|one| (0..all.len()).map(move |other| (one, other)));
         for (one, other) in pairs {
-            // Once each; a ring comes last.
+            // Each pair is checked once; a ring comes last.
             let (is_ring, of_one) = (all[other].0.part == Part::Ring, all[one].0.part == Part::Ring);
             if of_one || (one >= other && !is_ring) {
                 continue;
@@ -60,7 +60,7 @@ fn check_meshes(set: &FrontSet, of_each: usize, expected: usize) {
                 continue;
             }
             met += 1;
-            // The pitch point lies towards the other gear, of a ring beyond the planet.
+            // The pitch point lies towards the other gear; for a ring, beyond the planet.
             let along = a.pitch_radius / apart * if is_ring { -1.0 } else { 1.0 };
             let [px, py] = [x1 + along * (x2 - x1), y1 + along * (y2 - y1)];
             if set.has_teeth {
@@ -115,7 +115,7 @@ fn teeth_give_outlines_and_k_gives_circles_of_three_planets() {
 
 #[test]
 fn as_many_planets_are_shown_as_have_room() {
-    // Planets of 120 teeth about a sun of 18: three would overlap.
+    // Planets of 120 teeth around a sun of 18: three would overlap.
     let wide = &short("  - { id: P, sun: D, ring: T, carrier: B, teeth: [18, 258] }", None).sets[0];
     let two = &short(
         &STEPPED.replace("[20, 80]", "[12, 100]").replace("[40, 20]", "[70, 18]").replace(", planets: 3", ""),

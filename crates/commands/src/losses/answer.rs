@@ -1,7 +1,8 @@
-//! The losses of a gearbox at work: those of its meshes under load, and drags that do not depend on it.
+//! Losses of a gearbox at an operating point: load-dependent mesh losses, and drags that do not depend on the
+//! load.
 //!
-//! Torques follow the sign convention of the workspace: from outside, so that of an output that gives power
-//! is against its speed.
+//! Torques are external torques by the sign convention of the workspace. The torque on an output that
+//! delivers power is therefore opposite to its speed.
 
 mod heat;
 
@@ -19,29 +20,29 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{AngularVelocity, Torque};
 
-/// What is asked of one point.
+/// Operating point for which losses are asked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wanted {
-    /// One gear; all without.
+    /// Name of one gear; `None` for all.
     pub gear: Option<String>,
     /// Speed of the input.
     pub speed: AngularVelocity,
-    /// The load.
+    /// Load of the input or output.
     pub load: GivenLoad,
-    /// What takes the heat, for the temperature.
+    /// Heat transfer of housing and cooler, for the oil temperature.
     pub cooling: Option<Cooling>,
 }
 
-/// The load of the input or of the output.
+/// Load of the input or of the output.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum GivenLoad {
-    /// Of the input.
+    /// Load of the input.
     Input(InputLoad),
-    /// Torque that a machine takes from the output: against its speed where it is above 0.
+    /// Torque that a machine takes from the output; above 0 it acts against the output speed.
     Output(Torque),
 }
 
-/// Places from one value to another, both among them.
+/// Places from one value to another, both ends included.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Places<T> {
     from: T,
@@ -50,10 +51,10 @@ pub struct Places<T> {
 }
 
 impl<T: Physical> Places<T> {
-    /// More places in a direction than anyone reads.
+    /// Maximum number of places in a direction.
     pub const MOST: u32 = 200;
 
-    /// Both ends are places.
+    /// Range of values with this number of places, both ends included.
     ///
     /// # Errors
     /// [`Error::Places`] for fewer than 2 places or more than [`Self::MOST`].
@@ -65,7 +66,7 @@ impl<T: Physical> Places<T> {
         }
     }
 
-    /// The places in their order.
+    /// Values in increasing index order.
     pub(crate) fn values(&self) -> Vec<T> {
         let (from, to, steps) = (self.from.si(), self.to.si(), f64::from(self.places - 1));
         (0..self.places).map(|step| T::from_si(from + (to - from) * (f64::from(step) / steps))).collect()
@@ -80,41 +81,41 @@ pub struct Losses {
     pub gearbox: String,
     /// Speed and load that were given.
     pub operating_point: LossPoint,
-    /// The gears: powers, torques, efficiency.
+    /// Powers, torques and efficiency of the gears.
     pub gears: Vec<GearLosses>,
-    /// Every loss of every gear, the largest of a gear first.
+    /// Single losses of each gear, the largest of a gear first.
     pub losses: Vec<Loss>,
-    /// The balance of heat; `null` where nothing is said of what takes it.
+    /// Heat balance; null if no cooling is given.
     pub heat: Option<Heat>,
-    /// Gears whose losses do not follow.
+    /// Gears whose losses cannot be computed.
     pub not_calculated: Vec<NotCalculated>,
-    /// What the reader should know.
+    /// Warnings about the gearbox.
     pub warnings: Vec<Warning>,
 }
 
-/// The same as a chapter of a page, which has the operating point elsewhere.
+/// Losses of a gearbox as a chapter of a page, which shows the operating point elsewhere.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct LossChapter {
-    /// The gears: powers, torques, efficiency.
+    /// Powers, torques and efficiency of the gears.
     pub gears: Vec<GearLosses>,
-    /// Every loss of every gear, the largest of a gear first.
+    /// Single losses of each gear, the largest of a gear first.
     pub losses: Vec<Loss>,
-    /// Gears whose losses do not follow.
+    /// Gears whose losses cannot be computed.
     pub not_calculated: Vec<NotCalculated>,
 }
 
-/// The speed of the input and the load that were asked for.
+/// Input speed and load that were asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct LossPoint {
-    /// Speed of the input.
+    /// Input speed in rad/s.
     pub speed_rad_s: f64,
-    /// Torque on the input.
+    /// Torque on the input in N·m; null if the load is given otherwise.
     pub torque_n_m: Option<f64>,
-    /// Power into the input.
+    /// Power into the input in W; null if the load is given otherwise.
     pub power_w: Option<f64>,
-    /// Torque that a machine takes from the output.
+    /// Torque that a machine takes from the output, in N·m; null if the load is given otherwise.
     pub load_torque_n_m: Option<f64>,
 }
 
@@ -122,109 +123,110 @@ pub struct LossPoint {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct GearLosses {
-    /// The gear.
+    /// Name of the gear.
     pub gear: String,
-    /// Speed of the output.
+    /// Output speed in rad/s.
     pub output_speed_rad_s: f64,
-    /// Torque on the input from outside.
+    /// External torque on the input in N·m.
     pub input_torque_n_m: f64,
-    /// Torque on the output from outside.
+    /// External torque on the output in N·m.
     pub output_torque_n_m: f64,
-    /// Power that enters at the input; negative where it leaves.
+    /// Power that enters at the input in W; negative if it leaves.
     pub input_power_w: f64,
-    /// Power that enters at the output; negative where it leaves.
+    /// Power that enters at the output in W; negative if it leaves.
     pub output_power_w: f64,
-    /// What the meshes take.
+    /// Power lost in the meshes, in W.
     pub mesh_loss_w: f64,
-    /// What the drags take.
+    /// Power lost by drags, in W.
     pub drag_loss_w: f64,
-    /// What is lost in all, and so the heat.
+    /// Total power loss in W, which becomes heat.
     pub loss_w: f64,
-    /// Power that leaves over power that enters; `null` where all that enters is lost.
+    /// Efficiency: leaving power over entering power; null if all entering power is lost.
     pub efficiency: Option<f64>,
 }
 
-/// One loss.
+/// Single loss of a gear.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Loss {
-    /// The gear.
+    /// Name of the gear.
     pub gear: String,
-    /// Of what kind it is.
+    /// Kind of the loss.
     pub kind: LossKind,
-    /// The set, the drag, or the shift element that it is of.
+    /// Name of the set, the drag or the shift element that causes the loss.
     pub of: String,
-    /// The gears that mesh, the one that drives first, or the links between which the drag stands.
+    /// Names of the meshing gears, the driving one first, or of the links between which the drag acts.
     pub between: [String; 2],
-    /// Relative speed of these links; `null` of a mesh.
+    /// Relative speed of these links in rad/s; null for a mesh.
     pub slip_rad_s: Option<f64>,
-    /// Torque of the drag; `null` of a mesh.
+    /// Drag torque in N·m; null for a mesh.
     pub torque_n_m: Option<f64>,
-    /// Power lost, of a mesh over all planets.
+    /// Power lost in W; for a mesh over all planets.
     pub loss_w: f64,
-    /// Over all that the gear loses; `null` where it loses nothing.
+    /// Part of the gear's total loss; null if the gear loses nothing.
     pub of_loss: Option<f64>,
 }
 
-/// What loses power.
+/// Kinds of losses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum LossKind {
-    /// A mesh under load.
+    /// Mesh under load.
     Mesh,
-    /// A drag of the gearbox.
+    /// Drag of the gearbox.
     Drag,
-    /// A brake or clutch that is not engaged.
+    /// Brake or clutch that is not engaged.
     OpenElement,
 }
 
-/// A gear whose losses do not follow.
+/// Gear whose losses cannot be computed.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct NotCalculated {
-    /// The gear.
+    /// Name of the gear.
     pub gear: String,
-    /// Name of the reason, which does not change: `not-driven`, `drag`, `inputs`, `one-way-clutch`.
+    /// Stable name of the reason: `not-driven`, `drag`, `inputs`, `one-way-clutch`.
     pub reason: String,
-    /// The reason in words.
+    /// Reason in words.
     pub message: String,
 }
 
-/// Efficiency and losses of a gear over speed and torque of its input.
+/// Efficiency and losses of a gear over input speed and torque.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct LossMap {
     /// Name of the gearbox.
     pub gearbox: String,
-    /// The gear.
+    /// Name of the gear.
     pub gear: String,
-    /// Speeds of the input.
+    /// Input speeds in rad/s.
     pub speeds_rad_s: Vec<f64>,
-    /// Torques on the input.
+    /// Torques on the input in N·m.
     pub torques_n_m: Vec<f64>,
-    /// Every place of the map: all torques at the first speed, then at the next.
+    /// Places of the map: all torques at the first speed, then at the next.
     pub map: Vec<MapPlace>,
-    /// What the reader should know.
+    /// Warnings about the gearbox.
     pub warnings: Vec<Warning>,
 }
 
-/// A place of a map. Where losses hold the gear its figures are `null`.
+/// Place of a map; its figures are null if losses hold the gear or a one-way clutch overruns.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct MapPlace {
-    /// Speed of the input.
+    /// Input speed in rad/s.
     pub speed_rad_s: f64,
-    /// Torque on the input.
+    /// Torque on the input in N·m.
     pub torque_n_m: f64,
-    /// Torque on the output.
+    /// Torque on the output in N·m; null if the gear cannot run at this place.
     pub output_torque_n_m: Option<f64>,
-    /// What the meshes take.
+    /// Power lost in the meshes, in W; null if the gear cannot run at this place.
     pub mesh_loss_w: Option<f64>,
-    /// What the drags take.
+    /// Power lost by drags, in W; null if the gear cannot run at this place.
     pub drag_loss_w: Option<f64>,
-    /// What is lost in all.
+    /// Total power loss in W; null if the gear cannot run at this place.
     pub loss_w: Option<f64>,
-    /// Power that leaves over power that enters; `null` also where all that enters is lost, or none enters.
+    /// Efficiency: leaving power over entering power. Null if the gear cannot run here, no power enters, or
+    /// all of it is lost.
     pub efficiency: Option<f64>,
 }
 
@@ -236,11 +238,11 @@ impl Answer for LossMap {
     const NAME: &'static str = "losses-map";
 }
 
-/// The losses at a speed and a load.
+/// Computes the losses at a speed and a load.
 ///
 /// # Errors
-/// [`Error::NoGear`]; of a gear that is named also why its losses do not follow: [`Error::Gearbox`] and, for
-/// a speed outside the curve of a drag, [`Error::Document`] with its place; [`Error::Cooling`].
+/// [`Error::NoGear`]; [`Error::Cooling`]. For a named gear also the reason why its losses cannot be computed:
+/// [`Error::Gearbox`], or [`Error::Document`] with its place for a speed outside the curve of a drag.
 pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Losses, Error> {
     if let Some(cooling) = &wanted.cooling {
         cooling.check()?;
@@ -275,10 +277,11 @@ pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Losses, Error> {
     })
 }
 
-/// The losses of all gears for a chapter of a page: where speed and load are given and something loses power.
+/// Losses of all gears for a chapter of a page; `None` unless speed and load are given and some part has
+/// losses.
 ///
 /// # Errors
-/// Those of [`answer`].
+/// Errors of [`answer`].
 pub fn chapter(subject: &Subject<'_>, input: Input) -> Result<Option<LossChapter>, Error> {
     let (Some(speed), Some(load)) = (input.speed, input.load) else { return Ok(None) };
     if is_lossless(subject) {
@@ -289,7 +292,7 @@ pub fn chapter(subject: &Subject<'_>, input: Input) -> Result<Option<LossChapter
     Ok(Some(LossChapter { gears, losses, not_calculated }))
 }
 
-/// The losses of a gear over speeds and torques of its input.
+/// Computes the losses of a gear over speeds and torques of its input.
 ///
 /// # Errors
 /// [`Error::NoGear`]; [`Error::Gearbox`] for a gear that is not driven; [`Error::Document`] for a speed
@@ -334,17 +337,17 @@ pub fn map(
     })
 }
 
-/// Why the losses of a gear do not follow.
+/// Reasons why the losses of a gear cannot be computed.
 enum Held {
-    /// What the solver refuses.
+    /// Error of the solver.
     Refused(Box<train::Error>),
-    /// A one-way clutch that lets go.
+    /// Name of a one-way clutch that overruns.
     Released(String),
 }
 
 impl Held {
-    /// Whether other speeds and torques of the same gear may do: the losses hold it, or a one-way clutch lets
-    /// go.
+    /// Whether the gear may run at other speeds and torques: the losses hold it, or a one-way clutch
+    /// overruns.
     fn is_of_the_place(&self) -> bool {
         match self {
             Self::Released(_) => true,
@@ -356,7 +359,7 @@ impl Held {
         }
     }
 
-    /// The same as an error, at its place in the file where the fault of a drag has one.
+    /// Converts the reason into an error, with the place in the file for the fault of a drag.
     fn refused(self, subject: &Subject<'_>, gear: &str) -> Error {
         match self {
             Self::Released(clutch) => Error::Released { clutch, gear: gear.to_owned() },
@@ -453,7 +456,7 @@ impl GearLosses {
     }
 }
 
-/// Every loss of a gear that is not 0, the largest first.
+/// Losses of a gear that are not 0, the largest first.
 fn all_losses(subject: &Subject<'_>, gear: &GearLosses, found: &WithDrags) -> Vec<Loss> {
     let gearbox = &subject.gearbox;
     let one = |kind, of: &str, between, slip, torque, loss_w: f64| Loss {
@@ -517,7 +520,7 @@ gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }, { name: no
         GivenLoad::Input(InputLoad::Torque(Torque::from_si(torque)))
     }
 
-    /// By hand: seal and open clutch between D and B take from the input, what the meshes leave of the sun's
+    /// By hand: seal and open clutch between D and B take from the input, and the meshes from the sun's
     /// torque.
     #[test]
     fn every_loss_of_a_gear_has_its_name() {
@@ -526,7 +529,7 @@ gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }, { name: no
         let found = answer(&subject, &wanted(None, 1000.0, on_input(100.0))).unwrap();
         let [slow, fast] = &found.gears[..] else { panic!("{:?}", found.gears) };
         let omega = rpm(1000.0).si();
-        // 1.5 N·m in the seal; the clutch drags at 3/4 of the input's speed and hands its 3 N·m on to the
+        // 1.5 N·m in the seal; the clutch slips at 3/4 of the input speed and passes its 3 N·m on to the
         // output.
         let sun = 100.0 - 1.5 - 3.0;
         let output = sun * (1.0 + 3.0 * 0.98 * 0.99) + 3.0;
@@ -540,11 +543,11 @@ gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }, { name: no
             let left = gear.input_power_w + gear.output_power_w - of_gear(&gear.gear);
             assert!(left.abs() < 1e-9 * gear.input_power_w, "{gear:?}");
         }
-        // In direct drive the set is one block and the brake drags on all of it.
+        // In direct drive the set turns as a block, and the brake drags on all of it.
         assert!((fast.output_torque_n_m + 100.0 - 1.5 - 1.0).abs() < 1e-10 && fast.mesh_loss_w == 0.0);
         assert_eq!(found.not_calculated.len(), 1);
         assert_eq!(found.not_calculated[0].reason, "not-driven");
-        // The same the other way: the input's torque for what the output gives.
+        // The reverse calculation: the input torque for the torque that the output delivers.
         let load = GivenLoad::Output(Torque::from_si(output));
         let back = answer(&subject, &wanted(Some("slow"), 1000.0, load)).unwrap();
         assert!((back.gears[0].input_torque_n_m - 100.0).abs() < 1e-10);
@@ -566,8 +569,8 @@ gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }, { name: no
         }
     }
 
-    /// What housing and cooler take is what is lost; at the thermal limit the oil has the allowed rise,
-    /// whatever torque led there.
+    /// Housing and cooler together take the total loss; at the thermal limit the oil has the allowed
+    /// temperature rise, whatever torque led there.
     #[test]
     fn heat_is_balanced_and_the_thermal_limit_has_the_allowed_rise() {
         let document = document(BOX);
@@ -592,11 +595,11 @@ gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }, { name: no
                 assert!((same - torque).abs() < 1e-8 * torque, "{same} {torque}");
             }
         }
-        // By hand: seal and open clutch 1.5 and 3·3/4 N·m, meshes 3/4·(1 − 0.98·0.99) of what the sun gets.
+        // By hand: seal 1.5 N·m, open clutch 3·3/4 N·m, meshes 3/4·(1 − 0.98·0.99) of the sun's torque.
         let omega = rpm(1000.0).si();
         let sun = (50.0 * 20.0 / omega - 1.5 - 3.0 * 0.75) / (0.75 * (1.0 - 0.98 * 0.99));
         assert!((with(100.0, 0.0, 50.0).thermal_torque_n_m.unwrap() - sun - 4.5).abs() < 1e-6);
-        // A large cooler takes all; drags alone may be too much.
+        // A large cooler takes all heat; drags alone may be too much.
         assert_eq!(with(100.0, 1e6, 50.0).rise_k, 0.0);
         assert_eq!(with(100.0, 0.0, 1.0).thermal_torque_n_m, Some(0.0));
     }
@@ -614,7 +617,7 @@ gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }, { name: no
         let point = &point.gears[0];
         assert!((place.efficiency.unwrap() - point.efficiency.unwrap()).abs() < 1e-12);
         assert!((place.loss_w.unwrap() - point.loss_w).abs() < 1e-12 * point.input_power_w);
-        // At rest there is no power, and without a torque the output would have to help.
+        // At rest there is no power; without an input torque the output would have to help.
         assert!(found.map[2].efficiency.is_none() && found.map[15].efficiency.is_none());
         assert!(Places::new(rpm(0.0), rpm(1.0), 1).is_err());
     }

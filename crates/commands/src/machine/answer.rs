@@ -1,4 +1,4 @@
-//! Speeds of mining machines: what is in service, what is needed, and the ratios that give it.
+//! Speeds of mining machines: those in service, those required, and ratios that give them.
 
 use crate::answer::Answer;
 use crate::error::Error;
@@ -14,16 +14,17 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Velocity};
 
-/// How many speeds a range of speeds asks for.
+/// Number of speeds recommended for a range of speeds.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SpeedRange {
-    /// The greatest speed over the least.
+    /// Range of speeds: greatest over least.
     pub range: f64,
-    /// Number of speeds that the source recommends for a bucket wheel of this range; `null` where the range
-    /// is not above 1.
+    /// Number of speeds that the source recommends for a bucket wheel of this range; null if the range is not
+    /// above 1.
     pub recommended: Option<u32>,
-    /// Whether the source prints that number; otherwise it is this program's choice.
+    /// Whether the source prints this number; otherwise the program chose it. Null if there is no
+    /// recommendation.
     pub recommendation_is_printed: Option<bool>,
 }
 
@@ -38,40 +39,40 @@ impl SpeedRange {
     }
 }
 
-/// Machines in service beside the number of speeds recommended for their ranges.
+/// Machines in service, with the numbers of speeds recommended for their ranges.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Machines {
-    /// How many of these machines are bucket wheels with a number of steps; the source recommends numbers of
-    /// speeds for no others.
+    /// Number of these machines that are bucket wheels with a known number of steps. The source recommends
+    /// numbers of speeds only for these.
     pub bucket_wheels_with_steps: usize,
-    /// How many of those have the recommended number of speeds.
+    /// Number of these bucket wheels that have the recommended number of speeds.
     pub as_recommended: usize,
-    /// The machines, in the order of the tables.
+    /// Machines in the order of the tables.
     pub machines: Vec<Machine>,
 }
 
-/// A machine in service.
+/// Machine in service.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Machine {
-    /// Its name, as printed.
+    /// Name of the machine as printed.
     pub machine: &'static str,
-    /// What is driven, as printed.
+    /// Driven part of the machine as printed.
     pub kind: &'static str,
-    /// Number of the source's table that lists it.
+    /// Number of the source's table that lists the machine.
     pub table: &'static str,
-    /// Its range of speeds, the fastest over the slowest.
+    /// Range of speeds: the fastest over the slowest.
     pub range: f64,
-    /// Number of speeds of the machine; `null` if the source prints none.
+    /// Number of speeds of the machine; null if the source prints none.
     pub speeds: Option<u32>,
-    /// Number of speeds recommended for the range of a bucket wheel; `null` of other machines.
+    /// Number of speeds recommended for the range of a bucket wheel; null for other machines.
     pub recommended: Option<u32>,
-    /// Whether the machine has that number; `null` if the source prints no number of speeds or recommends
-    /// none.
+    /// Whether the machine has the recommended number of speeds; null if the source prints no number of
+    /// speeds or recommends none.
     pub as_recommended: Option<bool>,
-    /// Whether the source prints the recommendation; otherwise it is this program's choice. `null` where
-    /// there is none.
+    /// Whether the source prints the recommendation; otherwise the program chose it. Null if there is no
+    /// recommendation.
     pub recommendation_is_printed: Option<bool>,
 }
 
@@ -79,15 +80,16 @@ impl Answer for Machines {
     const NAME: &'static str = "machines";
 }
 
-/// All machines, or the one of this name.
+/// Lists all machines, or the one with this name.
 ///
 /// # Errors
-/// [`Error::Design`] of a name that the tables lack.
+/// [`Error::Design`] for a name that is not in the tables.
 pub fn list(name: Option<&str>) -> Result<Machines, Error> {
     let machines: Vec<Machine> = match name {
         Some(name) => vec![Machine::of(tables::machine(name)?)],
         None => tables::machines().iter().map(Machine::of).collect(),
     };
+    // `as_recommended` is only known for bucket wheels with a number of steps, so both counts refer to these.
     let alike = || machines.iter().filter_map(|machine| machine.as_recommended);
     Ok(Machines {
         bucket_wheels_with_steps: alike().count(),
@@ -112,27 +114,27 @@ impl Machine {
     }
 }
 
-/// Ratios of a gearbox for some speeds of a machine.
+/// Ratios of a gearbox for the required speeds of a machine.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct MachineSpeeds {
-    /// The speeds wanted.
+    /// Required speeds.
     pub speeds: Speeds,
-    /// The range of these speeds.
+    /// Range of the required speeds.
     pub range: SpeedRange,
     /// Series of ratios, one for each place of direct drive.
     pub series: Vec<Series>,
 }
 
-/// The speeds wanted of a machine.
+/// Required speeds of a machine.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Speeds {
-    /// How many they are.
+    /// Number of speeds.
     pub speeds: usize,
-    /// The fastest over the next.
+    /// Step from the second fastest to the fastest speed.
     pub first_step: f64,
-    /// Step of a geometric series of as many speeds over the same range.
+    /// Step of a geometric series with this number of speeds over the same range.
     pub geometric_step: f64,
 }
 
@@ -142,35 +144,35 @@ pub struct Speeds {
 pub struct Series {
     /// Place of direct drive, from 1, the fastest speed.
     pub direct: usize,
-    /// Which speeds the gearbox gives by slowing down, which by speeding up.
+    /// Regime of the gearbox: reduction, overdrive or both.
     pub regime: Regime,
-    /// The ratios, the fastest speed first.
+    /// Ratios, the fastest speed first.
     pub ratios: Vec<f64>,
-    /// The series that the source prints for this place, if it does.
+    /// Series that the source prints for this place; null if none exists.
     pub printed: Option<Printed>,
 }
 
-/// Which speeds a gearbox gives by slowing down, which by speeding up.
+/// Regimes of a gearbox: reduction, overdrive or both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Regime {
-    /// Direct drive is the fastest: all ratios at least 1.
+    /// Direct drive is the fastest speed: all ratios are at least 1.
     Reduction,
-    /// Direct drive is the slowest: all ratios at most 1.
+    /// Direct drive is the slowest speed: all ratios are at most 1.
     Overdrive,
-    /// Direct drive is between.
+    /// Direct drive lies between the other speeds.
     Combined,
 }
 
-/// A series of ratios as the source prints it, for speeds in geometric progression.
+/// Series of ratios as the source prints it, for speeds in geometric progression.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Printed {
-    /// Its number in the source.
+    /// Number of the series in the source.
     pub number: &'static str,
-    /// Its members for the speeds wanted, the fastest speed first.
+    /// Ratios of the series for the required speeds, the fastest speed first.
     pub ratios: Vec<f64>,
-    /// Whether it gives these speeds.
+    /// Whether the series gives the required speeds.
     pub serves: bool,
 }
 
@@ -178,11 +180,12 @@ impl Answer for MachineSpeeds {
     const NAME: &'static str = "machine-speeds";
 }
 
-/// Ratios for two to four speeds, the slowest first.
+/// Computes ratios for two to four speeds, the slowest first.
 ///
 /// # Errors
-/// [`Error::Design`] of speeds that are no series.
+/// [`Error::Design`] for speeds that form no series.
 pub fn speeds(speeds: &[Velocity]) -> Result<MachineSpeeds, Error> {
+    // With direct drive as the fastest speed, the second ratio equals the first step of speeds.
     let fastest_direct = RatioSeries::of_speeds(speeds, 1)?;
     let (count, range) = (speeds.len(), fastest_direct.speed_range());
     let series = (1..=count)
@@ -230,9 +233,9 @@ impl Series {
 /// Mean cutting forces in the rock for which the feed is given, and in other rock.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Forces {
-    /// In this rock.
+    /// Force in the rock for which the feed is given.
     pub here: Force,
-    /// In other rock.
+    /// Forces in other rock.
     pub elsewhere: Vec<Force>,
 }
 
@@ -240,11 +243,11 @@ pub struct Forces {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ChainCutter {
-    /// In the rock for which the feed is given.
+    /// Cutting speed and feed in the rock for which the feed is given.
     pub cutting: Cutting,
-    /// In this rock and in others, at the same power and chip; empty where no forces are given.
+    /// Speeds in this rock and in others at equal power and chip; empty if no forces are given.
     pub rocks: Vec<Rock>,
-    /// The range of these speeds; `null` where they are all one.
+    /// Range of these speeds; null if they are all equal.
     pub range: Option<SpeedRange>,
 }
 
@@ -252,33 +255,33 @@ pub struct ChainCutter {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Drum {
-    /// In the rock for which the feed is given.
+    /// Cutting speed and feed in the rock for which the feed is given.
     pub cutting: Cutting,
-    /// In this rock and in others, at the same power and chip; empty where no forces are given.
+    /// Speeds in this rock and in others at equal power and chip; empty if no forces are given.
     pub rocks: Vec<Rock>,
-    /// The range of these speeds; `null` where they are all one.
+    /// Range of these speeds; null if they are all equal.
     pub range: Option<SpeedRange>,
 }
 
-/// How a cutter works.
+/// Cutting speed and feed of a cutter.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Cutting {
-    /// Cutting speed.
+    /// Cutting speed in m/s.
     pub speed_m_s: f64,
-    /// Feed of the machine.
+    /// Feed speed of the machine in m/s.
     pub feed_m_s: f64,
 }
 
-/// How a cutter works in some rock.
+/// Force and speeds of a cutter in a rock.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Rock {
-    /// Mean cutting force.
+    /// Mean cutting force in N.
     pub force_n: f64,
-    /// Cutting speed at the power of the first rock.
+    /// Cutting speed in m/s at the power of the first rock.
     pub speed_m_s: f64,
-    /// Feed that keeps the chip.
+    /// Feed speed in m/s that keeps the chip thickness.
     pub feed_m_s: f64,
 }
 
@@ -290,10 +293,11 @@ impl Answer for Drum {
     const NAME: &'static str = "machine-drum";
 }
 
-/// Cutting speed of a chain cutter with this mean spacing of the picks in a line, this feed and mean chip.
+/// Computes the cutting speed of a chain cutter from the mean spacing of the picks in a line, the feed and
+/// the mean chip.
 ///
 /// # Errors
-/// [`Error::Design`] of a quantity that is not above 0.
+/// [`Error::Design`] for a quantity that is not above 0.
 pub fn chain_cutter(
     pick_spacing: Length,
     feed: Velocity,
@@ -305,10 +309,10 @@ pub fn chain_cutter(
     Ok(ChainCutter { cutting, rocks, range })
 }
 
-/// Cutting speed of a drum of this diameter, feed, greatest chip and number of picks in a line.
+/// Computes the cutting speed of a drum from its diameter, feed, greatest chip and number of picks in a line.
 ///
 /// # Errors
-/// [`Error::Design`] of a quantity that is not above 0.
+/// [`Error::Design`] for a quantity that is not above 0.
 pub fn drum(
     diameter: Length,
     feed: Velocity,
@@ -345,12 +349,12 @@ fn in_rocks(
     Ok((Cutting { speed_m_s: m_s(speed), feed_m_s: m_s(feed) }, rocks, range))
 }
 
-/// A bucket wheel whose speeds are wanted.
+/// Bucket wheel whose speeds are computed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wheel {
     /// Cutting radius of the boom.
     pub boom_radius: Length,
-    /// Slewing speed with the boom in the machine's axis, the least.
+    /// Least slewing speed, with the boom in the machine's axis.
     pub slewing: AngularVelocity,
     /// Width of the chip.
     pub chip_width: Length,
@@ -360,22 +364,22 @@ pub struct Wheel {
     pub boom_angle: Angle,
     /// Radius of the wheel.
     pub radius: Length,
-    /// How it throws onto the chute.
+    /// Data of the throw onto the chute.
     pub throw: Throw,
 }
 
-/// How a bucket wheel throws onto its chute.
+/// Data of a bucket wheel's throw onto its chute.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Throw {
-    /// The discharge parameter `Ω = ω²R/g` itself.
+    /// Discharge parameter `Ω = ω²R/g`.
     Discharge(f64),
-    /// By flight from the buckets to the edge of the chute.
+    /// Flight of the material from the buckets to the edge of the chute.
     Flight {
         /// Angle at which a particle leaves its bucket.
         release: Angle,
-        /// Angles of the chute's edge, as with the boom raised and lowered; the smaller Ω counts.
+        /// Angles of the chute's edge, such as with the boom raised and lowered; the smallest Ω governs.
         chutes: Vec<Angle>,
-        /// Radius of the chute's edge over that of the wheel.
+        /// Radius of the chute's edge over the radius of the wheel.
         radius_ratio: f64,
     },
 }
@@ -384,12 +388,11 @@ pub enum Throw {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Rotor {
-    /// Its speeds.
+    /// Optimal, greatest and least speed of the wheel.
     pub wheel: WheelSpeeds,
-    /// Discharge parameters, of which the smallest counts.
+    /// Discharge parameters; the smallest governs.
     pub discharges: Vec<Discharge>,
-    /// The range of its speeds; not above 1 where the wheel would have to turn faster to throw than it may to
-    /// empty.
+    /// Range of speeds; not above 1 if throwing requires a higher speed than emptying allows.
     pub range: SpeedRange,
 }
 
@@ -397,23 +400,23 @@ pub struct Rotor {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct WheelSpeeds {
-    /// A bucket passes while the boom advances by a chip.
+    /// Optimal speed in rad/s: one bucket passes while the boom advances by one chip.
     pub optimal_rad_s: f64,
-    /// The greatest speed at which the buckets empty.
+    /// Greatest speed at which the buckets empty, in rad/s.
     pub greatest_rad_s: f64,
-    /// The least speed that throws onto the chute.
+    /// Least speed that throws onto the chute, in rad/s.
     pub least_rad_s: f64,
 }
 
-/// A discharge parameter `Ω = ω²R/g`.
+/// Discharge parameter `Ω = ω²R/g`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Discharge {
-    /// Angle of the chute's edge from which it follows; `null` where the parameter is given.
+    /// Angle of the chute's edge from which the parameter follows, in rad; null if the parameter is given.
     pub chute_rad: Option<f64>,
-    /// The parameter.
+    /// Value of the parameter.
     pub discharge: f64,
-    /// Whether it is the one that counts: the smallest.
+    /// Whether the parameter governs, because it is the smallest.
     pub counts: bool,
 }
 
@@ -421,16 +424,17 @@ impl Answer for Rotor {
     const NAME: &'static str = "machine-rotor";
 }
 
-/// Greatest and least speed of a bucket wheel.
+/// Computes the greatest and least speed of a bucket wheel.
 ///
 /// # Errors
-/// [`Error::Design`] of a quantity that is not above 0, and of a throw that does not reach the chute;
+/// [`Error::Design`] for a quantity that is not above 0, and for a throw that does not reach the chute;
 /// [`Error::NoChute`].
 pub fn rotor(wheel: &Wheel) -> Result<Rotor, Error> {
     let optimal =
         optimal_speed(wheel.boom_radius, wheel.slewing, wheel.chip_width, wheel.buckets, wheel.boom_angle)?;
     let greatest = greatest_speed(optimal)?;
     let found = discharges(&wheel.throw)?;
+    // Of the raised and the lowered boom, the source takes the smaller parameter.
     let smallest = found.iter().map(|(_, discharge)| *discharge).reduce(f64::min).ok_or(Error::NoChute)?;
     let least = least_speed(smallest, standard_gravity(), wheel.radius)?;
     let rad_s = |speed: AngularVelocity| speed.si();

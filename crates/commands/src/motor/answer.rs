@@ -1,4 +1,4 @@
-//! A planetary hydromotor with non-circular wheels: geometry that closes, working data, teeth.
+//! Planetary hydromotor with non-circular gears: geometry that closes, working data, teeth.
 
 pub(crate) mod bodies;
 pub(crate) mod centrodes;
@@ -43,141 +43,141 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Force, Length};
 
-/// A hydromotor. Angles are counter-clockwise from the x axis, which runs through a crest of the stator;
-/// torque and flow are theoretical, without leaks and friction.
+/// Hydromotor. Angles are counter-clockwise from the x axis, which passes through a crest of the stator.
+/// Torque and flow are theoretical, without leakage and friction.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Motor {
-    /// Lobes, teeth, module.
+    /// Numbers of lobes and teeth, and the module.
     pub numbers: Numbers,
-    /// The stator's two arcs; null for a rotor by the cosine law.
+    /// Two arcs of the stator; null for a rotor by the cosine law.
     pub arcs: Option<Arcs>,
-    /// The cosine law of the rotor; null for a stator of two arcs.
+    /// Cosine law of the rotor; null for a stator of two arcs.
     pub cosine_law: Option<CosineLaw>,
-    /// How near arcs come to the rotor's exact curve.
+    /// Deviation of arcs from the rotor's exact curve.
     pub rotor: Rotor,
     /// Displacement, torque and flow.
     pub work: Work,
-    /// Flanks under load: where they seal, forces, stresses; null where there are no teeth.
+    /// Flanks under load: sealing, forces, stresses; null without teeth.
     pub flanks: Option<Flanks>,
     /// Ideal ports in the cover.
     pub ports: Ports,
-    /// Ports as made; null where none are described.
+    /// Ports as manufactured; null if none are described.
     pub made_ports: Option<MadePorts>,
-    /// Leaks, friction, efficiencies; null where neither gaps nor friction are given.
+    /// Leakage, friction, efficiencies; null if neither gaps nor friction are given.
     pub losses: Option<Losses>,
     /// Size of the centrodes.
     pub size: Size,
-    /// Curvatures and distances of the centrodes against satellites and tooth heights.
+    /// Checks of curvatures and distances of the centrodes against satellites and tooth heights.
     pub checks: Vec<Check>,
-    /// Limits of the teeth; null where the form gives none on this motor.
+    /// Limits of the teeth; null if the tooth form gives none for this motor.
     pub tooth_limits: Option<Vec<ToothLimit>>,
-    /// Clearances of the teeth over a revolution, satellites amid their backlash; null where there are no
-    /// teeth.
+    /// Clearances of the teeth over a revolution, with satellites in the middle of their backlash; null
+    /// without teeth.
     pub clearances: Option<Vec<Clearance>>,
-    /// Angle of the rotor from where one of its crests faces one of the stator's.
+    /// Rotor angle from the position in which a crest of the rotor faces a crest of the stator, in rad.
     pub angle_rad: f64,
-    /// The chambers at that angle.
+    /// Chambers at that angle.
     pub chambers: Vec<Chamber>,
-    /// The satellites at that angle.
+    /// Satellites at that angle.
     pub satellites: Vec<Satellite>,
-    /// What exceeds an allowed pressure or stress first; what fails, what there is not, what is unusual.
+    /// Warnings: first exceeded pressures and stresses, then failed checks, missing parts and unusual values.
     pub warnings: Vec<Warning>,
 }
 
-/// Lobes, teeth, module.
+/// Numbers of lobes and teeth, and the module.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Numbers {
-    /// Lobes of the stator, `N`.
+    /// Number of lobes of the stator, `N`.
     pub stator_lobes: u32,
-    /// Lobes of the rotor, `n`.
+    /// Number of lobes of the rotor, `n`.
     pub rotor_lobes: u32,
-    /// The most that the stator may have more than the rotor.
+    /// Maximum difference of the numbers of lobes, stator minus rotor.
     pub most_lobe_difference: u32,
-    /// Their ratio, `N/n`.
+    /// Ratio of the numbers of lobes, `N/n`.
     pub lobe_ratio: f64,
-    /// Teeth of the stator, `Z₃`.
+    /// Tooth number of the stator, `Z₃`.
     pub stator_teeth: u32,
-    /// Teeth of the rotor, `Z₁`.
+    /// Tooth number of the rotor, `Z₁`.
     pub rotor_teeth: u32,
-    /// Teeth of a satellite, `Z_s`.
+    /// Tooth number of a satellite, `Z_s`.
     pub satellite_teeth: u32,
-    /// What the teeth of a satellite lie below, `(Z₃ − Z₁)/2`.
+    /// Exclusive upper limit for the tooth number of a satellite, `(Z₃ − Z₁)/2`.
     pub satellite_teeth_below: f64,
-    /// Teeth of a lobe of either wheel.
+    /// Number of teeth per lobe, equal for stator and rotor.
     pub teeth_per_lobe: u32,
-    /// Satellites, and chambers, `N + n`.
+    /// Number of satellites and of chambers, `N + n`.
     pub satellites: u32,
     /// Greatest common divisor of `N` and `n`.
     pub common_divisor: u32,
-    /// Whether the bearings of the wheels are unloaded: that divisor is above 1.
+    /// Whether the bearings of the wheels are unloaded: the common divisor is above 1.
     pub bearing_reactions_vanish: bool,
-    /// Pulses of flow and torque in a revolution of the rotor.
+    /// Number of pulses of flow and torque per revolution of the rotor.
     pub pulses_per_revolution: u32,
-    /// Module `m`.
+    /// Module `m`, in m.
     pub module_m: f64,
-    /// Pitch radius of a satellite, `r = m·Z_s/2`.
+    /// Pitch radius of a satellite, `r = m·Z_s/2`, in m.
     pub satellite_radius_m: f64,
 }
 
-/// Displacement, torque and flow, without losses; the least and the greatest with satellites that seal at the
-/// pitch points.
+/// Displacement, torque and flow without losses. Least and greatest values are for satellites that seal at
+/// the pitch points.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Work {
-    /// Least area of a chamber.
+    /// Least area of a chamber in m².
     pub least_chamber_m2: f64,
-    /// Greatest area of a chamber.
+    /// Greatest area of a chamber in m².
     pub greatest_chamber_m2: f64,
-    /// Displacement a revolution over the width.
+    /// Displacement per revolution and width, in m².
     pub displacement_per_width_m2: f64,
-    /// Ripple of flow and torque, `(Q_max − Q_min)/Q_mean`, satellites sealing at the pitch points; that at
-    /// the flanks is `flanks.ripple`.
+    /// Ripple of flow and torque, `(Q_max − Q_min)/Q_mean`, if satellites seal at the pitch points;
+    /// `flanks.ripple` is the ripple at the flanks.
     pub ripple: f64,
-    /// Width of the wheels; null, as all that depends on it, where none is given.
+    /// Width of the wheels in m; null, like all values that depend on it, if none is given.
     pub width_m: Option<f64>,
-    /// Displacement a revolution.
+    /// Displacement per revolution in m³; null without a width.
     pub displacement_m3: Option<f64>,
-    /// Pressure drop, high less low.
+    /// Pressure drop, high minus low, in Pa; null if none is given.
     pub pressure_pa: Option<f64>,
-    /// Mean torque.
+    /// Mean torque in N·m; null without width and pressure.
     pub torque_n_m: Option<f64>,
-    /// Least torque.
+    /// Least torque in N·m; null without width and pressure.
     pub least_torque_n_m: Option<f64>,
-    /// Greatest torque.
+    /// Greatest torque in N·m; null without width and pressure.
     pub greatest_torque_n_m: Option<f64>,
-    /// The greatest force on a satellite, `Δp·b·2r`.
+    /// Greatest force on a satellite, `Δp·b·2r`, in N; null without width and pressure.
     pub greatest_satellite_force_n: Option<f64>,
-    /// Speed of the rotor.
+    /// Speed of the rotor in rad/s; null if none is given.
     pub speed_rad_s: Option<f64>,
-    /// Mean flow.
+    /// Mean flow in m³/s; null without width and speed.
     pub flow_m3_s: Option<f64>,
-    /// Least flow.
+    /// Least flow in m³/s; null without width and speed.
     pub least_flow_m3_s: Option<f64>,
-    /// Greatest flow.
+    /// Greatest flow in m³/s; null without width and speed.
     pub greatest_flow_m3_s: Option<f64>,
-    /// Power.
+    /// Power in W; null without width, pressure and speed.
     pub power_w: Option<f64>,
 }
 
-/// Ideal ports in the cover: each opens and closes as a satellite passes.
+/// Ideal ports in the cover, each opened and closed by a passing satellite.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Ports {
-    /// Ports of each pressure.
+    /// Number of ports at each pressure.
     pub ports_of_each: u32,
-    /// Radius of their centres.
+    /// Radius of the port centres in m.
     pub centre_radius_m: Option<f64>,
-    /// The first at high pressure, from a crest of the stator.
+    /// Angle of the first high-pressure port from a crest of the stator, in rad.
     pub high_angle_rad: Option<f64>,
-    /// The first at low pressure, from a crest of the stator.
+    /// Angle of the first low-pressure port from a crest of the stator, in rad.
     pub low_angle_rad: Option<f64>,
-    /// Diameter of the greatest round hole that a satellite covers; null where it covers none.
+    /// Diameter of the largest round hole that a satellite covers, in m; null if it covers none.
     pub greatest_diameter_m: Option<f64>,
-    /// Rotation of the rotor for which a port is covered.
+    /// Rotation of the rotor during which a port is covered, in rad.
     pub covered_rad: f64,
-    /// Rotation of the rotor for which it is open.
+    /// Rotation of the rotor during which a port is open, in rad.
     pub open_rad: f64,
 }
 
@@ -185,54 +185,54 @@ pub struct Ports {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Size {
-    /// Greatest diameter of the stator's centrode.
+    /// Greatest diameter of the stator's centrode, in m.
     pub stator_outer_m: f64,
-    /// Its least diameter.
+    /// Least diameter of the stator's centrode, in m.
     pub stator_inner_m: f64,
-    /// Greatest diameter of the rotor's centrode.
+    /// Greatest diameter of the rotor's centrode, in m.
     pub rotor_outer_m: f64,
-    /// Its least diameter.
+    /// Least diameter of the rotor's centrode, in m.
     pub rotor_inner_m: f64,
-    /// Least distance of the centres of neighbouring satellites.
+    /// Least distance between the centres of neighbouring satellites, in m.
     pub least_neighbour_distance_m: f64,
-    /// Displacement over the volume of the cylinder about the stator's centrode.
+    /// Displacement per volume of the cylinder around the stator's centrode.
     pub displacement_by_volume: f64,
 }
 
-/// A check of the centrodes.
+/// Check of the centrodes.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Check {
-    /// What is checked.
+    /// Quantity that is checked.
     pub check: Subject,
-    /// Its value.
+    /// Value of the quantity in m.
     pub value_m: f64,
-    /// What it must exceed.
+    /// Limit that the value must exceed, in m.
     pub limit_m: f64,
-    /// Whether it does.
+    /// Result of the check.
     pub verdict: Verdict,
 }
 
-/// What is checked of the centrodes.
+/// Quantities of the centrodes that are checked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Subject {
-    /// The stator's least curvature radius where it bulges inward.
+    /// Least curvature radius of the stator where it bulges inwards.
     StatorBulge,
-    /// The stator's least curvature radius where it bends round the axis.
+    /// Least curvature radius of the stator where it curves around the axis.
     StatorHollow,
-    /// The rotor's least curvature radius where it bends round the axis.
+    /// Least curvature radius of the rotor where it curves around the axis.
     RotorBulge,
-    /// The rotor's least curvature radius where it is hollow.
+    /// Least curvature radius of the rotor where it is hollow.
     RotorHollow,
-    /// The rotor's least radius.
+    /// Least radius of the rotor.
     RotorLeastRadius,
-    /// The least distance of neighbouring satellites' centres.
+    /// Least distance between the centres of neighbouring satellites.
     Neighbours,
 }
 
 impl Subject {
-    /// As a record says it.
+    /// Converts the quantity into its record.
     #[must_use]
     pub const fn of(subject: checks::Subject) -> Self {
         match subject {
@@ -245,7 +245,7 @@ impl Subject {
         }
     }
 
-    /// In words.
+    /// Name of the quantity in words.
     #[must_use]
     pub const fn words(self) -> &'static str {
         match self {
@@ -270,15 +270,15 @@ impl Subject {
     }
 }
 
-/// How a value stands to its bound.
+/// Results of the comparison of a value with its limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
-    /// It keeps it.
+    /// Within the limit.
     Holds,
-    /// It keeps it, and less than a tenth of the bound is left.
+    /// Within the limit, with a margin of less than a tenth of the limit.
     Near,
-    /// It does not.
+    /// Beyond the limit.
     Fails,
 }
 
@@ -298,10 +298,10 @@ impl Answer for Motor {
     const NAME: &'static str = "motor";
 }
 
-/// Everything about a motor.
+/// Computes all results for a motor.
 ///
 /// # Errors
-/// [`Error::Motor`] for a width, pressure, speed or angle that cannot be.
+/// [`Error::Motor`] for an impossible width, pressure, speed or angle.
 pub fn answer(designed: &Designed) -> Result<Motor, Error> {
     let motor = &designed.motor;
     let mut warnings = vec![];
@@ -368,7 +368,7 @@ pub fn answer(designed: &Designed) -> Result<Motor, Error> {
 }
 
 impl Numbers {
-    /// Those of a motor of these numbers.
+    /// Record of the numbers and the module of a motor.
     #[must_use]
     pub fn of(numbers: MotorNumbers, module: Length) -> Self {
         Self {
@@ -474,7 +474,8 @@ impl Size {
 }
 
 fn checks(designed: &Designed, warnings: &mut Vec<Warning>) -> Result<Vec<Check>, Error> {
-    // The satellites' teeth stand out by h_a + x; the wheels' roots lie h_a + c + x beyond their centrodes.
+    // The tip of a satellite's tooth is h_a + x above its pitch circle; the roots of the wheels are h_a + c +
+    // x beyond their centrodes.
     let addendum = designed.form.addendum + designed.form.shift;
     let heights = ToothHeights { addendum, dedendum: addendum + designed.form.clearance };
     let mut found = vec![];

@@ -1,4 +1,4 @@
-//! The page of a hydromotor.
+//! Page of a hydromotor.
 
 use crate::motor::answer::{Designed, Motor, OverAngle};
 use crate::motor::table::{View, plots};
@@ -17,7 +17,8 @@ use epicyclic_units::Dimension::{
     self, AngularSpeed, Area, Length, Power, Pressure, Torque, Volume, VolumeRate,
 };
 
-/// Key figures and drawing, results, plots of a hydromotor; `input` is its file or command as it was written.
+/// Builds the page of a hydromotor: key figures, drawing, results and plots; `input` is the text of its file
+/// or command.
 ///
 /// # Errors
 /// [`Error::Picture`] for a motor too large for a drawing.
@@ -34,7 +35,7 @@ pub fn sheet(report: &MotorReport, designed: &Designed, input: String) -> Result
         motor::chambers(motor, angle)?,
         "Chambers between neighbouring satellites, by their pressure.",
     );
-    // The teeth show the motor best; where there are none, the centrodes.
+    // Teeth show the motor best; without teeth the centrodes are drawn.
     let (drawing, mut drawings) = match profile {
         Ok(profile) => {
             let teeth = motor::teeth(profile, angle)?;
@@ -101,7 +102,7 @@ pub fn sheet(report: &MotorReport, designed: &Designed, input: String) -> Result
     })
 }
 
-/// What the motor does, in a few figures.
+/// Key figures of the motor.
 fn in_short(motor: &Motor) -> Block {
     let (numbers, work) = (&motor.numbers, &motor.work);
     let maybe = |label, symbol, dimension, si: Option<f64>| {
@@ -144,7 +145,7 @@ fn picture(plot: &Plot) -> Result<Scene, Error> {
     Ok(plot.scene().map_err(epicyclic_pictures::Error::from)?)
 }
 
-/// Quantities in the units of drawings, one above each angle.
+/// Points of a plot in the units of drawings, one value for each angle.
 fn points(over_angle: &OverAngle, values: &[f64]) -> Vec<[f64; 2]> {
     let (degree, square_millimetre) =
         (Dimension::Angle.usual_unit().factor, Dimension::Area.usual_unit().factor);
@@ -152,7 +153,7 @@ fn points(over_angle: &OverAngle, values: &[f64]) -> Vec<[f64; 2]> {
     angles.zip(values).map(|(angle, value)| [angle, value / square_millimetre]).collect()
 }
 
-/// Flow over width a radian.
+/// Plot of the flow per width and radian.
 fn flow(answer: &Motor, over_angle: &OverAngle) -> Plot {
     let mean = vec![over_angle.mean_flow_per_width_m2; over_angle.angles_rad.len()];
     let at = |ripple: f64, place: &str| format!("{:.2} % at the {place}", 100.0 * ripple);
@@ -174,7 +175,7 @@ fn flow(answer: &Motor, over_angle: &OverAngle) -> Plot {
     plot.with(Curve::new("mean", points(over_angle, &mean)))
 }
 
-/// Area of each chamber.
+/// Plot of the area of each chamber.
 fn areas(over_angle: &OverAngle) -> Plot {
     let curve = |(index, areas): (usize, &Vec<f64>)| {
         Curve::new(format!("chamber {index}"), points(over_angle, areas))

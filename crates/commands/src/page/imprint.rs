@@ -1,24 +1,24 @@
-//! What a page says of itself: for whom it was made, by whom and when, and its paper.
+//! Imprint of a page: for whom it was made, by whom and when, and its paper.
 
 use maud::{Markup, html};
 
-/// What the answers on a page do not know. What is not given is not on the page, so that the same input gives
-/// the same page.
+/// Imprint of a page, which its answers do not contain. Values that are not given do not appear, so that
+/// equal input gives an equal page.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Imprint {
-    /// What it is for.
+    /// Project for which the page was made.
     pub project: Option<String>,
-    /// For whom.
+    /// Customer for whom the page was made.
     pub customer: Option<String>,
-    /// By whom.
+    /// Author of the page.
     pub author: Option<String>,
-    /// When, as it is to be read.
+    /// Date of the page, as text.
     pub date: Option<String>,
-    /// The paper; that of the printer unless given.
+    /// Paper size; `None` for that of the printer.
     pub paper: Option<Paper>,
 }
 
-/// A size of paper.
+/// Paper sizes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Paper {
     /// 210 × 297 mm.
@@ -37,7 +37,7 @@ impl Paper {
 }
 
 impl Imprint {
-    /// Below the title.
+    /// Lines of the imprint below the title.
     pub(crate) fn html(&self) -> Markup {
         let lines =
             [("Project", &self.project), ("For", &self.customer), ("By", &self.author), ("Date", &self.date)];
@@ -50,7 +50,7 @@ impl Imprint {
         }
     }
 
-    /// Rules for paper: its size, and at the foot of each page what it is of.
+    /// CSS rules for paper: its size, and a footer with the title on each page.
     pub(crate) fn rules(&self, title: &str) -> String {
         let size = self.paper.map_or_else(String::new, |paper| format!("size: {}; ", paper.name()));
         let foot = [Some(title), self.project.as_deref(), self.date.as_deref()];
@@ -62,7 +62,8 @@ impl Imprint {
     }
 }
 
-/// A text as a string of CSS: what is not a letter, a digit or a blank is written by its number.
+/// Converts a text to a CSS string; characters other than letters, digits and blanks become their code
+/// points.
 fn string(text: &str) -> String {
     let shown = |c: char| match c {
         c if c.is_alphanumeric() || c == ' ' => c.to_string(),

@@ -1,5 +1,5 @@
-//! A page: the answer first, then chapters of answers, pictures and words, the input last. To be read without
-//! a network and printed.
+//! Page: the answer first, then chapters of answers, pictures and text, the input last. A page can be read
+//! without a network, and printed.
 
 use super::imprint::Imprint;
 use super::paper::{COLUMN_MM, SMALLEST_MM};
@@ -9,98 +9,98 @@ use crate::table::text::Error;
 use epicyclic_drawing::{Scene, Shape, svg};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-/// A page.
+/// Page of answers, pictures and text.
 #[derive(Debug)]
 pub struct Sheet {
-    /// Its heading.
+    /// Title of the page.
     pub title: String,
-    /// What it is about, in a line.
+    /// Subject of the page in one line.
     pub about: String,
-    /// The answer in short, on the first page.
+    /// Short answer on the first page.
     pub answer: Vec<Block>,
-    /// How that is arranged.
+    /// Arrangement of the short answer.
     pub arrangement: Arrangement,
-    /// What there is to object to, below the answer.
+    /// Objections to the result, shown below the answer.
     pub objections: Vec<String>,
-    /// In their order.
+    /// Sections in their order.
     pub sections: Vec<Section>,
-    /// What was calculated, as it was written: a file or a command. It stands last.
+    /// Text of the input, a file or a command, shown at the end.
     pub input: String,
 }
 
-/// A section of a page.
+/// Section of a page.
 #[derive(Debug)]
 pub struct Section {
-    /// Its heading.
+    /// Heading of the section.
     pub heading: String,
-    /// What stands in it.
+    /// Blocks of the section.
     pub blocks: Vec<Block>,
-    /// How that is arranged.
+    /// Arrangement of the blocks.
     pub arrangement: Arrangement,
 }
 
-/// How what stands in a section is arranged where there is room for more than one beside each other.
+/// Arrangements of blocks if there is room for several side by side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Arrangement {
-    /// In two columns, as given.
+    /// Two columns, in the given order.
     Columns,
-    /// In two columns, and what goes across both after the rest, so that it leaves no gaps in them.
+    /// Two columns; blocks across both columns follow the others, so that they leave no gaps.
     WideLast,
-    /// In rows, as many beside each other as have room.
+    /// Rows, with as many blocks side by side as fit.
     Rows,
 }
 
 impl Section {
-    /// A heading and what stands below it, in two columns in the order given.
+    /// Section with a heading and blocks, in two columns in the given order.
     pub fn new(heading: impl Into<String>, blocks: Vec<Block>) -> Self {
         Self { heading: heading.into(), blocks, arrangement: Arrangement::Columns }
     }
 
-    /// The same arranged otherwise.
+    /// Changes the arrangement of the blocks.
     #[must_use]
     pub fn arranged(self, arrangement: Arrangement) -> Self {
         Self { arrangement, ..self }
     }
 }
 
-/// A part of a section.
+/// Part of a section.
 #[derive(Debug)]
 pub enum Block {
-    /// Tables, words and warnings of an answer.
+    /// Tables, text and warnings of an answer.
     Answer(Report),
-    /// A picture with what it shows.
+    /// Picture with a caption.
     Picture {
         /// The picture.
         scene: Scene,
-        /// What it shows.
+        /// Caption of the picture.
         caption: String,
     },
-    /// A paragraph.
+    /// Paragraph of text.
     Words(String),
-    /// A list of sentences.
+    /// List of sentences.
     List(Vec<String>),
 }
 
 impl Block {
-    /// A picture with what it shows.
+    /// Picture with a caption.
     pub fn picture(scene: Scene, caption: impl Into<String>) -> Self {
         Self::Picture { scene, caption: caption.into() }
     }
 
-    /// A paragraph.
+    /// Paragraph of text.
     pub fn words(words: impl Into<String>) -> Self {
         Self::Words(words.into())
     }
 }
 
-/// Lines of an input beyond which it is long.
+/// Number of lines above which an input counts as long.
 const LONG_INPUT: usize = 12;
 
-/// Rules of all pages.
+/// CSS rules of all pages.
 const STYLE: &str = include_str!("page.css");
 
 impl Sheet {
-    /// The page as text.
+    /// Formats the page as HTML.
     ///
     /// # Errors
     /// [`Error::Picture`] for a picture that cannot be written.
@@ -152,7 +152,7 @@ impl Sheet {
         Ok(page.into_string() + "\n")
     }
 
-    /// Many lines stand in two columns on paper.
+    /// CSS class of the input; a long one is set in two columns on paper.
     fn input_class(&self) -> Option<&'static str> {
         (self.input.lines().count() > LONG_INPUT).then_some("long")
     }
@@ -171,9 +171,9 @@ impl Sheet {
     }
 }
 
-/// Blocks beside each other where there is room; in two columns, what is too wide for one goes across both.
+/// Arranges blocks side by side where they fit; in two columns, blocks too wide for one go across both.
 fn arranged(blocks: &[Block], arrangement: Arrangement) -> Result<Markup, Error> {
-    // Words before rows belong to the heading: between the rows a page may end.
+    // Text before rows belongs to the heading, because a page may break between the rows.
     let is_lead = |block: &&Block| arrangement == Arrangement::Rows && matches!(block, Block::Words(_));
     let (lead, blocks) = blocks.split_at(blocks.iter().take_while(is_lead).count());
     let pieces = |blocks: &[Block]| -> Result<Vec<Piece>, Error> {
@@ -215,7 +215,7 @@ impl Block {
     }
 }
 
-/// The width at which the smallest letters of a picture are as large as the smallest on paper.
+/// Width at which the smallest letters of a picture are as large as the smallest on paper.
 fn least_width_mm(scene: &Scene) -> f64 {
     let letters = scene.items().iter().filter_map(|item| match &item.shape {
         Shape::Text(text) => Some(text.font_size_mm()),

@@ -1,4 +1,4 @@
-//! The record behind a page about a gearbox, a drive or a hydromotor: its file, and its chapters' answers.
+//! Record for a page about a gearbox, a drive or a hydromotor: its file, and the answers of its chapters.
 //!
 //! | module | is the chapters of |
 //! |---|---|
@@ -14,27 +14,27 @@ use crate::answer::Answer;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// What a page about a file says.
+/// Contents of a page about a file.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Report {
-    /// The file as it was written.
+    /// Text of the file as it was written.
     pub file: String,
-    /// What it describes: the one key here says whether a gearbox, a drive, a scenario or a hydromotor.
+    /// Subject of the file; its single key says whether it is a gearbox, a drive, a scenario or a hydromotor.
     pub about: About,
 }
 
-/// What a file describes.
+/// Subjects of a file.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum About {
-    /// A gearbox.
+    /// Gearbox with its chapters.
     Gearbox(Box<gearbox::GearboxReport>),
-    /// A planetary drive.
+    /// Planetary drive with its chapters.
     Drive(Box<drive::DriveReport>),
-    /// A gearbox in motion.
+    /// Gearbox in motion.
     Scenario(Box<crate::simulate::answer::Simulation>),
-    /// A hydromotor.
+    /// Hydromotor with its chapters.
     Motor(Box<motor::MotorReport>),
 }
 

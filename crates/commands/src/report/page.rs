@@ -1,4 +1,4 @@
-//! The page of a gearbox: all gears, each gear in full, and what another `k` would change.
+//! Page of a gearbox: all gears, each gear in full, and the effect of another `k`.
 
 use super::side_by_side;
 use crate::analyze::answer::gear::OneGear;
@@ -25,15 +25,16 @@ use epicyclic_pictures::gearbox::{ladder, levers, speeds};
 use epicyclic_pictures::plot::{Curve, Plot};
 use epicyclic_units::Dimension;
 
-/// Ratios and planet speeds from here on are left out of the curves: they would press all others flat.
+/// Lower limit of ratios and planet speeds that are left out of the curves, because they would flatten all
+/// others.
 const GREATEST: f64 = 20.0;
-/// Efficiencies up to here are left out of the curves.
+/// Upper limit of efficiencies that are left out of the curves.
 const LEAST_EFFICIENCY: f64 = 0.5;
-/// Where the gearbox itself is further out, curves go on to so many times its own value.
+/// Factor by which curves extend beyond the gearbox's own value if it lies outside these limits.
 const FURTHER: f64 = 1.25;
 
-/// The gears and the scheme, then all gears, each gear in full, and what another `k` would change; `scale` is
-/// that of a layout to scale, `file` the file as it was written.
+/// Builds the page of a gearbox: gears and scheme, all gears, each gear in full, and the effect of another
+/// `k`. The argument `scale` is that of a layout to scale, `file` the text of the file.
 ///
 /// # Errors
 /// [`Error::Picture`] for a gearbox that cannot be drawn.
@@ -53,7 +54,7 @@ pub fn sheet(
     let has_shifts = report.shifts.as_ref().is_some_and(|shifts| !shifts.shifts.is_empty());
     let parts = overview::chapter(overview, !has_shifts);
     let mut chapter = vec![Block::Answer(Report { parts, ..Report::default() })];
-    // One ratio is no ladder.
+    // A diagram of ratios needs at least two.
     if overview.gears.iter().filter(|gear| gear.facts.ratio.is_some()).count() > 1 {
         let ladder = picture(ladder::bare(shown.gearbox, &shown.gears))?;
         chapter.push(Block::picture(ladder, "Ratios of all gears on a logarithmic scale, with their steps."));
@@ -123,7 +124,7 @@ pub fn sheet(
     })
 }
 
-/// What the machine is: `Planetary gearbox: 4 ratios and 1 reversed, 2 planet sets, 5 shift elements`.
+/// Describes the gearbox: `Planetary gearbox: 4 ratios and 1 reversed, 2 planet sets, 5 shift elements`.
 fn about(overview: &Overview) -> String {
     let count = |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
     let mut ratios: Vec<f64> = overview.gears.iter().filter_map(|gear| gear.facts.ratio).collect();
@@ -147,7 +148,7 @@ fn about(overview: &Overview) -> String {
     format!("Planetary gearbox: {ratios}, {sets}, {elements}")
 }
 
-/// What is known of the input.
+/// Describes the given speed and load of the input.
 fn operating_point(overview: &Overview) -> String {
     let at = &overview.operating_point;
     let of = |si: Option<f64>, dimension| Some(Figure::Quantity { si: si?, dimension }.table());
@@ -164,7 +165,7 @@ fn operating_point(overview: &Overview) -> String {
     }
 }
 
-/// A gear in a line: `Gear 2: B2, FWD; i = 1.4667 = 22/15, η = 0.9774`.
+/// Describes a gear in a line: `Gear 2: B2, FWD; i = 1.4667 = 22/15, η = 0.9774`.
 fn in_words(gear: &OneGear) -> String {
     let facts = &gear.gear;
     let engaged = match &facts.engaged[..] {
@@ -185,7 +186,7 @@ fn in_words(gear: &OneGear) -> String {
     format!("Gear {}: {engaged}{}", facts.gear, all.join(", "))
 }
 
-/// The sign patterns of the losses of a gear that has several.
+/// Table of sign patterns for a gear with several; otherwise `None`.
 fn patterns(gear: &OneGear) -> Option<Block> {
     let parts = gear.report().parts.into_iter();
     let mut found = parts.filter_map(|part| match part {
@@ -203,7 +204,7 @@ fn of_records(records: Records) -> Report {
     Report { parts: vec![Part::Records(records)], ..Report::default() }
 }
 
-/// The same without the warnings of a kind that the first page tells for all gears.
+/// Removes warnings of the kinds that the first page already lists for all gears.
 fn untold(mut report: Report, overview: &Overview) -> Report {
     let is_told = |name: &str| overview.warnings.iter().any(|told| told.name == name);
     if let Some(warnings) = &mut report.warnings {
@@ -212,7 +213,7 @@ fn untold(mut report: Report, overview: &Overview) -> Report {
     report
 }
 
-/// What there is to object to: that it cannot be drawn, what the answers warn of, power that circulates.
+/// Objections to the gearbox: reasons why it cannot be drawn, warnings of the answers, circulating power.
 fn objections(report: &GearboxReport) -> Vec<String> {
     let overview = &report.overview;
     let crossing = report.conflict.as_ref().map(|conflict| {
@@ -221,7 +222,7 @@ fn objections(report: &GearboxReport) -> Vec<String> {
     });
     let mut all: Vec<String> = crossing.into_iter().collect();
     all.extend(overview.warnings.iter().map(|warning| warning.message.clone()));
-    // Of each kind that the table of all gears has, it has those of every gear.
+    // A kind of warning in the table of all gears already covers every gear.
     let is_told = |name: &str| overview.warnings.iter().any(|told| told.name == name);
     for gear in &report.gears {
         let others = gear.warnings.iter().filter(|warning| !is_told(warning.name));
@@ -232,7 +233,7 @@ fn objections(report: &GearboxReport) -> Vec<String> {
         all.extend(vibration::objections(of_sets, &report.gears));
     }
     let circulating = overview.gears.iter().filter_map(|gear| {
-        // Where no planet turns on its pin the gearbox turns as a block, and no mesh passes the power on.
+        // If no planet turns on its pin, the gearbox turns as a block and no mesh transmits power.
         let turns = gear.largest_planet_speed_of_input.is_none_or(|speed| speed > RESTS);
         let power = gear.circulating_of_entering.filter(|power| turns && *power > CIRCULATES)?;
         Some(format!("{} ({})", gear.facts.gear, Figure::Multiple(power).table()))
@@ -245,16 +246,16 @@ fn objections(report: &GearboxReport) -> Vec<String> {
     all
 }
 
-/// What the schemes of the gears show.
+/// Caption of the schemes of the gears.
 const SCHEMES: &str = "Red: engaged. Grey: at rest. Blue: power as width of lines, with losses, the input's being that of the input shaft; orange: what \
                        of it circulates. a and b are the first and the second central gear of a set (its sun and ring), g and f its planets, H its \
                        carrier, each with the number of the set.";
 
-/// What the speed diagrams show.
+/// Caption of the speed diagrams.
 const DIAGRAMS: &str = "Speed diagrams (Kutzbach): velocities over the radius, radii over that of the first central gear of the set; from a pole the rays \
                         parallel to these lines, at their ends the speeds over the input's.";
 
-/// The scheme.
+/// Picture of the scheme; `None` if the gearbox cannot be drawn.
 fn scheme_of(shown: &Shown<'_>, scale: Option<&Scale>) -> Result<Option<Block>, Error> {
     let Some(layout) = shown.layout.as_deref() else { return Ok(None) };
     let scene = scheme::narrow(shown.gearbox, layout, Show::Structure, scale, PICTURE_MM[0]);
@@ -267,7 +268,7 @@ fn scheme_of(shown: &Shown<'_>, scale: Option<&Scale>) -> Result<Option<Block>, 
     Ok(Some(Block::picture(picture(scene)?, words)))
 }
 
-/// Schemes and speed diagrams of the gears, so far as their speeds and powers follow.
+/// Schemes and speed diagrams of the gears with known speeds and powers.
 fn drawings(report: &GearboxReport, shown: &Shown<'_>, scale: Option<&Scale>) -> Result<Vec<Section>, Error> {
     let (gearbox, [column_mm, page_mm]) = (shown.gearbox, PICTURE_MM);
     let (mut schemes, mut diagrams) = (vec![], vec![]);
@@ -297,7 +298,7 @@ fn drawings(report: &GearboxReport, shown: &Shown<'_>, scale: Option<&Scale>) ->
     Ok(drawn.map(|(heading, words, blocks)| section(heading, words, blocks)).collect())
 }
 
-/// Nothing where a gear does not say what a picture needs; every other fault is one.
+/// Converts a drawing fault to `None` if the gear lacks data for the picture; other faults remain errors.
 fn known<T>(drawn: Result<T, epicyclic_pictures::gearbox::Error>) -> Option<Result<T, Error>> {
     use epicyclic_pictures::gearbox::Error;
     match drawn {
@@ -310,7 +311,7 @@ fn picture<T>(drawn: Result<T, epicyclic_pictures::gearbox::Error>) -> Result<T,
     drawn.map_err(Error::Picture)
 }
 
-/// Efficiency, ratio and planet speed of each gear over the `k` of each set.
+/// Plots of efficiency, ratio and planet speed of each gear over the `k` of each set.
 fn over_k(sets: &[OverK]) -> Result<Vec<Block>, Error> {
     let mut blocks = vec![Block::words(
         "What changes with the k of one set while the others stay as they are; gears that do not change are left out. Planet: speed of that set's planet relative to its carrier, \
@@ -339,8 +340,8 @@ fn over_k(sets: &[OverK]) -> Result<Vec<Block>, Error> {
     Ok(blocks)
 }
 
-/// A curve of each gear that changes with `k`, in the gear's colour; `is_shown` judges a value beside the
-/// gearbox's own.
+/// Curves of the gears that change with `k`, in their colours; `is_shown` decides about a value by comparison
+/// with the gearbox's own.
 fn curves(
     set: &OverK,
     values: fn(&GearOverK) -> &[Option<f64>],
@@ -356,7 +357,7 @@ fn curves(
     set.gears.iter().enumerate().map(curve).filter(changes).collect()
 }
 
-/// Whether a curve is more than a level line.
+/// Whether a curve is not level.
 fn changes(curve: &Curve) -> bool {
     let values = || curve.points.iter().map(|point| point[1]).filter(|value| value.is_finite());
     let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));

@@ -1,4 +1,4 @@
-//! The catalogue of two- and three-speed schemes: all of them, or one with its formulas and numbers.
+//! Catalogue of two- and three-speed schemes: a list of all, or one scheme with its formulas and numbers.
 
 mod formulas;
 
@@ -16,29 +16,29 @@ use epicyclic_units::format::trimmed;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// What says how large the sets of a scheme are.
+/// Data that determine the sets of a scheme.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Sizes {
     /// Ring-to-sun ratio of set 1.
     pub k1: Option<f64>,
     /// Ring-to-sun ratio of set 2.
     pub k2: Option<f64>,
-    /// Ratio of gear 1, in place of `k1`.
+    /// Ratio of gear 1, instead of `k1`.
     pub ratio1: Option<f64>,
-    /// Ratio of gear 2, in place of `k2`.
+    /// Ratio of gear 2, instead of `k2`.
     pub ratio2: Option<f64>,
 }
 
-/// A scheme whose sets have sizes.
+/// Scheme whose ring-to-sun ratios are known.
 #[derive(Debug, Clone)]
 pub struct Sized {
-    /// Ring-to-sun ratios of its sets.
+    /// Ring-to-sun ratios of the sets.
     pub k: Vec<RingToSunRatio>,
     /// The gearbox with gears `1`, `2` (of two sets) and `direct`.
     pub gearbox: Gearbox,
 }
 
-/// The scheme with the ring-to-sun ratios or ratios that are given, if any are.
+/// Determines a scheme from the given ring-to-sun ratios or ratios; `None` if none are given.
 ///
 /// # Errors
 /// [`Error::SchemeSize`].
@@ -54,6 +54,7 @@ pub fn sized(scheme: CatalogueScheme, sizes: Sizes, eta0: MeshEfficiency) -> Res
     let first = match (sizes.k1, sizes.ratio1) {
         (Some(k1), _) => k(SizeName::K1, k1)?,
         (None, Some(ratio)) => of_ratio(SizeName::Ratio1, scheme.first_stage().ring_to_sun_ratio(ratio))?,
+        // The second set follows from the first one, so it cannot be given alone.
         (None, None) if sizes.k2.is_some() => return refuse(SizeName::K2, SizeProblem::FirstMissing),
         (None, None) if sizes.ratio2.is_some() => return refuse(SizeName::Ratio2, SizeProblem::FirstMissing),
         (None, None) => return Ok(None),
@@ -81,27 +82,27 @@ pub fn sized(scheme: CatalogueScheme, sizes: Sizes, eta0: MeshEfficiency) -> Res
     Ok(Some(Sized { k: [Some(first), second].into_iter().flatten().collect(), gearbox }))
 }
 
-/// The catalogue.
+/// Catalogue of schemes.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Schemes {
-    /// Ring-to-sun ratios over which the ranges of ratios are taken.
+    /// Range of ring-to-sun ratios for the ranges of ratios.
     pub k: KRange,
-    /// The schemes.
+    /// Schemes with their formulas.
     pub schemes: Vec<SchemeFormulas>,
 }
 
-/// A scheme of the catalogue.
+/// Scheme of the catalogue.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SchemeFormulas {
-    /// Its name.
+    /// Name of the scheme.
     pub scheme: &'static str,
-    /// Links of the members of its sets.
+    /// Links of the members of the sets.
     pub sets: Vec<SetLinks>,
-    /// Ratio of its last braked gear, in k₁ and k₂.
+    /// Formula of the ratio of the last braked gear, in k₁ and k₂.
     pub ratio_formula: String,
-    /// Efficiency of that gear, in k₁, k₂ and η₀.
+    /// Formula of the efficiency of that gear, in k₁, k₂ and η₀.
     pub efficiency_formula: String,
     /// Least ratio of that gear over the range of k.
     pub least_ratio: f64,
@@ -113,7 +114,7 @@ impl Answer for Schemes {
     const NAME: &'static str = "schemes";
 }
 
-/// All schemes, their ratios over a range of ring-to-sun ratios.
+/// Lists all schemes with their ratios over a range of ring-to-sun ratios.
 #[must_use]
 pub fn list(range: RingToSunRange) -> Schemes {
     let scheme = |scheme: CatalogueScheme| {
@@ -133,35 +134,35 @@ pub fn list(range: RingToSunRange) -> Schemes {
     }
 }
 
-/// A scheme: links, formulas, ranges, and its numbers where its sets have sizes.
+/// Scheme with its links, formulas and ranges, and its numbers if the ring-to-sun ratios are known.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Scheme {
-    /// Its name.
+    /// Name of the scheme.
     pub scheme: &'static str,
-    /// Links of the members of its sets.
+    /// Links of the members of the sets.
     pub sets: Vec<SetLinks>,
-    /// How set 2 is connected in gear 2; `null` of a scheme of one set.
+    /// Connection of set 2 in gear 2; null for a scheme of one set.
     pub connection: Option<Connection>,
-    /// Ring-to-sun ratios over which the ranges of ratios are taken.
+    /// Range of ring-to-sun ratios for the ranges of ratios.
     pub k: KRange,
-    /// Formulas of its gears.
+    /// Formulas of the gears.
     pub formulas: Vec<GearFormulas>,
-    /// Sizes of its sets; `null` where none are given.
+    /// Ring-to-sun ratios and efficiency of the sets; null if none are given.
     pub parameters: Option<Parameters>,
-    /// What its gears do; empty where no sizes are given.
+    /// Results for the gears; empty if no ring-to-sun ratios are given.
     pub gears: Vec<Gear>,
-    /// What speaks against these sizes.
+    /// Warnings about the given values.
     pub warnings: Vec<Warning>,
 }
 
-/// How the second set is connected: in gear 2 it ties T1 to a shaft.
+/// Connection of the second set, which in gear 2 ties T1 to a shaft.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Connection {
-    /// The shaft that it ties T1 to.
+    /// Shaft to which the second set ties T1.
     pub shaft: Link,
-    /// The members of set 2 on T1 (input), on the shaft (output) and on T2 (fixed).
+    /// Members of set 2 on T1 (input), on the shaft (output) and on T2 (fixed).
     pub motion: Motion,
 }
 
@@ -169,53 +170,54 @@ pub struct Connection {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct GearFormulas {
-    /// Which gear.
+    /// Name of the gear.
     pub gear: GearName,
-    /// The link that is braked in it; `null` of direct drive.
+    /// Link that is braked in the gear; null for direct drive.
     pub braked: Option<Link>,
-    /// Its ratio, in k₁ and k₂.
+    /// Formula of the ratio in k₁ and k₂.
     pub ratio_formula: String,
-    /// Its efficiency, in k₁, k₂ and η₀.
+    /// Formula of the efficiency in k₁, k₂ and η₀.
     pub efficiency_formula: String,
-    /// Its least ratio over the range of k.
+    /// Least ratio over the range of k.
     pub least_ratio: f64,
-    /// Its greatest ratio over the range of k.
+    /// Greatest ratio over the range of k.
     pub greatest_ratio: f64,
 }
 
-/// Sizes of the sets of a scheme.
+/// Ring-to-sun ratios and efficiency of the sets of a scheme.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Parameters {
     /// Ring-to-sun ratio of set 1.
     pub k1: f64,
-    /// Ring-to-sun ratio of set 2; `null` of a scheme of one set.
+    /// Ring-to-sun ratio of set 2; null for a scheme of one set.
     pub k2: Option<f64>,
     /// Efficiency of each set with its carrier fixed.
     pub set_efficiency: f64,
 }
 
-/// What a gear does; speeds, torques and powers are multiples of the input's.
+/// Results for a gear. Speeds, torques and powers are relative to those of the input.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Gear {
-    /// Which gear.
+    /// Name of the gear.
     pub gear: GearName,
-    /// Its ratio, input speed over output speed.
+    /// Ratio, input speed over output speed; null if none exists.
     pub ratio: Option<f64>,
-    /// Its efficiency; `null` where it is self-locking.
+    /// Efficiency when driven from the input; null if the gear is self-locking.
     pub efficiency: Option<f64>,
-    /// Its back-driving efficiency; `null` where it is self-locking against back-driving.
+    /// Back-driving efficiency; null if the gear is self-locking against back-driving.
     pub back_driving_efficiency: Option<f64>,
-    /// Torque on the gearbox at the output, with losses.
+    /// Torque on the output with losses, relative to the input torque; null if it cannot be computed.
     pub output_torque_of_input: Option<f64>,
-    /// The shift element engaged.
+    /// Engaged shift element.
     pub engaged: ShiftElement,
-    /// Its torque on its first link, with losses.
+    /// Torque of the shift element on its first link with losses, relative to the input torque; null if it
+    /// cannot be computed.
     pub engaged_torque_of_input: Option<f64>,
-    /// Circulating power, with losses.
+    /// Circulating power with losses, relative to the input power; null if it cannot be computed.
     pub circulating_of_input: Option<f64>,
-    /// Speeds in each set.
+    /// Speeds in each set, relative to the input speed.
     pub sets: Vec<SetSpeeds>,
 }
 
@@ -223,7 +225,8 @@ impl Answer for Scheme {
     const NAME: &'static str = "scheme";
 }
 
-/// One scheme, its ratios over a range of ring-to-sun ratios, and its numbers where sizes are given.
+/// Computes one scheme with its ratios over a range of ring-to-sun ratios, and its numbers if values are
+/// given.
 ///
 /// # Errors
 /// [`Error::SchemeSize`], [`Error::Gearbox`].
@@ -274,6 +277,7 @@ fn gear_formulas(scheme: CatalogueScheme, range: RingToSunRange) -> Vec<GearForm
             greatest_ratio,
         }
     };
+    // Gear 1 of every scheme is that of its first set alone, with T1 braked.
     let mut all = vec![of(GearName::First, Link::T1, CatalogueScheme::Two(scheme.first_stage()))];
     if matches!(scheme, CatalogueScheme::Three(_)) {
         all.push(of(GearName::Second, Link::T2, scheme));
@@ -292,6 +296,7 @@ fn gear_formulas(scheme: CatalogueScheme, range: RingToSunRange) -> Vec<GearForm
 fn gears(gearbox: &Gearbox) -> Result<Vec<Gear>, Error> {
     let mut found = vec![];
     for gear in gearbox.gears() {
+        // A gearbox of the catalogue has no other gears; the name only has to become a record.
         let Some(name) = GearName::named(gear.name()) else { continue };
         let analysis = gearbox.analyze(gear.name())?;
         let driving = analysis.driving();
@@ -323,7 +328,7 @@ fn set_speeds(analysis: &Analysis<'_>) -> Vec<SetSpeeds> {
     analysis.sets().iter().map(of_set).collect()
 }
 
-/// What section 3.1 of the source would object to.
+/// Objections by section 3.1 of the source.
 fn warnings(k: &[RingToSunRatio], gears: &[Gear]) -> Vec<Warning> {
     let mut all = vec![];
     let recommended = RingToSunRange::RECOMMENDED;

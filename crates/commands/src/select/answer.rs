@@ -1,4 +1,4 @@
-//! The choice of a gearbox for two or three speeds: every mechanism measured, judged and compared.
+//! Choice of a gearbox for two or three speeds: every mechanism is computed, judged and compared.
 //!
 //! | module | is |
 //! |---|---|
@@ -34,18 +34,18 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::Velocity;
 
-/// What is wanted.
+/// Requirements for the choice of a gearbox.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wanted {
     /// Ratios, tolerance and limits.
     pub requirements: Requirements,
-    /// Which objective decides first, and which next.
+    /// Objectives in the order in which they decide.
     pub order: Order,
-    /// The mechanisms to choose among.
+    /// Mechanisms to choose among.
     pub space: Space,
-    /// Speeds of the machine, the slowest first, where these give the ratios.
+    /// Speeds of the machine, the slowest first, if they determine the ratios.
     pub speeds: Vec<Velocity>,
-    /// How many of the accepted candidates are told, and how many of the rejected.
+    /// Maximum number of accepted, and of rejected candidates that are listed.
     pub most: usize,
     /// Number of the candidate that is shown in full and saved, from 1.
     pub nth: usize,
@@ -58,89 +58,88 @@ pub struct Wanted {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Select {
-    /// Number of the candidate that tables show in full; `null` if no candidate has that number, or if none
-    /// is accepted and none was asked for.
+    /// Number of the candidate that tables show in full; null if none exists with that number, or none is
+    /// accepted and none was asked for.
     pub shown_in_full: Option<u32>,
-    /// Speeds of that candidate, asked for and reached, the slowest first; empty without such a candidate.
+    /// Speeds of that candidate, required and reached, the slowest first; empty without such a candidate.
     pub speeds: Vec<ReachedSpeed>,
-    /// What is wanted.
+    /// Requirements as a record.
     pub required: Required,
-    /// How many candidates meet every required criterion.
+    /// Number of candidates that meet every required criterion.
     pub accepted: usize,
-    /// How many do not.
+    /// Number of candidates that fail a required criterion.
     pub rejected: usize,
-    /// The objective by which the first candidate is ahead of others; `null` where there are no others, or
-    /// all are equal.
+    /// Objective by which the first candidate is ahead of others; null if there are no others, or all are
+    /// equal.
     pub decided_by: Option<Objective>,
-    /// The candidates told: accepted, the best first, then rejected.
+    /// Listed candidates: accepted, the best first, then rejected.
     pub candidates: Vec<Candidate>,
-    /// Mechanisms that no ring-to-sun ratios give the ratios.
+    /// Mechanisms that reach the ratios with no ring-to-sun ratios.
     pub unreachable: Vec<Unreachable>,
-    /// What the first candidate leaves to object to, and how many candidates do not.
+    /// Criteria that the first candidate does not meet, with the number of candidates that do.
     pub remedies: Vec<Remedy>,
-    /// Where nothing is accepted: how many of all structures are; `null` where something is, or those were
-    /// the mechanisms.
+    /// Number of accepted candidates among all structures, if none is accepted. Null if one is accepted, or
+    /// if all structures were searched anyway.
     pub accepted_of_all_structures: Option<usize>,
-    /// Where nothing is accepted: criteria that alone, or the fewest together, keep a candidate out, with the
-    /// limits that would let the nearest pass.
+    /// Criteria to relax if no candidate is accepted: alone, or the fewest together, they reject a candidate.
+    /// Limits are those that would accept the closest one.
     pub relaxations: Vec<Relaxation>,
 }
 
-/// A required criterion that alone, or with the fewest others, keeps candidates out, where nothing is
-/// accepted.
+/// Required criterion that alone, or with the fewest others, rejects candidates, if none is accepted.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Relaxation {
-    /// Which criterion.
+    /// Name of the criterion.
     pub criterion: Criterion,
-    /// The limit that would let the nearest of them pass, of `k` on the side where it lies; `null` of a yes
-    /// or no.
+    /// Limit that would accept the closest candidate; for `k` on the side where it lies. Null for a criterion
+    /// without a value.
     pub limit: Option<f64>,
-    /// Criteria that keep the same candidates out as well; none where one criterion alone would do.
+    /// Criteria that reject the same candidates as well; empty if one criterion alone rejects them.
     pub with: Vec<RelaxedCriterion>,
-    /// How many candidates nothing else keeps out.
+    /// Number of candidates rejected by nothing else.
     pub candidates: usize,
-    /// The nearest one by the number of its candidate.
+    /// Number of the closest candidate.
     pub nearest: u32,
 }
 
-/// A criterion with the limit that would let a candidate pass.
+/// Criterion with the limit that would accept a candidate.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct RelaxedCriterion {
-    /// Which criterion.
+    /// Name of the criterion.
     pub criterion: Criterion,
-    /// The limit; `null` of a yes or no.
+    /// Limit that would accept the candidate; null for a criterion without a value.
     pub limit: Option<f64>,
 }
 
-/// A criterion that is not required and that the first candidate does not meet, and what requiring it would
-/// leave.
+/// Criterion that is not required and that the first candidate does not meet, and the effect of requiring it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Remedy {
-    /// Which criterion.
+    /// Name of the criterion.
     pub criterion: Criterion,
-    /// How many candidates meet it, and all that is required, among the same mechanisms.
+    /// Number of candidates among the same mechanisms that meet the criterion and all required ones.
     pub accepted: usize,
-    /// How many of all structures do; `null` where those were the mechanisms, or some of the same mechanisms
-    /// do.
+    /// Number of such candidates among all structures; null if all structures were searched anyway, or some
+    /// of the same mechanisms meet it.
     pub accepted_of_all_structures: Option<usize>,
 }
 
-/// A mechanism that cannot give the ratios wanted of its gears.
+/// Mechanism that cannot give the required ratios.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Unreachable {
-    /// The source's name of the scheme; `null` where it has none.
+    /// Name of the scheme in the source; null if it has none.
     pub scheme: Option<&'static str>,
     /// Name of the structure, by the links of sun, ring and carrier of each set.
     pub structure: String,
-    /// Links of the members of its sets.
+    /// Links of the members of the sets.
     pub sets: Vec<SetLinks>,
-    /// Ratios wanted of gears 1 and 2.
+    /// Required ratios of gears 1 and 2.
     pub wanted_ratios: Vec<f64>,
-    /// Ring-to-sun ratios that these would need, one of them not above 1; `null` where one would be infinite.
+    /// Ring-to-sun ratios that the required ratios would need, one of them not above 1; null if one would be
+    /// infinite.
     pub needed_k: Option<Vec<f64>>,
 }
 
@@ -149,7 +148,7 @@ impl Answer for Select {
 }
 
 impl Select {
-    /// The candidate that tables show in full.
+    /// Candidate that tables show in full.
     #[must_use]
     pub fn in_full(&self) -> Option<&Candidate> {
         self.candidates.iter().find(|one| Some(one.no) == self.shown_in_full)
@@ -168,26 +167,26 @@ impl Unreachable {
     }
 }
 
-/// Every mechanism for every assignment of the ratios.
+/// Computes every mechanism for every assignment of the ratios.
 ///
 /// # Errors
-/// [`Error::Selection`] of requirements that cannot be, [`Error::Duty`].
+/// [`Error::Selection`] for impossible requirements; [`Error::Duty`].
 pub fn answer(wanted: &Wanted) -> Result<Select, Error> {
     solved(wanted, false).map(|(answer, ..)| answer)
 }
 
-/// The answer, with the candidate that it shows in full as a gearbox, where it is to be saved.
+/// Returns the answer and, if `is_saved`, the candidate shown in full as a gearbox.
 ///
 /// # Errors
-/// As [`answer`].
+/// Errors of [`answer`].
 pub fn solve(wanted: &Wanted, is_saved: bool) -> Result<(Select, Option<Saved>), Error> {
     solved(wanted, is_saved).map(|(answer, saved, _)| (answer, saved))
 }
 
-/// The same with the mechanisms of the accepted candidates, the best first, each once.
+/// Returns the answer with the mechanisms of the accepted candidates, the best first, each once.
 ///
 /// # Errors
-/// As [`answer`].
+/// Errors of [`answer`].
 pub fn with_mechanisms(wanted: &Wanted) -> Result<(Select, Vec<Mechanism>), Error> {
     solved(wanted, false).map(|(answer, _, mechanisms)| (answer, mechanisms))
 }
@@ -200,7 +199,7 @@ fn solved(wanted: &Wanted, is_saved: bool) -> Result<(Select, Option<Saved>, Vec
     let (accepted, rejected) = (found.accepted.len(), found.rejected.len());
     let first = ranked.first().filter(|_| accepted > 0).map(|first| first.candidate);
     let remedies = first.map_or_else(|| Ok(vec![]), |first| remedies(first, &found, wanted))?;
-    // A rejected one is shown only where it was asked for.
+    // A rejected candidate is shown only if it was asked for.
     let in_full = nth.checked_sub(1).filter(|place| *place < ranked.len() && (accepted > 0 || *place > 0));
     let is_told = |place: &usize| {
         let of_its_kind = if *place < accepted { *place } else { *place - accepted };
@@ -247,7 +246,7 @@ fn solved(wanted: &Wanted, is_saved: bool) -> Result<(Select, Option<Saved>, Vec
     Ok((answer, saved, mechanisms))
 }
 
-/// How many of all structures are accepted; nothing where those are searched anyway.
+/// Number of accepted candidates among all structures; `None` if those are searched anyway.
 fn of_all_structures(wanted: &Wanted) -> Result<Option<usize>, Error> {
     if matches!(wanted.space, Space::All) {
         return Ok(None);
@@ -256,7 +255,7 @@ fn of_all_structures(wanted: &Wanted) -> Result<Option<usize>, Error> {
     Ok(Some(all.accepted.len()))
 }
 
-/// What keeps the rejected out, the fewest criteria together; the nearest candidate of each combination.
+/// Criteria that reject candidates, the fewest together, with the closest candidate of each combination.
 fn relaxations(rejected: &[Ranked<'_>], requirements: &Requirements) -> Vec<Relaxation> {
     let mut found: Vec<(f64, Relaxation)> = vec![];
     for one in rejected {
@@ -286,20 +285,20 @@ fn relaxations(rejected: &[Ranked<'_>], requirements: &Requirements) -> Vec<Rela
 }
 
 impl Relaxation {
-    /// Its criteria.
+    /// Names of the criteria to relax.
     fn criteria(&self) -> impl Iterator<Item = Criterion> + '_ {
         std::iter::once(self.criterion).chain(self.with.iter().map(|with| with.criterion))
     }
 
-    /// Its criteria with their limits.
+    /// Criteria to relax with their limits.
     pub fn limits(&self) -> impl Iterator<Item = RelaxedCriterion> + '_ {
         let first = RelaxedCriterion { criterion: self.criterion, limit: self.limit };
         std::iter::once(first).chain(self.with.iter().copied())
     }
 }
 
-/// The limit of a criterion that would admit a candidate, and how far it is from the one there is; nothing
-/// where none would.
+/// Limit of a criterion that would accept a candidate, with its relative distance from the present limit;
+/// `None` if no limit would.
 fn limit_that_admits(
     one: &selection::Candidate,
     verdict: &selection::Verdict,
@@ -312,7 +311,7 @@ fn limit_that_admits(
             let [least, greatest] = verdict.limits;
             let (low, high) = (one.k.iter().any(|k| *k < least), one.k.iter().any(|k| *k > greatest));
             let k = verdict.value;
-            // Planets in such a set would run into each other.
+            // Planets in such a set would collide.
             let collide = (k + 1.0)
                 * libm::sin(std::f64::consts::PI / f64::from(requirements.rating.planets))
                 <= k - 1.0;
@@ -321,15 +320,15 @@ fn limit_that_admits(
         }
         _ => {
             let limit = verdict.limits[usize::from(verdict.value > verdict.limits[1])];
-            // A gear that is self-locking has the efficiency 0: no limit admits it.
+            // A self-locking gear has the efficiency 0, which no limit accepts.
             let admits = verdict.value.is_finite() && verdict.value > 0.0;
-            // Distances of several criteria are summed.
+            // Relative distances can be summed over several criteria.
             admits.then(|| (Some(verdict.value), (verdict.value - limit).abs() / (1.0 + limit.abs())))
         }
     }
 }
 
-/// What the first candidate leaves to object to, and how many candidates there are that do not.
+/// Criteria that the first candidate does not meet, with the number of candidates that do.
 fn remedies(first: &selection::Candidate, found: &Selection, wanted: &Wanted) -> Result<Vec<Remedy>, Error> {
     let mut remedies = vec![];
     for verdict in first.objections() {
@@ -339,7 +338,7 @@ fn remedies(first: &selection::Candidate, found: &Selection, wanted: &Wanted) ->
             selection::Criterion::Circulation => requirements.limits.circulation = verdict.limits[1],
             _ => continue,
         }
-        // Every candidate was judged by the criterion already.
+        // Each candidate has already been judged by the criterion.
         let meets = |one: &&selection::Candidate| {
             one.verdicts.iter().any(|other| other.criterion == verdict.criterion && other.met)
         };
@@ -359,7 +358,7 @@ fn remedies(first: &selection::Candidate, found: &Selection, wanted: &Wanted) ->
     Ok(remedies)
 }
 
-/// The accepted, the best first, then the rejected.
+/// Accepted candidates, the best first, then the rejected.
 fn ranked(found: &Selection) -> Vec<Ranked<'_>> {
     let on_front = |place: usize| found.front.iter().any(|entry| entry.members.contains(&place));
     let best = found.best.iter().map(|&place| (&found.accepted[place], on_front(place)));
@@ -367,8 +366,8 @@ fn ranked(found: &Selection) -> Vec<Ranked<'_>> {
     (1..).zip(all).map(|(no, (candidate, non_dominated))| Ranked { no, candidate, non_dominated }).collect()
 }
 
-/// The first objective in the order in which a design differs from the best, the direction of rotation before
-/// all; of each whether it mixes directions, and its objectives.
+/// First objective in the order in which a design differs from the best; the direction of rotation counts
+/// before all. Each item says whether the design mixes directions, and its objectives.
 fn decisive(
     order: Order,
     (best_mixes, best): &(bool, selection::Objectives),

@@ -1,4 +1,4 @@
-//! The page of the choice of a gearbox: the best, why it is, the others, those rejected.
+//! Page of the choice of a gearbox: the best design, the reasons for it, the others, those rejected.
 
 use crate::page::paper::PICTURE_MM;
 use crate::page::sheet::{Arrangement, Block, Section, Sheet};
@@ -12,7 +12,7 @@ use crate::table::report::{AsReport as _, Report};
 use crate::table::text::Error;
 use epicyclic_pictures::gearbox::scheme::{self, Show};
 
-/// A choice among mechanisms; `drawn` is the best, `input` the command as it was written.
+/// Builds the page of a choice among mechanisms; `drawn` is the best one, `input` the command line.
 ///
 /// # Errors
 /// [`Error::Picture`] for a scheme that cannot be made into a picture.
@@ -21,7 +21,7 @@ pub fn sheet(select: &Select, drawn: Option<&Drawn>, input: String) -> Result<Sh
     page(select.report(), best, drawn, input)
 }
 
-/// A choice over tooth numbers; `drawn` is the best, `input` the command as it was written.
+/// Builds the page of a choice over tooth numbers; `drawn` is the best design, `input` the command line.
 ///
 /// # Errors
 /// [`Error::Picture`] for a scheme that cannot be made into a picture.
@@ -45,7 +45,7 @@ fn page(
         let caption = "Kinematic scheme, the half above the axis.";
         answer.push(Block::picture(scene.map_err(Error::Picture)?, caption));
     }
-    // The reasons belong to the answer, tables are in the chapters.
+    // Reasons belong to the short answer, tables to the chapters.
     let (reasons, tables): (Vec<Part>, Vec<Part>) =
         report.parts.into_iter().partition(|part| matches!(part, Part::Text(text) if text.table.is_empty()));
     answer.push(Block::Answer(Report { parts: reasons, ..Report::default() }));

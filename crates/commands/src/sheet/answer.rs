@@ -37,15 +37,15 @@ use uom::si::f64::Length;
 pub struct DataSheets {
     /// Name of the gearbox.
     pub gearbox: String,
-    /// The sets, each with its gears and meshes.
+    /// Sets, each with its gears and meshes.
     pub sets: Vec<SetSheet>,
-    /// Backlash and torsional stiffness at the output in each gear; empty where one set is asked for.
+    /// Backlash and torsional stiffness at the output in each gear; empty if one set is asked for.
     pub at_output: Vec<AtOutput>,
     /// Sets without data sheets.
     pub left_out: Vec<LeftOut>,
-    /// The checks of the teeth of these sets.
+    /// Tooth checks of these sets.
     pub tooth_checks: ToothChecks,
-    /// What the reader should know.
+    /// Warnings about the data sheets.
     pub warnings: Vec<Warning>,
 }
 
@@ -53,19 +53,19 @@ impl Answer for DataSheets {
     const NAME: &'static str = "sheet";
 }
 
-/// The gearbox of a file whose data sheets are asked.
+/// Reads the gearbox of a file for its data sheets.
 ///
 /// # Errors
-/// Those of [`one`](crate::shared::gearbox::one), and [`Error::Document`] for a list of transmissions.
+/// Errors of [`one`](crate::shared::gearbox::one), and [`Error::Document`] for a list of transmissions.
 pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
     alone(document, "sheet", "no modules")
 }
 
-/// Data sheets of all sets, or of one.
+/// Computes the data sheets of all sets, or of one.
 ///
 /// # Errors
-/// - [`Error::NoSet`], [`Error::NothingDescribed`] where no set says enough.
-/// - [`Error::Document`] for what the file says wrong, with its place.
+/// - [`Error::NoSet`]; [`Error::NothingDescribed`] if no set has enough data.
+/// - [`Error::Document`] for invalid data in the file, with the place.
 pub fn answer(subject: &Subject<'_>, set: Option<&str>) -> Result<DataSheets, Error> {
     let sheets = described(subject, set)?;
     if sheets.sets.is_empty() {
@@ -75,10 +75,10 @@ pub fn answer(subject: &Subject<'_>, set: Option<&str>) -> Result<DataSheets, Er
     Ok(sheets)
 }
 
-/// What a report says of the gears of a gearbox; nothing where the file says enough of no set.
+/// Data sheets for a report; `None` if the file has enough data for no set.
 ///
 /// # Errors
-/// [`Error::Document`] for what the file says wrong, with its place.
+/// [`Error::Document`] for invalid data in the file, with the place.
 pub fn chapter(subject: &Subject<'_>) -> Result<Option<DataSheets>, Error> {
     if subject.document.value().get("transmissions").is_some() {
         return Ok(None);
@@ -130,14 +130,14 @@ fn described(subject: &Subject<'_>, wanted: Option<&str>) -> Result<DataSheets, 
     })
 }
 
-/// A set in a file.
+/// Place of a set in a file.
 struct Place<'a> {
     document: &'a Document,
     path: Path,
 }
 
 impl Place<'_> {
-    /// A refusal at the longest part of a path that the file has.
+    /// Error at the longest part of a path that exists in the file.
     fn refused(&self, keys: &[&str], why: &dyn Fault) -> Error {
         refused(self.document, &self.path, keys, why)
     }
@@ -185,7 +185,7 @@ fn sheet(
     Ok((sheet, allowed))
 }
 
-/// Diameters of balls, in metres.
+/// Diameters of measuring balls in metres.
 fn balls(
     place: &Place<'_>,
     of: Option<&DataSheetEntry>,
@@ -213,10 +213,10 @@ fn balls(
     Ok(given)
 }
 
-/// The next size of two digits.
+/// Rounds a size up to two digits.
 fn rounded_up(size: f64) -> f64 {
     let unit = libm::pow(10_f64, libm::log10(size).floor() - 1.0);
-    // A size of two digits that division leaves a little above stays what it is.
+    // The tolerance keeps a size of two digits that division leaves slightly too large.
     (size / unit - crate::tolerance::SAME).ceil() * unit
 }
 

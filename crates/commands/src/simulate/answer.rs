@@ -1,34 +1,34 @@
-//! A gearbox in motion by a scenario: shifts, starts, heat of its shift elements.
+//! Simulation of a gearbox by a scenario: shifts, starts, heat of the shift elements.
 //!
 //! Speeds and torques are positive along the axis; torques act on links from outside.
 //!
 //! # Peaks
-//! Powers and torques are looked for at the start and end, right before and right after every event, and at
-//! even instants between, at least two thousand of them; what is greater only between two instants is not
-//! seen.
+//! Peaks of powers and torques are searched at the start, at the end, and immediately before and after every
+//! event. They are also searched at equally spaced instants, at least two thousand. A larger value between
+//! two instants is not detected.
 //!
 //! # Temperature
-//! What takes the heat of an element is one body over the temperature of the oil, with heat capacity `C` and
-//! conductance `G`:
-//!
-//! ```text
+//! The heat of an element goes into one body with heat capacity `C` and conductance `G` to the oil. Its
+//! temperature `θ` is that above the oil:
 //! C·dθ/dt = P − G·θ       θ(t + Δt) = θ·e + (ΔQ/Δt)/G·(1 − e)     e = exp(−G·Δt/C)     G = 0: θ + ΔQ/C
 //! ```
 //!
-//! over the same instants, with the heat `ΔQ` between two of them, which is integrated with the motion. It
-//! starts at the oil's temperature.
+//! over the same instants. The heat `ΔQ` between two of them is integrated with the motion. The body starts
+//! at the temperature of the oil.
 //!
 //! # Shifts
-//! A shift ends, *locked*, when all elements that it applies hold, and go on to hold up to the next shift or
-//! the end. Its torque phase is from when the first applied element carries to when the first released one,
-//! or a one-way clutch, lets go; its inertia phase from there to the lock. The torque of the output is what
-//! sets and shift elements exert on it:
+//! A shift ends (*locked*) when all elements that it applies hold, and continue to hold up to the next shift
+//! or the end. Its torque phase begins when the first applied element carries torque. Its inertia phase
+//! begins when the first released element, or a one-way clutch, lets go, and lasts up to the lock.
+//!
+//! The output torque is the one that sets and shift elements exert on the output. `J` and `T_applied` include
+//! all links that are one piece with the output:
 //!
 //! ```text
-//! T = J·ω̇ − Σ T_applied      J, T_applied of the output with what is one piece with it
+//! T = J·ω̇ − Σ T_applied
 //! ```
 //!
-//! Drags of the gearbox count as applied, but for those of shift elements.
+//! Drags of the gearbox count as applied, except those of shift elements.
 
 mod build;
 mod drags;
@@ -66,21 +66,21 @@ pub use shifts::ShiftResult;
 use std::ops::ControlFlow;
 use uom::si::f64::{Energy, Time};
 
-/// Even instants at which peaks are looked for, at least.
+/// Minimum number of equally spaced instants at which peaks are searched.
 const INSTANTS: f64 = 2000.0;
-/// The most samples of an answer.
+/// Maximum number of samples of an answer.
 const MOST_SAMPLES: f64 = 20_000.0;
 
-/// What is read beside a scenario.
+/// Files that are read in addition to a scenario.
 #[derive(Debug, Default)]
 pub struct Beside {
-    /// The document of `gearbox_file`.
+    /// Document of `gearbox_file`.
     pub gearbox: Option<Document>,
     /// CSV files by their names in the scenario.
     pub texts: Texts,
 }
 
-/// A gearbox in motion.
+/// Simulated motion of a gearbox.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Simulation {
@@ -88,110 +88,114 @@ pub struct Simulation {
     pub scenario: String,
     /// Name of the gearbox.
     pub gearbox: String,
-    /// Its input.
+    /// Link of the gearbox's input.
     pub input: String,
-    /// Its output.
+    /// Link of the gearbox's output.
     pub output: String,
-    /// Gear at the start, where one is given.
+    /// Gear at the start; null if none is given.
     pub gear: Option<String>,
-    /// How long it moves, from time 0; less than the scenario asks where it was ended before.
+    /// Simulated time in s from time 0; less than in the scenario if the simulation was stopped.
     pub duration_s: f64,
-    /// What happens, in order.
+    /// Events in order of time.
     pub events: Vec<EventRecord>,
-    /// The shifts.
+    /// Shifts with their phases, output torque and heat.
     pub shifts: Vec<ShiftResult>,
-    /// Shift elements and resistances.
+    /// Loads of the shift elements and resistances.
     pub elements: Vec<ElementResult>,
-    /// Drags that the gearbox states, in the order of its file. Those whose links are one piece are left out.
+    /// Losses of the gearbox's drags, in the order of its file, without drags between links that are one
+    /// piece.
     pub drags: Vec<DragResult>,
-    /// Elastic shafts.
+    /// Loads of the elastic shafts.
     pub shafts: Vec<ShaftResult>,
-    /// Torque converters.
+    /// Loads of the torque converters.
     pub converters: Vec<ConverterResult>,
-    /// Links and bodies at the end.
+    /// Speeds and accelerations of links and bodies at the end.
     pub end: Vec<LinkAtEnd>,
     /// Work of each torque.
     pub works: Vec<Work>,
-    /// The balance of energies.
+    /// Energy balance.
     pub energies: Energies,
     /// Speeds and torques over time.
     pub samples: Samples,
-    /// What the reader should know.
+    /// Warnings about the simulation.
     pub warnings: Vec<Warning>,
 }
 
-/// Something that happens.
+/// Event during the motion.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct EventRecord {
-    /// When.
+    /// Time of the event in s.
     pub time_s: f64,
-    /// What changes, all at once.
+    /// Changes that occur together at this event.
     pub changes: Vec<ChangeRecord>,
-    /// Speed of each link right after it, in the order of `end`.
+    /// Speed of each link immediately after the event in rad/s, in the order of `end`.
     pub speeds_rad_s: Vec<f64>,
-    /// Acceleration of each link right after it.
+    /// Acceleration of each link immediately after the event in rad/s², in the order of `end`.
     pub accelerations_rad_s2: Vec<f64>,
-    /// Torque of each element on its first link right after it, in the order of `elements`.
+    /// Torque of each element on its first link immediately after the event in N·m, in the order of
+    /// `elements`.
     pub element_torques_n_m: Vec<f64>,
-    /// The same right before it.
+    /// Torque of each element on its first link immediately before the event in N·m, in the order of
+    /// `elements`.
     pub element_torques_before_n_m: Vec<f64>,
-    /// Torque of sets and shift elements on the output right before it.
+    /// Torque of sets and shift elements on the output immediately before the event, in N·m.
     pub output_torque_before_n_m: f64,
-    /// The same right after it.
+    /// Torque of sets and shift elements on the output immediately after the event, in N·m.
     pub output_torque_n_m: f64,
-    /// Heat of each element up to it.
+    /// Heat of each element up to the event in J, in the order of `elements`.
     pub element_heats_j: Vec<f64>,
 }
 
-/// What changes.
+/// Change of a part's state.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ChangeRecord {
-    /// Of what kind it is.
+    /// Kind of the part.
     pub kind: ChangeKind,
-    /// Its name.
+    /// Name of the part.
     pub id: String,
-    /// What it did; `null` of a threshold.
+    /// State before the change; null for a threshold.
     pub from: Option<State>,
-    /// What it does; `null` of a threshold.
+    /// State after the change; null for a threshold.
     pub to: Option<State>,
-    /// Whether the speed rises through a threshold; `null` of others.
+    /// Whether the speed rises through a threshold; null for other parts.
     pub is_rising: Option<bool>,
 }
 
-/// What may change.
+/// Kinds of parts whose state changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ChangeKind {
-    /// A shift element or a resistance.
+    /// Shift element or resistance.
     Element,
-    /// A set with losses rolls otherwise.
+    /// Set with losses, whose rolling motion changes direction, starts or stops.
     Set,
-    /// The ends of a shaft come into contact, or part.
+    /// Shaft whose ends come into contact, or separate.
     Shaft,
-    /// Links that drag on each other begin to turn against each other, or stop.
+    /// Drag between links that start to turn relative to each other, or stop.
     Drag,
-    /// A speed is passed.
+    /// Threshold that a speed passes.
     Threshold,
 }
 
-/// What an element or a set does.
+/// States of an element, set or shaft.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum State {
-    /// It carries nothing; a set: it turns as a block; a shaft: it is within its backlash.
+    /// No torque; for a set: turns as a block; for a shaft: within its backlash.
     Open,
-    /// It slips, the first link faster than the second; a one-way clutch overruns; the first gear of a set is
-    /// faster than its carrier.
+    /// Slips with the first link faster than the second; for a one-way clutch: overruns; for a set: the first
+    /// gear is faster than its carrier.
     SlipsForward,
-    /// It slips, the first link slower than the second, or the first gear of a set than its carrier.
+    /// Slips with the first link slower than the second; for a set: the first gear is slower than its
+    /// carrier.
     SlipsBackward,
-    /// It holds its links together; a set: it turns as a block.
+    /// Holds the links together; for a set: turns as a block.
     Holds,
-    /// The first link of a shaft drives the second forward.
+    /// Shaft in contact: the first link drives the second forward.
     DrivesForward,
-    /// The first link of a shaft drives the second backward.
+    /// Shaft in contact: the first link drives the second backward.
     DrivesBackward,
 }
 
@@ -214,15 +218,15 @@ impl State {
     }
 }
 
-/// A link at the end.
+/// Link at the end of the motion.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct LinkAtEnd {
-    /// Its name.
+    /// Name of the link.
     pub link: String,
-    /// Its speed.
+    /// Speed of the link in rad/s.
     pub speed_rad_s: f64,
-    /// Its acceleration.
+    /// Acceleration of the link in rad/s².
     pub acceleration_rad_s2: f64,
 }
 
@@ -232,41 +236,41 @@ pub struct LinkAtEnd {
 pub struct Work {
     /// Name of the torque.
     pub id: String,
-    /// The link.
+    /// Link on which the torque acts.
     pub link: String,
-    /// Its work; below 0 of a load.
+    /// Work in J; negative for a load.
     pub work_j: f64,
-    /// Heat within the source beside it: of the rotor of a Kloss motor.
+    /// Heat within the source in addition to its work, in J: that of the rotor of a Kloss motor.
     pub inner_loss_j: f64,
 }
 
-/// The balance of energies.
+/// Energy balance.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Energies {
-    /// Kinetic energy at the start.
+    /// Kinetic energy at the start in J.
     pub kinetic_before_j: f64,
-    /// Kinetic energy at the end.
+    /// Kinetic energy at the end in J.
     pub kinetic_after_j: f64,
-    /// Work of all torques.
+    /// Work of all torques in J.
     pub work_j: f64,
-    /// Heat of all elements and resistances.
+    /// Heat of all shift elements and resistances in J.
     pub element_heat_j: f64,
-    /// Loss of all drags.
+    /// Loss of all drags in J.
     pub drag_loss_j: f64,
-    /// Loss of all meshes.
+    /// Loss of all meshes in J.
     pub mesh_loss_j: f64,
-    /// Heat of the dampers of shafts.
+    /// Heat of the dampers of shafts in J.
     pub damping_heat_j: f64,
-    /// Heat of the oil of converters.
+    /// Heat of the oil of converters in J.
     pub converter_heat_j: f64,
-    /// Elastic energy of shafts at the start.
+    /// Elastic energy of shafts at the start in J.
     pub elastic_before_j: f64,
-    /// The same at the end.
+    /// Elastic energy of shafts at the end in J.
     pub elastic_after_j: f64,
-    /// What impacts of dog clutches took; friction elements lock without one.
+    /// Energy lost in impacts of dog clutches in J; friction elements lock without impact.
     pub impact_j: f64,
-    /// What is missing in the balance, over the largest of these energies.
+    /// Residual of the balance over the largest of these energies.
     pub residual: f64,
 }
 
@@ -274,20 +278,20 @@ impl Answer for Simulation {
     const NAME: &'static str = "simulate";
 }
 
-/// The motion of a scenario; `file` is what `document` says.
+/// Simulates a scenario; `file` is the content of `document`.
 ///
 /// # Errors
-/// [`Error::Document`] and [`Error::Placed`] with the place of the fault; those of [`gearbox::read`] for the
+/// [`Error::Document`] and [`Error::Placed`] with the place of the fault; errors of [`gearbox::read`] for the
 /// gearbox.
 pub fn answer(document: &Document, file: &ScenarioFile, beside: &Beside) -> Result<Simulation, Error> {
     answer_watched(document, file, beside, |_| true)
 }
 
-/// The same, watched: told again and again how much of its time is done, from 0 to 1, until it answers
-/// `false`. A motion that is ended so has all up to then, and a warning.
+/// Simulates a scenario and reports the finished part, from 0 to 1, to `goes_on` until that returns `false`.
+/// A simulation that is stopped in this way has all results up to then, and a warning.
 ///
 /// # Errors
-/// As [`answer`].
+/// Errors of [`answer`].
 pub fn answer_watched(
     document: &Document,
     file: &ScenarioFile,
@@ -305,6 +309,7 @@ pub fn answer_watched(
     };
     let scenario = parts::Scenario { document, file, subject: &subject, texts: &beside.texts };
     let built = scenario.built()?;
+    // The run is sampled more finely than the answer, because peaks are searched among its samples.
     let every = scenario.sampling()?;
     let whole = file.duration.0.si();
     let run = built.model.run_watched(&built.start, file.duration.0, Some(every.inner), &mut |time| {
@@ -342,7 +347,7 @@ fn told(scenario: &parts::Scenario<'_>, built: &Built, run: &Run, kept: usize) -
     }
 }
 
-/// Links without the housing, which stands first.
+/// Links at the end, without the housing, which is the first.
 fn at_end(run: &Run) -> Vec<LinkAtEnd> {
     let end = run.end();
     let of = |(place, link): (usize, &String)| LinkAtEnd {
@@ -429,6 +434,7 @@ impl ChangeRecord {
                 to: None,
                 is_rising: Some(*is_rising),
             },
+            // The enum is non-exhaustive in its crate; a kind unknown here has no record.
             _ => return None,
         })
     }
@@ -460,6 +466,7 @@ fn warnings(
         let message = format!("the energies miss {:.1e} of the largest of them", energies.residual.abs());
         all.push(Warning { name: "residual", message });
     }
+    // One warning suffices: the split lasts as long as the redundant elements hold.
     let samples = run.samples.iter().chain(run.events.iter().map(|event| &event.after));
     if let Some(sample) = samples.into_iter().find(|sample| !sample.is_split_unique) {
         let message = format!(
@@ -475,7 +482,7 @@ fn warnings(
     all
 }
 
-/// A refusal of the choice in a list, at its place in the scenario; the gearbox's own faults are at theirs.
+/// Error about the choice from a list, placed in the scenario; faults of the gearbox have their own places.
 fn of_choice(document: &Document, file: &ScenarioFile, why: Error) -> Error {
     let key = match &why {
         Error::Document(_) | Error::Placed { .. } => return why,
@@ -486,21 +493,21 @@ fn of_choice(document: &Document, file: &ScenarioFile, why: Error) -> Error {
     Error::Placed { at: Box::new(at), why: Box::new(why) }
 }
 
-/// Refusals of numbers.
+/// Errors for numbers out of range.
 const ABOVE_0: Named<&str> = Named("not-positive", "it must be above 0");
 const AT_LEAST_0: Named<&str> = Named("negative", "it must be at least 0");
 
-/// A key at the root.
+/// Path of a key at the root.
 fn root(key: &str) -> Path {
     Path::root().key(key)
 }
 
-/// What is refused at a place, with a message of its own.
+/// Error at a place, with its own message.
 fn refused(document: &Document, path: &Path, why: &impl Fault) -> Error {
     document.error(path, why.problem()).into()
 }
 
-/// What the motion refuses, at a place.
+/// Error of the motion, at a place.
 fn placed(document: &Document, path: &Path, why: motion::Error) -> Error {
     let at = document.error(path, why.problem());
     Error::Placed { at: Box::new(at), why: Box::new(why.into()) }

@@ -1,4 +1,4 @@
-//! The page of a scenario: how it moves.
+//! Page of a simulated scenario.
 
 use crate::page::paper::PLOT_MM;
 use crate::page::sheet::{Arrangement, Block, Section, Sheet};
@@ -9,10 +9,10 @@ use crate::table::report::{AsReport as _, Report};
 use crate::table::text::Error;
 use epicyclic_pictures::plot::Plot;
 
-/// Speeds and events first, then tables and plots; `file` is the scenario as it was written.
+/// Builds the page: speeds and events first, then tables and plots; `file` is the text of the scenario.
 ///
 /// # Errors
-/// [`Error::Picture`] for speeds or torques that no plot holds.
+/// [`Error::Picture`] for speeds or torques that no plot can show.
 pub fn sheet(simulation: &Simulation, file: String) -> Result<Sheet, Error> {
     let picture = |plot: Plot, caption: &str| {
         let scene = plot.sized(PLOT_MM).untitled().scene().map_err(|error| Error::Picture(error.into()))?;

@@ -1,8 +1,8 @@
-//! The size of a gearbox's simple sets over the duty and against the overloads of its file: module, face
-//! width, planets, centre distance, bearing.
+//! Sizes of a gearbox's simple sets for the duty and the overloads of its file: module, face width, planets,
+//! centre distance, bearing.
 //!
-//! Each set is sized by itself; why nothing better is lost is told at [`epicyclic_strength::sizing`]. What
-//! the file gives of a set is held.
+//! Each set is sized independently. Why this loses no better design is explained at
+//! [`epicyclic_strength::sizing`]. Values that the file gives for a set are kept.
 
 pub mod records;
 mod saved;
@@ -41,46 +41,47 @@ use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
 use uom::si::f64::{AngularVelocity, Length, Time, Torque};
 
-/// How far centre distances may be from the natural one, in modules.
+/// Maximum distance of centre distances from the natural one, in modules.
 const REACH: f64 = 1.0;
 
-/// The greatest module of the standard series that is taken unless others are wanted, mm.
+/// Greatest module of the standard series in mm that is used unless others are requested.
 const GREATEST_MODULE_MM: f64 = 20.0;
 
-/// What is sought.
+/// Search space and objective of the sizing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wanted {
-    /// Modules.
+    /// Allowed modules.
     pub modules: Vec<Length>,
-    /// Face widths.
+    /// Allowed face widths.
     pub face_widths: Vec<Length>,
-    /// Numbers of planets.
+    /// Allowed numbers of planets.
     pub planets: RangeInclusive<u32>,
     /// Step of the centre distances.
     pub centre_distance_step: Length,
-    /// The greatest face width over the sun's reference diameter.
+    /// Maximum face width over the sun's reference diameter; `None` without limit.
     pub width_ratio: Option<f64>,
-    /// What picks the shifts.
+    /// Aim of the profile shifts.
     pub aim: ShiftAim,
-    /// Least normal thickness of the tips, modules.
+    /// Minimum normal tip thickness in modules.
     pub tip_thickness: f64,
-    /// Least rim of the planets between root circle and bearing, modules.
+    /// Minimum rim of the planets between root circle and bearing, in modules.
     pub planet_rim: f64,
-    /// Rim of the ring outside its root circle, modules.
+    /// Rim of the ring outside its root circle, in modules.
     pub ring_rim: f64,
-    /// Bearings of the planets; none where they are no matter.
+    /// Bearings of the planets to choose from; empty if bearings are not sized.
     pub bearings: Vec<Bearing>,
-    /// Bearings side by side in a planet, at most: 1 or 2.
+    /// Maximum number of bearings side by side in a planet: 1 or 2.
     pub bearing_rows: u32,
-    /// What is minimised.
+    /// Quantity to be minimized.
     pub minimise: Minimise,
-    /// How many designs of each set are told.
+    /// Maximum number of designs listed for each set.
     pub most: usize,
 }
 
 impl Default for Wanted {
-    /// Modules of series I of ISO 54 up to 20 mm, face widths of 10 to 80 mm in steps of 5, 3 to 6 planets,
-    /// centre distances in steps of 0.5 mm, the bearings of the table, single and in pairs, the least mass.
+    /// Default space: modules of series I of ISO 54 up to 20 mm, face widths of 10 to 80 mm in steps of 5, 3
+    /// to 6 planets. Centre distances are in steps of 0.5 mm, bearings are those of the table, single and in
+    /// pairs. The mass is minimized.
     fn default() -> Self {
         let mm = Length::from_mm;
         Self {
@@ -121,7 +122,7 @@ impl Wanted {
         Limits { tip_thickness: self.tip_thickness, planet_gap: USUAL_PLANET_GAP, ..Limits::default() }
     }
 
-    /// Refuses what is no space, whatever the file holds.
+    /// Refuses an empty or impossible space, whatever the file contains.
     fn check(&self) -> Result<(), Error> {
         self.space().check()?;
         for (quantity, value) in
@@ -135,7 +136,7 @@ impl Wanted {
     }
 }
 
-/// The bearings of a table of one's own.
+/// Reads a table of bearings.
 ///
 /// # Errors
 /// [`Error::Sizing`], with line and column.
@@ -143,7 +144,7 @@ pub fn bearings(table: &str) -> Result<Vec<Bearing>, Error> {
     Ok(parse(table)?)
 }
 
-/// The sizes of a gearbox's simple sets that hold over the duty with the least mass or ring.
+/// Sizes of a gearbox's simple sets with sufficient strength over the duty and the least mass or ring.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Size {
@@ -151,29 +152,29 @@ pub struct Size {
     pub gearbox: String,
     /// Edition of the standard.
     pub edition: String,
-    /// Required life of teeth and bearings.
+    /// Required life of teeth and bearings, in s.
     pub life_s: f64,
-    /// Viscosity of the oil at 40 °C.
+    /// Viscosity of the oil at 40 °C, in m²/s.
     pub oil_viscosity_m2_s: f64,
     /// Required safeties.
     pub required: Required,
-    /// What is minimised.
+    /// Quantity that is minimized.
     pub minimise: Minimise,
-    /// What picks the shifts.
+    /// Aim of the profile shifts.
     pub aim: ShiftAim,
-    /// The space of each set, as far as its file does not hold it.
+    /// Search space of each set, except for values that the file gives.
     pub sought: Sought,
-    /// Designs of all sets together.
+    /// Number of designs of all sets together.
     pub designs: u64,
-    /// Mass of the best designs of all sets; `null` where one has none.
+    /// Mass of the best designs of all sets, in kg; null if a set has none.
     pub mass_kg: Option<f64>,
-    /// The sets.
+    /// Sets with their best designs.
     pub sets: Vec<SizedSet>,
     /// Sets that are not sized.
     pub not_sized: Vec<NotSized>,
-    /// The checks of the teeth of the sets with their best sizes.
+    /// Tooth checks of the sets with their best sizes.
     pub tooth_checks: ToothChecks,
-    /// What the reader should know.
+    /// Warnings about the sizes.
     pub warnings: Vec<Warning>,
 }
 
@@ -181,20 +182,21 @@ impl Answer for Size {
     const NAME: &'static str = "size";
 }
 
-/// The gearbox of a file whose sizes are sought.
+/// Reads the gearbox of a file to be sized.
 ///
 /// # Errors
-/// [`Error::Document`] for a description that is no gearbox, and for a list of transmissions.
+/// [`Error::Document`] for a description that is not a gearbox, and for a list of transmissions.
 pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
     alone(document, "size", "no teeth, materials or loads")
 }
 
-/// The sizes of the sets of a gearbox from a file, unless `goes_on`, which is asked now and then, breaks.
+/// Sizes the sets of a gearbox from a file. The closure `goes_on` is called now and then, and may end the
+/// calculation.
 ///
 /// # Errors
-/// - [`Error::Sizing`] and [`Error::Gear`] for a space of nothing, and for limits that are none.
-/// - [`Error::NoLoad`] without a duty; [`Error::Document`] for what the file says wrong, with its place.
-/// - [`Error::NothingToSize`] where no set can be sized.
+/// - [`Error::Sizing`] and [`Error::Gear`] for an empty space and impossible limits.
+/// - [`Error::NoLoad`] without a duty; [`Error::Document`] for invalid data in the file, with the place.
+/// - [`Error::NothingToSize`] if no set can be sized.
 pub fn answer(
     subject: &Subject<'_>,
     wanted: &Wanted,
@@ -214,7 +216,8 @@ pub fn answer(
     let peaks = peaks(subject, &file.overload, None)?;
     let helical = to_size.iter().filter(|set| set.profiles.shared().is_helical());
     let helical: Vec<&str> = helical.map(|set| set.id).collect();
-    // Sizes do not change where planets assemble.
+    // The assembly angles of planets do not depend on sizes, so impossible angles are refused before the
+    // search.
     let angles = subject.tooth_checks().checks.into_iter().filter(|check| check.rule == "planet-angle");
     for (set, why) in angles.filter_map(|check| Some((check.set, check.miss?))) {
         if let Some(set) = to_size.iter().find(|of| of.id == set) {
@@ -269,10 +272,10 @@ pub fn answer(
     })
 }
 
-/// Name of the file with the sizes in messages.
+/// Name of the resized gearbox in error messages.
 const SIZED: &str = "the gearbox with its sizes";
 
-/// The duty as a set feels it; `None` where no torques follow.
+/// Duty as loads of a set; `None` if its torques cannot be computed.
 fn duty_of(set: &SetToSize<'_>, steps: &[WorkedStep<'_>]) -> Option<Vec<SetStep>> {
     let still = AngularVelocity::from_si(0.0);
     let step = |WorkedStep(entry, worked): &WorkedStep<'_>| {
@@ -285,7 +288,7 @@ fn duty_of(set: &SetToSize<'_>, steps: &[WorkedStep<'_>]) -> Option<Vec<SetStep>
     steps.iter().map(step).collect()
 }
 
-/// What is sought of a set, and what the file holds of it.
+/// Sizing task of a set, and the keys of the file that it keeps.
 fn task(
     set: &SetToSize<'_>,
     (duty, overloads): (Vec<SetStep>, Vec<SetOverload>),

@@ -1,5 +1,5 @@
-//! The strength of teeth by ISO 6336: of a gearbox at an operating point in each gear, or over the duty of
-//! its file, and against its overloads.
+//! Strength of teeth by ISO 6336: of a gearbox at an operating point in each gear, or over the duty of its
+//! file, and against its overloads.
 //!
 //! | module | is |
 //! |---|---|
@@ -61,14 +61,14 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{AngularVelocity, KinematicViscosity, Time, Torque};
 
-/// What is asked.
+/// Requirements of a strength calculation.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Wanted {
-    /// One gear of the operating point; all without.
+    /// Name of one gear for the operating point; `None` for all.
     pub gear: Option<String>,
-    /// Speed and load of the input; without a load the duty of the file.
+    /// Speed and load of the input; without a load the duty of the file is used.
     pub input: Input,
-    /// Whether the factors of each mesh are told.
+    /// Whether the factors of each mesh are listed.
     pub with_factors: bool,
 }
 
@@ -80,42 +80,42 @@ pub struct Strength {
     pub gearbox: String,
     /// Edition of the standard.
     pub edition: String,
-    /// Speed and load of the input; `null` over a duty.
+    /// Speed and load of the input; null over a duty.
     pub operating_point: Option<OperatingPoint>,
-    /// Required life.
+    /// Required life in s.
     pub life_s: f64,
-    /// Viscosity of the oil at 40 °C.
+    /// Viscosity of the oil at 40 °C, in m²/s.
     pub oil_viscosity_m2_s: f64,
     /// Required safeties.
     pub required: Required,
-    /// The steps of the duty; empty at an operating point.
+    /// Steps of the duty; empty at an operating point.
     pub duty: Vec<DutyStep>,
-    /// The safety that is least over what is required of it; `null` where no teeth are rated: where planet
-    /// bearings alone are, and in a report.
+    /// Safety with the least margin over the required one; null if no teeth are rated, as when only planet
+    /// bearings are.
     pub governing: Option<Governing>,
-    /// Each gear of each mesh at the operating point; empty over a duty.
+    /// Results for each gear of each mesh at the operating point; empty over a duty.
     pub at_point: Vec<Rated>,
-    /// Each gear of each mesh over the duty; empty at an operating point.
+    /// Results for each gear of each mesh over the duty; empty at an operating point.
     pub over_duty: Vec<OverDuty>,
-    /// Each gear of each mesh against the overloads of the file; at an operating point in one gear those of
-    /// this gear.
+    /// Results for each gear of each mesh against the overloads of the file; at an operating point in one
+    /// gear those of this gear only.
     pub overload: Vec<Overloaded>,
-    /// The planet bearings with a load rating over the duty; empty at an operating point.
+    /// Planet bearings with a load rating over the duty; empty at an operating point.
     pub bearings: Vec<BearingOverDuty>,
-    /// How planets share the load, of sets for which the file gives no `K_γ`.
+    /// Load sharing between planets, for sets for which the file gives no `K_γ`.
     pub load_sharing: Vec<LoadSharing>,
     /// Axial forces of sets with helical teeth, at the operating point or in each loaded step of the duty.
     pub axial_forces: Vec<AxialForce>,
     /// Sets that are not rated.
     pub not_rated: Vec<NotRated>,
-    /// The checks of the teeth of the sets that are rated.
+    /// Tooth checks of the rated sets.
     pub tooth_checks: ToothChecks,
-    /// What the reader should know.
+    /// Warnings about the strength.
     pub warnings: Vec<Warning>,
 }
 
 impl Strength {
-    /// Whether any set is rated at the operating point, or over the duty; where neither is asked against an
+    /// Whether any set is rated at the operating point, or over the duty; if neither is asked for, against an
     /// overload.
     #[must_use]
     pub fn is_rated(&self) -> bool {
@@ -132,25 +132,25 @@ impl Answer for Strength {
     const NAME: &'static str = "strength";
 }
 
-/// The gearbox of a file whose strength is asked.
+/// Reads the gearbox of a file for its strength.
 ///
 /// # Errors
-/// Those of [`one`], and [`Error::Document`] for a list of transmissions.
+/// Errors of [`one`], and [`Error::Document`] for a list of transmissions.
 pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
     alone(document, "strength", "no modules, materials or loads")
 }
 
-/// The strength of a gearbox from a file.
+/// Computes the strength of a gearbox from a file.
 ///
 /// # Errors
 /// - [`Error::NoLoad`] without a load, a duty and an overload, [`Error::LoadWithoutSpeed`],
 ///   [`Error::OfOnePoint`] for a gear or speed of a duty.
-/// - [`Error::Document`] for what the file says wrong, with its place; [`Error::NothingRated`] where neither
+/// - [`Error::Document`] for invalid data in the file, with the place; [`Error::NothingRated`] if neither
 ///   teeth nor planet bearings can be rated.
 /// - [`Error::NoGear`], [`Error::Load`].
 pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Strength, Error> {
     let strength = rated(subject, wanted, true)?;
-    // A duty that loads no teeth which are rated may wear planet bearings of compound sets.
+    // A duty may load no rated teeth, but still wear planet bearings of compound sets.
     let is_borne = strength.bearings.iter().any(|bearing| bearing.greatest_force_n.is_some());
     if !strength.is_rated() && !is_borne {
         return Err(Error::NothingRated { sets: strength.not_rated.iter().map(NotRated::told).collect() });
@@ -158,12 +158,11 @@ pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Strength, Error>
     Ok(strength)
 }
 
-/// What a report says of the strength of a gearbox, with the factors: at an operating point with load and
-/// speed, then over the duty of the file; nothing where the file does not state oil, life and the `strength`
-/// of a set.
+/// Strength of a gearbox for a report, with the factors: at an operating point with load and speed, then over
+/// the duty of the file. Empty if the file lacks oil, life or the `strength` of a set.
 ///
 /// # Errors
-/// Those of [`answer`] but [`Error::NothingRated`].
+/// Errors of [`answer`] except [`Error::NothingRated`].
 pub fn chapters(subject: &Subject<'_>, input: Input) -> Result<Vec<Strength>, Error> {
     if subject.document.value().get("transmissions").is_some() {
         return Ok(vec![]);
@@ -177,13 +176,13 @@ pub fn chapters(subject: &Subject<'_>, input: Input) -> Result<Vec<Strength>, Er
     let is_due = !file.duty.is_empty() || at_point.is_none() && !file.overload.is_empty();
     let in_life = Some(Input::default()).filter(|_| is_due);
     let chapter = |(place, input)| {
-        // The overloads stand in the first.
+        // The overloads appear once, in the first chapter.
         rated(subject, &Wanted { gear: None, input, with_factors: true }, place == 0)
     };
     at_point.into_iter().chain(in_life).enumerate().map(chapter).collect()
 }
 
-/// What a calculation of a file has found.
+/// Results of the calculation of a file.
 #[derive(Default)]
 struct Found {
     safeties: Safeties,
@@ -192,7 +191,7 @@ struct Found {
 }
 
 impl Found {
-    /// Takes what a set gave, or why it gave nothing.
+    /// Adds the results of a set, or the reason why it has none.
     fn take<T>(
         &mut self,
         rated: Result<Partly<T>, Fault>,
@@ -213,7 +212,7 @@ impl Found {
     }
 }
 
-/// What a file has to say of the whole gearbox.
+/// Data of the file for the whole gearbox.
 pub(crate) struct Asked {
     /// Required life.
     pub(crate) life: Time,
@@ -224,10 +223,10 @@ pub(crate) struct Asked {
 }
 
 impl Asked {
-    /// As the file has it.
+    /// Reads the data from the file.
     ///
     /// # Errors
-    /// [`Error::Document`] for what is missing, and for required safeties that are none.
+    /// [`Error::Document`] for missing data, and for required safeties that are not above 0.
     pub(crate) fn of(document: &Document, file: &GearboxFile) -> Result<Self, Error> {
         let root = Path::root();
         let missing = |key: &str, why: &str| {
@@ -321,7 +320,8 @@ fn rated(subject: &Subject<'_>, wanted: &Wanted, with_overloads: bool) -> Result
     })
 }
 
-/// How planets share the load, of rated sets and sets with rated bearings for which the file gives no `K_γ`.
+/// Load sharing between planets, for rated sets and sets with rated bearings for which the file gives no
+/// `K_γ`.
 fn sharing(
     subject: &Subject<'_>,
     file: &GearboxFile,
@@ -340,7 +340,7 @@ fn sharing(
     subject.gearbox.sets().iter().filter_map(of_set).collect()
 }
 
-/// All sets in the gears that are asked.
+/// Rates all sets in the requested gears.
 fn at_point(
     subject: &Subject<'_>,
     sets: &[RatedSet<'_>],
@@ -374,7 +374,7 @@ fn at_point(
     Ok(())
 }
 
-/// Both meshes of a set at a load.
+/// Rates both meshes of a set at a load.
 fn at_load(
     subject: &Subject<'_>,
     set: &RatedSet<'_>,

@@ -1,10 +1,10 @@
-//! The strength of teeth on the page of a gearbox.
+//! Strength of teeth on the page of a gearbox.
 
 use crate::page::sheet::{Arrangement, Block, Section};
 use crate::strength::answer::Strength;
 use crate::strength::table::for_page;
 
-/// A section for each answer: at the operating point, over the duty.
+/// Sections for each answer: at the operating point, over the duty.
 pub(crate) fn sections(all: &[Strength]) -> Vec<Section> {
     let section = |one: &Strength| {
         let of = match (&one.operating_point, &one.duty[..]) {
@@ -18,7 +18,7 @@ pub(crate) fn sections(all: &[Strength]) -> Vec<Section> {
     all.iter().map(section).collect()
 }
 
-/// What governs, or that nothing is rated.
+/// Governing safety in words, or a note that nothing is rated.
 fn in_words(strength: &Strength) -> String {
     strength.governing.as_ref().map_or_else(
         || "No set can be rated.".to_owned(),
@@ -26,14 +26,14 @@ fn in_words(strength: &Strength) -> String {
     )
 }
 
-/// What governs where it is enough, for the first page.
+/// Governing safety for the first page if it is sufficient; otherwise `None`.
 pub(crate) fn enough(all: &[Strength]) -> Option<String> {
     let told = all.iter().filter(|one| !is_short(one) && one.governing.is_some()).map(in_words);
     let told: Vec<String> = told.collect();
     (!told.is_empty()).then(|| format!("Strength of teeth: {}", told.join(" ")))
 }
 
-/// What governs where it is less than is required, and what cannot be rated.
+/// Objections: governing safeties below the required ones, and parts that cannot be rated.
 pub(crate) fn objections(all: &[Strength]) -> Vec<String> {
     let mut told = vec![];
     for one in all {
@@ -56,6 +56,6 @@ fn is_short(strength: &Strength) -> bool {
     strength.governing.as_ref().is_some_and(|governing| governing.safety < governing.required)
 }
 
-/// What the calculation leaves out.
+/// Effects that the calculation leaves out.
 pub(crate) const LEFT_OUT: &str = "Strength of teeth: scuffing, micropitting, flank fracture; strength of sets that are not rated; pins, carrier and \
                                    shafts. Uneven load of the planets but K_γ.";

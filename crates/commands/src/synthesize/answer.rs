@@ -1,11 +1,11 @@
-//! All gearboxes that have a list of ratios.
+//! Synthesis of all gearboxes that have a list of ratios.
 //!
 //! | module | is |
 //! |---|---|
 //! | [`families`] | gearboxes with equal formulas |
-//! | [`explain`] | a given gearbox beside the search |
-//! | [`page`] | what a page of a search draws |
-//! | [`rating`] | what a solution is worth by the solver |
+//! | [`explain`] | comparison of a given gearbox with the search |
+//! | [`page`] | drawings for the page of a search |
+//! | [`rating`] | rating of a solution by the solver |
 //! | [`teeth`] | tooth numbers of a solution |
 //! | [`saved`] | a solution as a file |
 //! | [`shared_planets`] | sets that share planets |
@@ -65,176 +65,175 @@ use std::collections::BTreeSet;
 use std::ops::{ControlFlow, RangeInclusive};
 use teeth::{Choices, Teeth};
 
-/// The most solutions that are told: each is judged by the solver.
+/// Maximum number of solutions listed, because the solver evaluates each.
 pub const MOST_SOLUTIONS: usize = 10_000;
 
-/// All gearboxes of some planet sets, brakes and clutches that have a list of ratios.
+/// Gearboxes of planetary sets, brakes and clutches that have a list of ratios.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Synthesis {
-    /// The gears wanted.
+    /// Required gears.
     pub wanted: Vec<WantedGear>,
-    /// How far each ratio may be off that has no tolerance of its own, as a share of it.
+    /// Allowed relative deviation of a ratio without a tolerance of its own.
     pub tolerance: f64,
-    /// The range of the ring-to-sun ratios k of every simple set.
+    /// Range of the ring-to-sun ratios k of every simple set.
     pub k_range: [f64; 2],
-    /// That of every double-planet set; none where no such sets are searched.
+    /// Range of the ring-to-sun ratios k of every double-planet set; absent if none are searched.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub k_range_of_double_planets: Option<[f64; 2]>,
-    /// How many sets of one kind have equal k at least; none where nothing is asked.
+    /// Minimum number of sets of one kind with equal k; absent if not required.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub equal_k: Option<usize>,
-    /// What was searched, in this order.
+    /// Classes that were searched, in this order.
     pub searched: Vec<Searched>,
-    /// Pairs of sun and ring that are left out since a check of their teeth does not hold, of simple and of
-    /// double-planet sets.
+    /// Pairs of sun and ring of simple and double-planet sets left out because a tooth check fails.
     pub teeth_left_out: Vec<TeethLeftOut>,
-    /// Sets of shift elements that have all gears, and what left them out.
+    /// Combinations of shift elements that have all gears but were left out, by reason.
     pub left_out: Vec<LeftOut>,
-    /// What a gearbox of use keeps; `null` where the search ended at the first class with gearboxes, whatever
-    /// they are worth.
+    /// Limits of a usable gearbox; null if the search ended at the first class with gearboxes, usable or not.
     pub limits_of_use: Option<LimitsOfUse>,
-    /// Gearboxes that are not told, since larger classes have some of use: by the limit that they miss first.
+    /// Gearboxes not listed because larger classes have usable ones, by the first limit that they exceed.
     pub left_behind: Vec<LeftOut>,
-    /// How many of those found miss no limit of use.
+    /// Number of solutions within all limits of a usable gearbox.
     pub of_use: usize,
-    /// Shares of time of the wanted gears, which weigh the mean efficiency; `null` where none are given.
+    /// Parts of the time in the required gears, for the weighted mean efficiency; absent if none are given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shares: Option<Vec<f64>>,
-    /// Whether every structure of these classes was searched.
+    /// Whether all structures of these classes were searched.
     pub complete: bool,
-    /// How many solutions there are.
+    /// Number of solutions found.
     pub found: usize,
     /// Families of solutions with equal formulas, up to an exchange of sets of one kind, the best first.
     pub families: Vec<Family>,
-    /// Whether the solutions told are the best of each family alone, or all.
+    /// Whether only the best solution of each family is listed, or all solutions.
     pub listed: Listed,
-    /// How many of them are told here.
+    /// Number of solutions listed.
     pub shown: usize,
-    /// The objectives by which they are ordered, the first decides first.
+    /// Objectives by which the solutions are ordered; the first decides first.
     pub order: Vec<Objective>,
-    /// The objectives of the Pareto front.
+    /// Objectives of the Pareto front.
     pub objectives: Vec<Objective>,
-    /// How many of the solutions found no other dominates; of those with as many gears as the first.
+    /// Number of non-dominated solutions, among those with as many gears as the first.
     pub non_dominated: usize,
-    /// The objective that sets the first ahead; `null` where it is alone or all are equal.
+    /// Objective by which the first solution is ahead; null if it is alone or all are equal.
     pub decided_by: Option<Objective>,
-    /// A given gearbox beside the search; `null` where none was given.
+    /// Comparison of a given gearbox with the search; null if none was given.
     pub explanation: Option<Explanation>,
-    /// A gearbox of fewer sets that misses the ratios narrowly; `null` where none is known.
+    /// Gearbox of fewer sets that narrowly misses the ratios; null if none is known.
     pub near_miss: Option<NearMiss>,
-    /// These, the best first.
+    /// Listed solutions, the best first.
     pub solutions: Vec<Solution>,
 }
 
-/// Which solutions are told.
+/// Selections of solutions for the list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Listed {
-    /// The best of each family.
+    /// Best solution of each family.
     BestOfFamilies,
-    /// All.
+    /// Complete list of the solutions.
     AllGearboxes,
 }
 
-/// A class of structures that was searched.
+/// Class of structures that was searched.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Searched {
-    /// Which structures the class has.
+    /// Name of the class.
     pub class: ClassName,
-    /// How many planet sets.
+    /// Number of planetary sets.
     pub sets: usize,
-    /// How many of them are double-planet sets.
+    /// Number of double-planet sets among them.
     pub double_planets: usize,
-    /// How many moving links.
+    /// Number of moving links.
     pub links: usize,
-    /// How many shift elements.
+    /// Number of shift elements.
     pub shift_elements: usize,
-    /// How many of them a gear engages.
+    /// Number of shift elements that a gear engages.
     pub engaged: usize,
-    /// How many gears were asked for: without some of those that may be missing.
+    /// Number of gears searched for, without the optional ones that were left out.
     pub gears: usize,
-    /// Structures in the class, each once.
+    /// Number of structures in the class, each counted once.
     pub structures: usize,
-    /// Space searched: structures × choices of double-planet sets × sets of shift elements.
+    /// Size of the search space: structures × choices of double-planet sets × sets of shift elements.
     pub space: f64,
-    /// Structures that were searched; the others were left when the search was ended.
+    /// Number of structures that were searched; fewer than all if the search was stopped.
     pub structures_searched: u64,
-    /// Structures in which each gear is in reach of some shift elements.
+    /// Number of structures in which some shift elements can reach each gear.
     pub structures_in_reach: u64,
-    /// Sets of shift elements that have all gears.
+    /// Number of sets of shift elements that have all gears.
     pub solutions: usize,
-    /// Sets that have all gears, but some k moves none of them: a simpler gearbox does the same.
+    /// Number of sets that have all gears, but with a k that has no effect on them: a simpler gearbox does
+    /// the same.
     pub reducible: u64,
-    /// Sets for which neither a solution was found nor its absence proved.
+    /// Number of sets for which neither a solution was found nor its absence proved.
     pub undecided: u64,
 }
 
-/// Which structures a class has.
+/// Classes of structures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ClassName {
-    /// No member on the housing, input and output on members, all sets joined.
+    /// Structures without a member on the housing, with input and output on members, and all sets joined.
     Core,
-    /// Members may be on the housing, and shift elements alone may reach input or output.
+    /// Structures with members on the housing, and with input or output connected only by shift elements, are
+    /// included.
     AllSparse,
 }
 
-/// A gearbox that has the wanted ratios.
+/// Gearbox that has the required ratios.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Solution {
-    /// Its number among all solutions found, from 1, the best first.
+    /// Number of the solution among all solutions found, from 1, the best first.
     pub number: usize,
-    /// The number of its family.
+    /// Number of the solution's family.
     pub family: usize,
-    /// How many gearboxes its family has.
+    /// Number of gearboxes in the family.
     pub gearboxes_of_family: usize,
-    /// The scheme of the document that it is; `null` where it is none.
+    /// Equal scheme of the document; null if none exists.
     pub scheme: Option<&'static str>,
     /// Links of sun, ring and carrier of each set: 0 the housing, 1 the input, 2 the output, letters the
-    /// others; a double-planet set has a star.
+    /// others. A star marks a double-planet set.
     pub structure: String,
-    /// The sets.
+    /// Planetary sets of the solution.
     pub sets: Vec<Set>,
-    /// The shift elements.
+    /// Shift elements of the solution.
     pub shift_elements: Vec<ShiftElement>,
-    /// The gears, in the order of the wish.
+    /// Gears in the order in which they were required.
     pub gears: Vec<Gear>,
-    /// Numbers in the wish, from 1, of the gears that it has not.
+    /// Numbers, from 1, of the required gears that the solution does not have.
     pub missing_gears: Vec<usize>,
-    /// The greatest deviation of a ratio from the one wanted, as a share of it; 0 where all are ranges.
+    /// Largest relative deviation of a ratio from the required one; 0 if only ranges are required.
     pub greatest_deviation: f64,
-    /// How many shifts between neighbouring forward gears exchange more than one shift element.
+    /// Number of shifts between neighbouring forward gears that exchange more than one shift element.
     pub multiple_shifts: usize,
-    /// The least efficiency of a forward gear; of a gearbox without one, of a gear.
+    /// Least efficiency of a forward gear; without forward gears, of any gear.
     pub forward_efficiency: f64,
-    /// The mean efficiency of the forward gears by their shares of time; none where no shares are given.
+    /// Mean efficiency of the forward gears, weighted by their parts of the time; absent if none are given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mean_efficiency: Option<f64>,
-    /// The least efficiency of a reverse gear; `null` where there is none.
+    /// Least efficiency of a reverse gear; null if none exists.
     pub reverse_efficiency: Option<f64>,
-    /// The limit of use that it misses first; `null` where it misses none.
+    /// First limit of a usable gearbox that the solution exceeds; null if it exceeds none.
     pub beyond_limit: Option<Reason>,
-    /// Sets with a carrier and a sun or ring in common: those that share planets are rated as the compound
-    /// set that they are.
+    /// Sets with a common carrier and a common sun or ring. Those that share planets are rated as one
+    /// compound set.
     pub shared_planets: Vec<SharedPlanets>,
-    /// The greatest slip of an open shift element in a gear, over the input's speed.
+    /// Greatest slip of an open shift element in a gear, relative to the input speed.
     pub greatest_slip: f64,
-    /// The greatest speed of a link in a gear, over the input's.
+    /// Greatest speed of a link in a gear, relative to the input speed.
     pub greatest_link_speed: f64,
-    /// The greatest speed of a planet relative to its carrier in a gear, over the input's; of the planets of
-    /// a double-planet set, which depends on their teeth, what they exceed in any case:
-    /// `2·|ω_sun − ω_carrier|/(k − 1)`.
+    /// Greatest planet speed relative to its carrier, relative to the input speed; for double-planet sets a
+    /// lower bound for any tooth numbers, `2·|ω_sun − ω_carrier|/(k − 1)`.
     pub greatest_planet_speed: f64,
-    /// What it is worth.
+    /// Values of the objectives.
     pub rating: Rating,
-    /// Tooth numbers; `null` where none were asked for.
+    /// Tooth numbers; null if none were requested.
     pub teeth: Option<Teeth>,
 }
 
-/// A planet set of a solution.
+/// Planetary set of a solution.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Set {
@@ -244,60 +243,60 @@ pub struct Set {
     pub ring: char,
     /// Link of the carrier.
     pub carrier: char,
-    /// Whether it is a double-planet set: two planets in mesh between sun and ring.
+    /// Whether the set is a double-planet set, with two planets in mesh between sun and ring.
     pub is_double_planet: bool,
-    /// Ring-to-sun ratio with which the greatest deviation is least.
+    /// Ring-to-sun ratio for which the largest deviation is least.
     pub k: f64,
-    /// The range of k that keeps all tolerances, the other sets' k moving along.
+    /// Range of k within all tolerances, while the k of the other sets is adjusted.
     pub k_range: [f64; 2],
-    /// Whether k was asked to be equal to that of others, which have this mark as well.
+    /// Whether k is required to be equal to that of other sets, which have this mark as well.
     pub has_equal_k: bool,
-    /// The end of the range searched at which k is, if it is at one: a wider range may have better solutions.
+    /// End of the search range that k reaches; absent if none. A wider range may then have better solutions.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub at_edge: Option<Edge>,
 }
 
-/// An end of a range.
+/// Ends of a range.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Edge {
-    /// The lower.
+    /// Lower end.
     Lower,
-    /// The upper.
+    /// Upper end.
     Upper,
 }
 
-/// A brake or clutch of a solution.
+/// Brake or clutch of a solution.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ShiftElement {
-    /// Its name: `B1`, `B2` … of a brake, `C1`, `C2` … of a clutch.
+    /// Name of the shift element: `B1`, `B2` … for brakes, `C1`, `C2` … for clutches.
     pub name: String,
-    /// What it joins: a brake's link to the housing, or the two links of a clutch.
+    /// Joined links: for a brake its link and the housing, for a clutch its two links.
     pub joins: String,
-    /// Whether it holds a link on the housing.
+    /// Whether the shift element is a brake, which holds a link on the housing.
     pub is_brake: bool,
-    /// Other elements that lock the same and may take its place.
+    /// Equivalent elements, which lock the same links and may replace it.
     pub instead: Vec<String>,
 }
 
-/// A gear of a solution.
+/// Gear of a solution.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Gear {
-    /// The ratio wanted; none where any within bounds will do.
+    /// Required ratio; absent if any ratio within bounds is accepted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub wanted_ratio: Option<f64>,
-    /// The ratio at the sets' k, by the solver.
+    /// Ratio with the k of the sets, as computed by the solver.
     pub ratio: f64,
-    /// How far it is from the one wanted, as a share of it.
+    /// Relative deviation from the required ratio; absent if any ratio within bounds is accepted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub deviation: Option<f64>,
-    /// The ratio as a formula in the sets' k; of a double-planet set in k′ = k − 1.
+    /// Formula of the ratio in the k of the sets; for a double-planet set in k′ = k − 1.
     pub formula: String,
-    /// The shift elements that it engages.
+    /// Names of the engaged shift elements.
     pub engaged: Vec<String>,
-    /// The efficiency with the given efficiency of the sets; none where the losses hold the gear.
+    /// Efficiency with the given efficiency of the sets; absent if the losses hold the gear.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub efficiency: Option<f64>,
 }
@@ -306,10 +305,10 @@ impl Answer for Synthesis {
     const NAME: &'static str = "synthesize";
 }
 
-/// All gearboxes that have the wanted ratios.
+/// Searches for all gearboxes that have the required ratios.
 ///
 /// # Errors
-/// As [`solve`].
+/// Errors of [`solve`].
 pub fn answer(
     wanted: &Wanted,
     progress: &(dyn Fn(&Searching, Progress) -> ControlFlow<()> + Sync),
@@ -317,11 +316,11 @@ pub fn answer(
     solve(wanted, progress).map(|(answer, _)| answer)
 }
 
-/// The same, with the solutions that are told as the search has them. Before each class is searched
-/// `progress` is told of it; a break ends the search, and what was found is kept.
+/// Searches for gearboxes, and also returns the listed solutions in the form of the search. Before each class
+/// `progress` is called; it may end the search, which keeps the results up to then.
 ///
 /// # Errors
-/// [`Error::Synthesis`] where no class can have the ratios, and for limits of teeth that nothing can keep.
+/// [`Error::Synthesis`] if no class can have the ratios, and for impossible limits of teeth.
 pub fn solve(
     wanted: &Wanted,
     progress: &(dyn Fn(&Searching, Progress) -> ControlFlow<()> + Sync),
@@ -332,10 +331,10 @@ pub fn solve(
     })
 }
 
-/// The same where each class is searched by other means.
+/// Searches each class with the given backend; otherwise equal to [`solve`].
 ///
 /// # Errors
-/// As [`solve`], and those of the search.
+/// Errors of [`solve`], and those of the search.
 pub fn solve_by<E: From<Error>>(
     wanted: &Wanted,
     means: &mut dyn Means<E>,
@@ -374,12 +373,12 @@ pub fn solve_by<E: From<Error>>(
     let mut left_out = LeftOuts::default();
     let mut kept: Vec<Kept> = Vec::new();
     let mut before: Option<Searching> = None;
-    // How many of those kept are of smaller classes without any of use.
+    // Number of kept solutions from smaller classes without a usable one.
     let mut behind = 0;
     let mut known = BTreeSet::new();
     for Tried { searching, wish, selection } in tried(wanted)? {
         let size = |of: &Searching| (of.class.sets(), of.shift_elements);
-        // All that engage another number of as many elements are searched, too.
+        // Other numbers of engaged elements are searched too, for an equal number of sets and elements.
         if let Some(before) = before.filter(|before| size(before) != size(&searching))
             && !kept.is_empty()
         {
@@ -393,7 +392,7 @@ pub fn solve_by<E: From<Error>>(
         }
         before = Some(searching);
         let Some(mut answered) = means.search(&searching, &wish)? else { break };
-        // What has more gears is not told again with fewer.
+        // A gearbox found with more gears is not listed again with fewer.
         answered.found.retain(|found| known.insert(identity(found)));
         answer.complete &= answered.complete;
         answer.searched.push(Searched::of(&searching, selection.len(), &answered));
@@ -425,7 +424,7 @@ pub fn solve_by<E: From<Error>>(
     });
     (1..).zip(&mut kept).for_each(|(number, kept)| kept.number = number);
     let (families, of_each) = families(&kept);
-    // Worth compares what has as many gears.
+    // The objectives can only be compared between solutions with equally many gears.
     let alike = kept.iter().filter(|one| one.selection.len() == kept[0].selection.len()).count();
     let ratings: Vec<&rank::Rating> = kept[..alike].iter().map(|kept| &kept.rating).collect();
     let on_front = front(&ratings, &wanted.objectives);
@@ -467,7 +466,7 @@ pub fn solve_by<E: From<Error>>(
     Ok((answer, kept))
 }
 
-/// The places of the solutions that are told, in rising order.
+/// Places of the solutions to be listed, in increasing order.
 fn told(families: &[Family], found: usize, wanted: &Wanted) -> Vec<usize> {
     let most = wanted.most.min(MOST_SOLUTIONS);
     let mut told: Vec<usize> = if wanted.all_gearboxes {
@@ -481,7 +480,7 @@ fn told(families: &[Family], found: usize, wanted: &Wanted) -> Vec<usize> {
     told
 }
 
-/// What makes two solutions the same gearbox: structure and elements.
+/// Key by which two solutions are the same gearbox: structure and elements.
 fn identity(found: &Found) -> (Structure, Vec<Vec<Element>>) {
     let mut elements = found.solution.elements.clone();
     elements.iter_mut().for_each(|pairs| pairs.sort_unstable());
@@ -584,14 +583,14 @@ impl Solution {
     }
 }
 
-/// The symbol of a set in formulas: `k₁`, of a double-planet set `k₁′`.
+/// Symbol of a set in formulas: `k₁`, for a double-planet set `k₁′`.
 fn symbol(structure: &Structure, set: usize) -> String {
     let prime = if structure.is_double_planet(set) { "′" } else { "" };
     format!("{}{prime}", subscript('k', set + 1))
 }
 
 impl Edge {
-    /// The end of a range at which a value is.
+    /// End of a range at which a value lies; `None` inside.
     fn of(value: f64, range: &RangeInclusive<f64>) -> Option<Self> {
         let near = |end: f64| (value - end).abs() <= AT_EDGE * end;
         let ends = [(*range.start(), Self::Lower), (*range.end(), Self::Upper)];

@@ -1,4 +1,4 @@
-//! The page of a search for gearboxes: what was searched, the solutions, the best of them as schemes.
+//! Page of a search for gearboxes: the classes searched, the solutions, and the schemes of the best.
 
 use crate::page::paper::PICTURE_MM;
 use crate::page::sheet::{Arrangement, Block, Section, Sheet};
@@ -14,8 +14,8 @@ use crate::table::text::Error;
 use epicyclic_pictures::gearbox::scheme::{self, Show};
 use epicyclic_units::format::trimmed;
 
-/// The best, then what was searched and found, with the schemes of the first; `input` is the command as it
-/// was written.
+/// Builds the page: the best solution, then classes and solutions, with the schemes of the first ones;
+/// `input` is the command line.
 ///
 /// # Errors
 /// [`Error::Picture`] for a scheme that cannot be made into a picture.
@@ -53,7 +53,7 @@ pub fn sheet(answer: &Synthesis, drawn: &[Drawn], input: String) -> Result<Sheet
     })
 }
 
-/// What a family is, and the table of them.
+/// Explanation and table of the families.
 fn families(answer: &Synthesis) -> Vec<Block> {
     let about = "Gearboxes of one family have equal formulas for all gears, up to an exchange of sets of one kind: the same ratios at the \
                  same k. Efficiency, torques, slips and speeds differ.";
@@ -61,7 +61,7 @@ fn families(answer: &Synthesis) -> Vec<Block> {
     vec![Block::words(about), Block::Answer(table)]
 }
 
-/// The best solution: its gears, and its scheme.
+/// Best solution: its gears and its scheme.
 fn in_short(solution: &Solution, drawn: &Drawn) -> Result<Vec<Block>, Error> {
     let records = Table::new("gears", solution.gears.iter())
         .words("engaged", "engaged", |gear| Figure::Texts(gear.engaged.clone()))
@@ -77,7 +77,7 @@ fn in_short(solution: &Solution, drawn: &Drawn) -> Result<Vec<Block>, Error> {
     Ok([gears].into_iter().chain(of_one("", solution, drawn)?).collect())
 }
 
-/// The scheme of a solution, with what is to be known of it in a few lines.
+/// Scheme of a solution with its most important figures.
 fn of_one(name: &str, solution: &Solution, drawn: &Drawn) -> Result<Vec<Block>, Error> {
     let elements = solution.shift_elements.iter();
     let elements: Vec<String> =

@@ -1,4 +1,4 @@
-//! Tables whose columns are declared once: key, heading, what it measures, and where a row has it.
+//! Tables whose columns are declared once, with key, heading, quantity and the value in a row.
 //!
 //! ```text
 //! Table::new("gears", &losses.gears)
@@ -8,21 +8,22 @@
 //!     .records()
 //! ```
 //!
-//! Key and unit of drawings name a column in CSV, `loss_kw`; heading and unit head it in a table, `lost, kW`.
+//! The key and the unit of drawings name a column in CSV: `loss_kw`. Heading and unit head it in a table:
+//! `lost, kW`.
 
 use crate::table::figure::{Figure, multiple};
 use crate::table::quantities;
 use crate::table::report::{Column, Records, View};
 use epicyclic_units::Dimension;
 
-/// A table of rows, to which columns are added.
+/// Table of rows, to which columns are added.
 pub(crate) struct Table<Row> {
     rows: Vec<Row>,
     records: Records,
 }
 
 impl<Row> Table<Row> {
-    /// Without columns.
+    /// Table without columns.
     pub(crate) fn new(name: &'static str, rows: impl IntoIterator<Item = Row>) -> Self {
         let rows: Vec<Row> = rows.into_iter().collect();
         let cells = rows.iter().map(|_| vec![]).collect();
@@ -30,7 +31,7 @@ impl<Row> Table<Row> {
         Self { rows, records }
     }
 
-    /// A column, and what a row has in it.
+    /// Adds a column with a function for its cells.
     pub(crate) fn column(mut self, column: Column, cell: impl Fn(&Row) -> Figure) -> Self {
         self.records.columns.push(column);
         for (cells, row) in self.records.rows.iter_mut().zip(&self.rows) {
@@ -39,22 +40,22 @@ impl<Row> Table<Row> {
         self
     }
 
-    /// A column of names.
+    /// Adds a column of names.
     pub(crate) fn text(self, key: &'static str, heading: &str, of: impl Fn(&Row) -> &str) -> Self {
         self.words(key, heading, |row| Figure::Text(of(row).to_owned()))
     }
 
-    /// A column of words, aligned left.
+    /// Adds a column of words, aligned left.
     pub(crate) fn words(self, key: &'static str, heading: &str, of: impl Fn(&Row) -> Figure) -> Self {
         self.column(Column::words(key, heading), of)
     }
 
-    /// A column of numbers, aligned right.
+    /// Adds a column of numbers, aligned right.
     pub(crate) fn number(self, key: &'static str, heading: &str, of: impl Fn(&Row) -> Figure) -> Self {
         self.column(Column::number(key, heading), of)
     }
 
-    /// A column of multiples, efficiencies and ratios.
+    /// Adds a column of multiples, efficiencies and ratios.
     pub(crate) fn multiple<V: Into<Option<f64>>>(
         self,
         key: &'static str,
@@ -64,7 +65,7 @@ impl<Row> Table<Row> {
         self.number(key, heading, |row| multiple(of(row).into()))
     }
 
-    /// A column of quantities in SI units, shown in those of drawings, which the heading names.
+    /// Adds a column of quantities in SI units, shown in the units of drawings, which the heading names.
     pub(crate) fn quantity<V: Into<Option<f64>>>(
         self,
         key: &'static str,
@@ -77,7 +78,7 @@ impl<Row> Table<Row> {
         self.headed(key, &heading, dimension, of)
     }
 
-    /// A column of quantities in SI units whose heading does not name the unit.
+    /// Adds a column of quantities in SI units whose heading does not name the unit.
     pub(crate) fn headed<V: Into<Option<f64>>>(
         self,
         key: &'static str,
@@ -89,7 +90,7 @@ impl<Row> Table<Row> {
         self.column(Column::headed(key, heading, dimension), cell)
     }
 
-    /// Leaves the last column out of CSV, where other columns have its content for programs.
+    /// Leaves the last column out of CSV, because other columns have its content for programs.
     pub(crate) fn for_people(mut self) -> Self {
         if let Some(last) = self.records.columns.last_mut() {
             last.is_for_people = true;
@@ -97,7 +98,7 @@ impl<Row> Table<Row> {
         self
     }
 
-    /// Shows some columns, by their keys in order.
+    /// Shows the columns with these keys, in order.
     pub(crate) fn view(self, title: impl Into<String>, keys: &'static str) -> Self {
         let keys: Vec<&'static str> = keys.split_ascii_whitespace().collect();
         self.view_of(title, &keys)
@@ -121,7 +122,7 @@ impl<Row> Table<Row> {
         self
     }
 
-    /// A note below the last view.
+    /// Adds a note below the last view.
     pub(crate) fn note(mut self, note: impl Into<String>) -> Self {
         if let Some(last) = self.records.views.last_mut() {
             last.note = note.into();
@@ -140,7 +141,7 @@ impl<Row> Table<Row> {
         self
     }
 
-    /// The table.
+    /// Returns the finished table.
     pub(crate) fn records(self) -> Records {
         self.records
     }

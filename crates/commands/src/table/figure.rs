@@ -1,4 +1,4 @@
-//! A value in an answer, shown three ways.
+//! Value in an answer, formatted for tables, CSV and text.
 
 use crate::tolerance::NOTHING;
 use epicyclic_units::format::{in_unit, sensible_unit, significant, trimmed};
@@ -8,108 +8,108 @@ use std::borrow::Cow;
 use std::fmt;
 use uom::si::f64::{AngularVelocity, Time};
 
-/// Significant digits in a table.
+/// Significant digits of a number in a table.
 const DIGITS: usize = 5;
 
-/// Significant digits in CSV.
+/// Significant digits of a number in CSV.
 const EXACT_DIGITS: usize = 12;
 
 /// Decimals of a multiple in a table.
 const DECIMALS: usize = 4;
 
-/// A value.
+/// Value with its kind, which determines its format.
 #[derive(Debug, Clone)]
 pub enum Figure {
-    /// Nothing to say.
+    /// No value.
     None,
-    /// A quantity that there is not, whose key keeps its unit.
+    /// Missing quantity, whose key keeps its unit.
     Without(Dimension),
-    /// How many.
+    /// Count.
     Count(u32),
-    /// A plain number.
+    /// Plain number.
     Number(f64),
-    /// A multiple of the input's speed, torque or power, an efficiency, a ratio: in a table with as many
+    /// Multiple of the input's speed, torque or power, an efficiency, or a ratio. In a table it has as many
     /// decimals as its neighbours above and below.
     Multiple(f64),
-    /// A figure of a source, with its decimals.
+    /// Figure of a source, with its number of decimals.
     Printed(f64, usize),
-    /// A part of a whole, shown in per cent.
+    /// Part of a whole, shown in per cent.
     Share(f64),
-    /// A quantity in the unit that suits its size.
+    /// Quantity in the unit that suits its size.
     Quantity {
-        /// Its size in SI units.
+        /// Value in SI units.
         si: f64,
-        /// What it measures.
+        /// Dimension of the quantity.
         dimension: Dimension,
     },
-    /// A quantity whose table names the unit in its heading.
+    /// Quantity in a table whose heading names the unit.
     Column {
-        /// Its size in SI units.
+        /// Value in SI units.
         si: f64,
-        /// What it measures.
+        /// Dimension of the quantity.
         dimension: Dimension,
     },
-    /// A quantity to so many decimals of its usual unit, which its table names elsewhere.
+    /// Quantity with a given number of decimals in its usual unit, which its table names elsewhere.
     Measured {
-        /// Its size in SI units.
+        /// Value in SI units.
         si: f64,
-        /// What it measures.
+        /// Dimension of the quantity.
         dimension: Dimension,
-        /// Its decimals.
+        /// Number of decimals.
         decimals: usize,
     },
-    /// Several quantities of one kind.
+    /// List of quantities of one kind.
     List {
-        /// Their sizes in SI units.
+        /// Values in SI units.
         si: Vec<f64>,
-        /// What it measures.
+        /// Dimension of the quantities.
         dimension: Dimension,
     },
-    /// Several numbers.
+    /// List of numbers.
     Numbers(Vec<f64>),
-    /// A name or a word.
+    /// Name or word.
     Text(String),
-    /// Several names, in CSV with a `+` between them.
+    /// List of names, in CSV with a `+` between them.
     Texts(Vec<String>),
-    /// One of a few answers: its name, and in words.
+    /// Answer from a short list: its name, and its words.
     Answer(Cow<'static, str>, &'static str),
-    /// A question answered.
+    /// Answer to a yes-no question.
     YesNo(bool),
-    /// The same in a table of marks.
+    /// Answer to a yes-no question in a table of marks.
     Mark(bool),
 }
 
-/// A figure of a quantity.
+/// Figure of a quantity.
 pub fn quantity<T: Physical>(value: T) -> Figure {
     Figure::Quantity { si: value.si(), dimension: T::DIMENSION }
 }
 
-/// The same, if there is one.
+/// Figure of a quantity, or of none.
 pub fn optional<T: Physical>(value: Option<T>) -> Figure {
     value.map_or(Figure::Without(T::DIMENSION), quantity)
 }
 
-/// A figure of a quantity below a heading with its unit.
+/// Figure of a quantity below a heading with its unit.
 pub fn column<T: Physical>(value: Option<T>) -> Figure {
     value.map_or(Figure::None, |value| Figure::Column { si: value.si(), dimension: T::DIMENSION })
 }
 
-/// A multiple, if it is known.
+/// Figure of a multiple, or of none.
 pub fn multiple(value: Option<f64>) -> Figure {
     value.map_or(Figure::None, Figure::Multiple)
 }
 
-/// How many, every digit of it.
+/// Figure of a count with all its digits.
 pub fn count(number: impl TryInto<u32> + fmt::Display + Copy) -> Figure {
     number.try_into().map_or_else(|_| Figure::Text(number.to_string()), Figure::Count)
 }
 
-/// A text of one's own.
+/// Figure of a text.
 pub fn text(text: impl Into<String>) -> Figure {
     Figure::Text(text.into())
 }
 
-/// The word that stands for a choice in JSON.
+/// Word for a choice, as in JSON.
 fn word(choice: impl Serialize) -> String {
     struct Word<C>(C);
     impl<C: Serialize> fmt::Display for Word<C> {
@@ -121,17 +121,17 @@ fn word(choice: impl Serialize) -> String {
 }
 
 impl Figure {
-    /// One of a few answers: its name, and in words.
+    /// Answer from a short list: its name, and its words.
     pub fn answer(name: impl Into<Cow<'static, str>>, words: &'static str) -> Self {
         Self::Answer(name.into(), words)
     }
 
-    /// One of the choices of a record: its name is the word of JSON.
+    /// Choice of a record; its name is the word in JSON.
     pub(crate) fn choice(choice: impl Serialize, words: &'static str) -> Self {
         Self::answer(word(choice), words)
     }
 
-    /// As a table shows it.
+    /// Text of the figure in a table.
     #[must_use]
     pub fn table(&self) -> String {
         match self {
@@ -161,7 +161,7 @@ impl Figure {
         }
     }
 
-    /// As one of a column of quantities with so many decimals.
+    /// Text of the figure in a column of quantities with this number of decimals.
     #[must_use]
     pub fn in_column(&self, decimals: usize) -> String {
         match self {
@@ -170,7 +170,7 @@ impl Figure {
         }
     }
 
-    /// Value and unit.
+    /// Value and unit of the figure in CSV.
     #[must_use]
     pub fn csv(&self) -> (String, String) {
         let exact = |value: f64| trimmed(value, EXACT_DIGITS);
@@ -199,11 +199,11 @@ impl Figure {
         }
     }
 
-    /// Whether every number in it can be shown.
+    /// Whether all numbers of the figure can be shown.
     #[must_use]
     pub fn is_finite(&self) -> bool {
         match self {
-            // As tables show it, a share is a hundred times as large.
+            // Tables show a share multiplied by 100, which may overflow.
             Self::Share(value) => (100.0 * value).is_finite(),
             Self::Number(value) | Self::Multiple(value) | Self::Printed(value, _) => value.is_finite(),
             Self::Quantity { si, dimension }
@@ -216,7 +216,7 @@ impl Figure {
     }
 }
 
-/// The unit of drawings as part of a column's name in CSV.
+/// Unit of drawings as part of a column's name in CSV.
 #[must_use]
 pub const fn suffix(dimension: Dimension) -> &'static str {
     match dimension {
@@ -249,7 +249,7 @@ pub const fn suffix(dimension: Dimension) -> &'static str {
     }
 }
 
-/// Decimals that give the largest quantity of a column its significant digits.
+/// Number of decimals that gives the largest quantity of a column its significant digits.
 pub fn decimals<'a>(column: impl Iterator<Item = &'a Figure>) -> usize {
     let sizes = column.filter_map(|figure| match figure {
         Figure::Column { si, dimension } => Some(in_usual(*si, *dimension).abs()),
@@ -263,7 +263,7 @@ pub fn decimals<'a>(column: impl Iterator<Item = &'a Figure>) -> usize {
     usize::try_from(DIGITS as i32 - 1 - before_the_point).unwrap_or(0).min(DECIMALS)
 }
 
-/// So many decimals, without −0.0 where rounding leaves nothing.
+/// Formats with this number of decimals; a value that rounds to zero has no minus sign.
 fn printed(value: f64, decimals: usize) -> String {
     let value = if value.abs() < 0.5 * 0.1_f64.powi(decimals as i32) { 0.0 } else { value };
     format!("{value:.decimals$}")
@@ -273,8 +273,8 @@ fn in_usual(si: f64, dimension: Dimension) -> f64 {
     si / dimension.usual_unit().factor
 }
 
-/// Four decimals; of what is smaller than 0.01 four significant digits, but for the zero that rounding
-/// leaves.
+/// Formats with four decimals; a value smaller than 0.01 with four significant digits, unless it is a
+/// rounding error of zero.
 fn shown_multiple(value: f64) -> String {
     match value.abs() {
         size if size < NOTHING => format!("{:.DECIMALS$}", 0.0),
@@ -284,12 +284,12 @@ fn shown_multiple(value: f64) -> String {
     }
 }
 
-/// A speed, rad/s, in the unit of drawings.
+/// Converts a speed from rad/s to rpm, the unit of drawings.
 pub(crate) fn rpm(speed_rad_s: f64) -> f64 {
     AngularVelocity::from_si(speed_rad_s).rpm()
 }
 
-/// A life, s, in hours.
+/// Converts a life from s to hours.
 pub(crate) fn hours(life_s: f64) -> f64 {
     Time::from_si(life_s).hours()
 }

@@ -1,8 +1,7 @@
-//! An answer of several parts as tables, as CSV, and as part of a page.
+//! Report of an answer in several parts: as tables, as CSV, and as part of a page.
 //!
-//! Tables and CSV show figures in the units of drawings. CSV is written as a list of sections, items and
-//! quantities, or, where the answer is one list of like things, as a table of them with the units in its
-//! header.
+//! Tables and CSV show figures in the units of drawings. CSV is a list of sections, items and quantities. If
+//! the answer is one list of similar things, CSV is a table of them with the units in its header.
 
 pub(crate) mod html;
 
@@ -14,56 +13,57 @@ use epicyclic_units::visible::one_line;
 use std::borrow::Cow;
 use std::io;
 
-/// An answer that people can read.
+/// Answer with a report for people.
 pub trait AsReport {
-    /// The report: figures, lists, words, warnings.
+    /// Returns the report: figures, lists, text, warnings.
     fn report(&self) -> Report;
 }
 
-/// An answer: its parts, then warnings.
+/// Report of an answer: its parts, then warnings.
 #[derive(Debug, Default)]
 pub struct Report {
-    /// What the answer is about.
+    /// Title of the report; `None` if the answer needs none.
     pub title: Option<String>,
-    /// In the order in which they are shown.
+    /// Parts in the order in which they are shown.
     pub parts: Vec<Part>,
-    /// None at all where the command has no warnings to give.
+    /// Warnings by name and message; `None` if the command never gives warnings.
     pub warnings: Option<Vec<(&'static str, String)>>,
 }
 
-/// A part of an answer.
+/// Part of a report.
 #[derive(Debug)]
 pub enum Part {
     /// Figures, each of its own kind.
     Facts(Section),
-    /// Like things with like figures.
+    /// Similar things with the same figures.
     Records(Records),
-    /// A text of paragraphs, a list or a table, for people only.
+    /// Text of paragraphs, a list or a table, for people only.
     Text(Text),
 }
 
-/// A text with or without a heading.
+/// Text with or without a heading.
 #[derive(Debug, Default)]
 pub struct Text {
-    /// Its heading.
+    /// Heading of the text.
     pub heading: Option<String>,
-    /// Sentences that belong together.
+    /// Paragraphs of sentences.
     pub paragraphs: Vec<String>,
-    /// Lines that stand as they are, after the paragraphs; one that is too long goes on further in.
+    /// Lines that are printed unchanged after the paragraphs; a line that is too long is continued with an
+    /// indentation.
     pub lines: Vec<String>,
-    /// Points of a list, after the lines.
+    /// Points of a list, printed after the lines.
     pub points: Vec<String>,
-    /// A table of words or marks, after the points: its header, then its rows.
+    /// Table of words or marks, printed after the points: its header, then its rows.
     pub table: Vec<Vec<String>>,
 }
 
 impl Text {
-    /// One paragraph.
+    /// Text of one paragraph.
     pub fn paragraph(paragraph: impl Into<String>) -> Self {
         Self { paragraphs: vec![paragraph.into()], ..Self::default() }
     }
 
-    /// A list below a heading.
+    /// List below a heading.
     pub fn list(heading: impl Into<String>, points: Vec<String>) -> Self {
         Self { heading: Some(heading.into()), points, ..Self::default() }
     }
@@ -90,38 +90,38 @@ impl Text {
     }
 }
 
-/// Figures that belong together.
+/// Section of figures that belong together.
 #[derive(Debug)]
 pub struct Section {
-    /// Its key.
+    /// Key of the section.
     pub name: &'static str,
-    /// Its heading.
+    /// Heading of the section.
     pub title: &'static str,
-    /// Key and heading of each column; none where every figure stands alone.
+    /// Key and heading of each column; empty if every row has a single figure.
     pub columns: &'static [(&'static str, &'static str)],
-    /// What it says.
+    /// Rows of the section.
     pub rows: Vec<Row>,
-    /// A note below the table; empty for none.
+    /// Note below the table; empty for none.
     pub note: &'static str,
 }
 
-/// A figure, or one for each column.
+/// Row with one figure, or with one for each column.
 #[derive(Debug)]
 pub struct Row {
-    /// Its key without unit.
+    /// Key of the row without unit.
     pub name: &'static str,
-    /// What it is.
+    /// Label of the row.
     pub label: &'static str,
-    /// Its symbol.
+    /// Symbol of the quantity.
     pub symbol: &'static str,
-    /// One, or one for each column.
+    /// Figures: one, or one for each column.
     pub cells: Vec<Figure>,
-    /// A remark, in the table only.
+    /// Remark, shown in the table only.
     pub remark: String,
 }
 
 impl Row {
-    /// Without a remark.
+    /// Row without a remark.
     pub fn new(
         name: &'static str,
         label: &'static str,
@@ -132,39 +132,40 @@ impl Row {
     }
 }
 
-/// Like things, each with one figure a column; the first names it.
+/// List of similar things, each with one figure per column; the first figure names the thing.
 #[derive(Debug)]
 pub struct Records {
-    /// The key of the list.
+    /// Key of the list.
     pub name: &'static str,
-    /// What each of its figures says.
+    /// Columns of the list.
     pub columns: Vec<Column>,
-    /// The things, with a figure for each column.
+    /// Rows with a figure for each column.
     pub rows: Vec<Vec<Figure>>,
-    /// The tables it is shown as.
+    /// Tables in which the list is shown.
     pub views: Vec<View>,
-    /// Whether this list is the answer: CSV then has one line for each of its things.
+    /// Whether this list is the answer, so that CSV has one line for each of its rows.
     pub is_answer: bool,
 }
 
-/// What one column says.
+/// Column of a list.
 #[derive(Debug)]
 pub struct Column {
-    /// Its key without unit. Like columns of several things, such as the shift elements, have one name.
+    /// Key of the column without unit. Corresponding columns of several things, such as the shift elements,
+    /// have one name.
     pub name: &'static str,
-    /// Of which of several things it is: before its key.
+    /// Thing to which the column belongs, if there are several; the prefix of its key.
     pub of: Option<String>,
-    /// Its heading in tables.
+    /// Heading of the column in tables.
     pub heading: String,
-    /// What it measures.
+    /// Dimension of the quantities; `None` for other values.
     pub dimension: Option<Dimension>,
-    /// Whether it holds numbers, which stand to the right.
+    /// Whether the column holds numbers, which are aligned right.
     pub is_number: bool,
-    /// Whether it only says for people what other columns say for programs: CSV leaves it out.
+    /// Whether CSV leaves the column out, because other columns have its content for programs.
     pub is_for_people: bool,
 }
 
-/// A title behind the first warning of its answer, which is the gravest.
+/// Title after the first warning of its answer, which is the most severe.
 pub(crate) fn headline(title: String, warnings: &[Warning]) -> String {
     match warnings.first() {
         Some(Warning { message, .. }) => format!("Warning: {message}. {title}"),
@@ -172,13 +173,13 @@ pub(crate) fn headline(title: String, warnings: &[Warning]) -> String {
     }
 }
 
-/// Warnings of an answer as a report has them.
+/// Warnings of an answer in the form of a report.
 pub(crate) fn warned(warnings: &[Warning]) -> Option<Vec<(&'static str, String)>> {
     Some(warnings.iter().map(|warning| (warning.name, warning.message.clone())).collect())
 }
 
 impl Column {
-    /// A column of words.
+    /// Column of words.
     pub fn words(name: &'static str, heading: impl Into<String>) -> Self {
         Self {
             name,
@@ -190,30 +191,30 @@ impl Column {
         }
     }
 
-    /// A column of plain numbers.
+    /// Column of plain numbers.
     pub fn number(name: &'static str, heading: impl Into<String>) -> Self {
         Self { is_number: true, ..Self::words(name, heading) }
     }
 
-    /// The same column for people alone.
+    /// Leaves the column out of CSV.
     #[must_use]
     pub fn for_people(self) -> Self {
         Self { is_for_people: true, ..self }
     }
 
-    /// A column of quantities, headed by their unit.
+    /// Column of quantities with their unit as heading.
     #[must_use]
     pub fn quantity(name: &'static str, dimension: Dimension) -> Self {
         let heading = dimension.usual_unit().symbol;
         Self { dimension: Some(dimension), ..Self::number(name, heading) }
     }
 
-    /// A column of quantities with a heading of its own.
+    /// Column of quantities with its own heading.
     pub fn headed(name: &'static str, heading: impl Into<String>, dimension: Dimension) -> Self {
         Self { heading: heading.into(), ..Self::quantity(name, dimension) }
     }
 
-    /// The same column of one of several things, which heads it.
+    /// Assigns the column to one of several things, whose name becomes its heading.
     #[must_use]
     pub fn of(self, thing: impl Into<String>) -> Self {
         let thing = thing.into();
@@ -229,27 +230,26 @@ impl Column {
     }
 }
 
-/// Some columns of a list as a table.
+/// View of some columns of a list as a table.
 #[derive(Debug)]
 pub struct View {
-    /// Its heading.
+    /// Heading of the table.
     pub title: String,
-    /// Names of columns, in order, each for all columns of the name; those that the list lacks are passed
-    /// over.
+    /// Names of columns in order, each for all columns of that name; names that the list lacks are skipped.
     pub columns: Vec<&'static str>,
-    /// A note below the table; empty for none.
+    /// Note below the table; empty for none.
     pub note: String,
 }
 
 impl View {
-    /// Without a note.
+    /// View without a note.
     pub fn new(title: impl Into<String>, columns: &[&'static str]) -> Self {
         Self { title: title.into(), columns: columns.to_vec(), note: String::new() }
     }
 }
 
 impl Report {
-    /// No `inf` or `NaN` leaves the program, however the answer is written.
+    /// Refuses `inf` and `NaN`, so that neither is printed in any format.
     pub fn refuse_infinite(&self) -> Result<(), Error> {
         let refuse = |figure: String| Err(Error::NotFinite { figure });
         for part in &self.parts {
@@ -274,7 +274,7 @@ impl Report {
         Ok(())
     }
 
-    /// As tables for people, in lines of so many columns.
+    /// Formats the report as tables for people, in lines of this width.
     #[must_use]
     pub fn table(&self, width: usize) -> String {
         let title = self.title.as_ref().map(|title| unmarked(&one_line(title), width));
@@ -291,10 +291,10 @@ impl Report {
         format!("{text}\n{heading}{warnings}")
     }
 
-    /// As CSV, written as it comes.
+    /// Writes the report as CSV without buffering it.
     ///
     /// # Errors
-    /// Those of the writer.
+    /// Errors of the writer.
     pub fn csv(&self, out: impl io::Write) -> io::Result<()> {
         for part in &self.parts {
             if let Part::Records(records) = part
@@ -316,7 +316,7 @@ impl Report {
 }
 
 impl Report {
-    /// Whether CSV has one line for each of its things, and no place for warnings.
+    /// Whether CSV has one line for each row of a list, and no place for warnings.
     #[must_use]
     pub fn is_list(&self) -> bool {
         self.parts.iter().any(|part| matches!(part, Part::Records(records) if records.is_answer))
@@ -335,12 +335,12 @@ impl Part {
     }
 }
 
-/// A table's cells as text, however it is written.
+/// Cells of a table as text, for all formats.
 struct Grid<'a> {
     title: &'a str,
     header: Vec<&'a str>,
     rows: Vec<Vec<String>>,
-    /// Places of the columns whose cells stand to the right.
+    /// Places of the columns whose cells are aligned right.
     right: Vec<usize>,
     note: &'a str,
 }
@@ -408,7 +408,7 @@ impl Records {
     }
 
     fn lines(&self) -> Vec<Vec<String>> {
-        // As many columns as it takes to tell the things apart.
+        // The first columns that together identify each row form its name.
         let are_apart = |named: &usize| {
             let mut seen = std::collections::BTreeSet::new();
             self.rows.iter().all(|row| seen.insert(named_by(row, *named)))
@@ -427,8 +427,8 @@ impl Records {
     }
 }
 
-/// Names of columns in CSV, no two alike: where a thing is called as if its column were another, a point
-/// parts its name from the rest, as in `output.torque_n_m` of a brake called `output`.
+/// Names of columns in CSV, all different. If a name would occur twice, a point separates the thing from the
+/// key, as in `output.torque_n_m` for a brake called `output`.
 fn keys<'c>(columns: impl Iterator<Item = &'c Column> + Clone) -> Vec<String> {
     let all: Vec<String> = columns.clone().map(Column::key).collect();
     let is_taken = |key: &String| all.iter().filter(|other| *other == key).count() > 1;
@@ -441,7 +441,7 @@ fn keys<'c>(columns: impl Iterator<Item = &'c Column> + Clone) -> Vec<String> {
         .collect()
 }
 
-/// Rows of a list as CSV, each when it comes.
+/// Writes rows of a list as CSV, one by one.
 fn rows_as_csv<'a>(
     columns: &[Column],
     rows: impl Iterator<Item = Cow<'a, Vec<Figure>>>,
@@ -454,7 +454,7 @@ fn rows_as_csv<'a>(
     text::csv(&header, rows, out)
 }
 
-/// Rows of a list as CSV, each when it comes and after a check that its numbers are finite; `list` is the key
+/// Writes rows of a list as CSV, one by one, after a check that their numbers are finite; `list` is the key
 /// of the list.
 pub(crate) fn checked_rows_as_csv<E: Into<Box<dyn std::error::Error + Send + Sync>>>(
     list: &'static str,
@@ -478,7 +478,7 @@ pub(crate) fn checked_rows_as_csv<E: Into<Box<dyn std::error::Error + Send + Syn
     fault.map_or(written, Err)
 }
 
-/// Sentences in lines of at most so many columns, after a list mark or none.
+/// Wraps sentences to lines of this width, after a list mark or none.
 #[must_use]
 pub fn wrapped(mark: &str, text: &str, width: usize) -> String {
     let width = width.min(text::WIDEST_SENTENCES);
@@ -496,7 +496,7 @@ pub fn wrapped(mark: &str, text: &str, width: usize) -> String {
     lines + &line + "\n"
 }
 
-/// A line in lines of at most so many columns, the further ones set in. What follows a sign stays with it.
+/// Wraps a line to this width with an indentation; a sign stays with the word after it.
 fn continued(text: &str, width: usize) -> String {
     let words = text.trim_start();
     let margin = text.len() - words.len();
@@ -523,7 +523,7 @@ fn continued(text: &str, width: usize) -> String {
     lines + &line + "\n"
 }
 
-/// A paragraph in lines of at most so many columns.
+/// Wraps a paragraph to lines of this width.
 fn unmarked(text: &str, width: usize) -> String {
     wrapped("", text, width)
         .lines()
@@ -531,7 +531,7 @@ fn unmarked(text: &str, width: usize) -> String {
         .collect()
 }
 
-/// The cells of the first columns, which name a thing.
+/// Name of a row from the cells of its first columns.
 fn named_by(row: &[Figure], columns: usize) -> String {
     row[..columns].iter().map(|cell| cell.csv().0).collect::<Vec<_>>().join(" ")
 }

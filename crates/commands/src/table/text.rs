@@ -1,4 +1,4 @@
-//! Tables of plain text, and CSV.
+//! Tables in plain text, and CSV.
 
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, Width, presets};
 use epicyclic_units::visible;
@@ -6,45 +6,45 @@ use std::collections::BTreeSet;
 use std::io;
 use std::ops::Range;
 
-/// Columns of text where no terminal says how many it has.
+/// Width of text in columns if no terminal gives one.
 pub const WIDTH: usize = 80;
 
-/// The longest lines of sentences: longer ones are hard to read, however wide the terminal is.
+/// Maximum width of lines of sentences; longer ones are hard to read, however wide the terminal is.
 pub const WIDEST_SENTENCES: usize = 100;
 
-/// The fewest letters of a word that stand in a line where words must be parted.
+/// Minimum number of letters in a line if a word must be broken.
 const SYLLABLE: usize = 4;
 
 /// Blanks beside a column of a table, on both sides together.
 const PADDING: usize = 2;
 
-/// An answer that cannot be shown.
+/// Errors of an answer that cannot be shown.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// Text that cannot be written.
     #[error("the answer cannot be written as text: {0}")]
     Text(String),
-    /// A picture that cannot be made.
+    /// Picture that cannot be made.
     #[error(transparent)]
     Picture(#[from] epicyclic_pictures::Error),
-    /// The teeth of a hydromotor that are drawn and are not there.
+    /// Drawing of a hydromotor's teeth that do not exist.
     #[error("the motor has no teeth of this form: {0}")]
     NoTeeth(Box<crate::error::Error>),
-    /// What a drawing shows and cannot be calculated.
+    /// Drawing of something that cannot be calculated.
     #[error(transparent)]
     Answer(Box<crate::error::Error>),
-    /// A drawing of what is not described.
+    /// Drawing of something that is not described.
     #[error("there is nothing to draw: it needs {0}")]
     Lacking(String),
-    /// A figure of an answer that no double holds.
+    /// Figure of an answer that is infinite or NaN.
     #[error("not a finite number: {figure}; a given number is too small or too large for it")]
     NotFinite {
-        /// Where it stands in the answer.
+        /// Place of the figure in the answer.
         figure: String,
     },
 }
 
-/// CSV of a header and rows, written as it comes.
+/// Writes a header and rows as CSV, one by one.
 pub fn csv(
     header: &[&str],
     rows: impl IntoIterator<Item = Vec<String>>,
@@ -58,18 +58,18 @@ pub fn csv(
     writer.flush()
 }
 
-/// The same as text.
+/// Formats a header and rows as CSV text.
 pub fn csv_text(header: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> Result<String, Error> {
     let mut bytes = vec![];
     csv(header, rows, &mut bytes).map_err(|error| Error::Text(error.to_string()))?;
     String::from_utf8(bytes).map_err(|error| Error::Text(error.to_string()))
 }
 
-/// A plain table; the columns at `right` are aligned to the right.
+/// Formats a plain table; the columns at `right` are aligned right.
 ///
-/// No word or number is parted between two lines. Where the columns do not fit side by side so, the table
-/// goes on below, the columns that name its rows repeated. A word that is still too wide is parted, a number
-/// stands out over the edge.
+/// Words and numbers are not broken between lines. If the columns do not fit side by side, the table
+/// continues below, with the columns that name its rows repeated. A word that is still too wide is broken; a
+/// number extends beyond the edge.
 pub fn table(
     header: &[&str],
     rows: impl IntoIterator<Item = Vec<String>>,
@@ -86,7 +86,7 @@ pub fn table(
     parts.collect::<Vec<_>>().join("\n")
 }
 
-/// A table before it is parted.
+/// Table before it is split into parts.
 struct Whole<'a> {
     header: Vec<String>,
     rows: Vec<Vec<String>>,
@@ -98,19 +98,19 @@ impl Whole<'_> {
         0..self.rows.iter().map(Vec::len).chain([self.header.len()]).max().unwrap_or(0)
     }
 
-    /// The widest of something in a column.
+    /// Largest measure of the cells in a column.
     fn widest(&self, column: usize, measure: impl Fn(&str) -> usize) -> usize {
         let cells = self.rows.iter().chain([&self.header]).filter_map(|row| row.get(column));
         cells.map(|cell| measure(cell)).max().unwrap_or(0)
     }
 
-    /// The least width of a column with its padding: that of its longest word.
+    /// Least width of a column with its padding: that of its longest word.
     fn least(&self, column: usize) -> usize {
         let word = |cell: &str| cell.split(' ').map(|word| word.chars().count()).max().unwrap_or(0);
         PADDING + self.widest(column, word)
     }
 
-    /// The same where words are parted, too, and only numbers stay whole.
+    /// Least width of a column if words may be broken too, and only numbers stay whole.
     fn least_in_need(&self, column: usize) -> usize {
         if self.right.contains(&column) {
             self.least(column)
@@ -119,12 +119,12 @@ impl Whole<'_> {
         }
     }
 
-    /// Width of a column whose cells have one line each, with its padding.
+    /// Width of a column with its padding if each cell has one line.
     fn natural(&self, column: usize) -> usize {
         PADDING + self.widest(column, |cell| cell.chars().count())
     }
 
-    /// How many of the first columns tell the rows apart.
+    /// Number of first columns that together identify each row.
     fn naming(&self) -> usize {
         let are_apart = |count: &usize| {
             let mut seen = BTreeSet::new();
@@ -133,7 +133,7 @@ impl Whole<'_> {
         self.columns().skip(1).find(are_apart).unwrap_or(1)
     }
 
-    /// The columns of each part.
+    /// Columns of each part.
     fn parts(&self, width: usize) -> Vec<Vec<usize>> {
         let sum = |columns: Range<usize>| columns.map(|column| self.least(column)).sum::<usize>();
         if sum(self.columns()) <= width {
@@ -204,7 +204,7 @@ mod tests {
         assert_eq!(shown(80), wide);
         for width in (20..80).chain([200]) {
             let text = shown(width);
-            // The gear and the longest fraction take 22.
+            // The gear and the longest fraction take 22 columns.
             assert!(text.lines().all(|line| line.chars().count() <= width.max(22)), "{width}\n{text}");
             assert!(text.contains("1000033/700007") && text.contains("-3.2952"), "{width}\n{text}");
         }

@@ -2,8 +2,8 @@
 //!
 //! | module | is |
 //! |---|---|
-//! | [`double_planet`] | the same of a double-planet set |
-//! | [`shifted`] | the same of simple sets with profile shift |
+//! | [`double_planet`] | tooth numbers of a double-planet set |
+//! | [`shifted`] | tooth numbers of simple sets with profile shift |
 //! | `gearbox` | a set as a gearbox |
 
 pub mod double_planet;
@@ -27,24 +27,24 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::ControlFlow;
 
-/// The most sets that are written: their text is built whole, in some 100 MB.
+/// Maximum number of sets in an answer, whose text is built as a whole in about 100 MB.
 pub const MOST_SETS: usize = 100_000;
 
-/// What is wanted.
+/// Requirements of the tooth numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wanted {
-    /// Ratio of the speeds of input and output; negative where they turn against each other.
+    /// Ratio, input speed over output speed; negative for opposite directions.
     pub ratio: f64,
-    /// Which member drives, which is driven, which rests.
+    /// Driving, driven and fixed member.
     pub mode: Mode,
-    /// How far the ratio may be off, as a share of it.
+    /// Allowed relative deviation of the ratio.
     pub tolerance: f64,
-    /// Bounds of tooth numbers, of planets, of a double-planet set of each of its two and of the pairs, of k,
-    /// and the rack.
+    /// Bounds of tooth numbers, planets and k, and the rack. For a double-planet set they apply to each of
+    /// its two planets and to the number of pairs.
     pub bounds: Bounds,
-    /// How many of the sets are told.
+    /// Maximum number of sets listed.
     pub most: usize,
-    /// Number of the set whose checks are told, from 1; the first where there are fewer.
+    /// Number of the set whose checks are listed, from 1; the first if there are fewer sets.
     pub checked: usize,
 }
 
@@ -52,56 +52,56 @@ pub struct Wanted {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Teeth {
-    /// The ratio wanted.
+    /// Required ratio, input speed over output speed.
     pub ratio: f64,
-    /// Which member drives, which is driven, which rests.
+    /// Driving, driven and fixed member.
     pub mode: Motion,
-    /// How far the ratio may be off, as a share of it.
+    /// Allowed relative deviation of the ratio.
     pub tolerance: f64,
-    /// How many sets there are.
+    /// Number of sets found.
     pub found: u64,
-    /// Sets of this ratio that are left out since a check of their teeth does not hold; `null` if no set is
-    /// left out.
+    /// Sets of this ratio that are left out because a tooth check fails; null if no set is left out.
     pub left_out: Option<TeethLeftOut>,
-    /// How many of them are told here.
+    /// Number of sets listed.
     pub shown: usize,
-    /// These.
+    /// Listed sets of tooth numbers.
     pub tooth_numbers: Vec<ToothNumbers>,
-    /// The checks of the teeth of one of them, the first unless another is asked for.
+    /// Tooth checks of one set, the first unless another is requested.
     pub tooth_checks: ToothChecks,
 }
 
-/// Tooth numbers of a simple set, and what follows from them.
+/// Tooth numbers of a simple set, with the properties that follow from them.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ToothNumbers {
-    /// Teeth of the sun.
+    /// Tooth number of the sun.
     pub sun: u32,
-    /// Teeth of a planet.
+    /// Tooth number of a planet.
     pub planet: u32,
-    /// Teeth of the ring.
+    /// Tooth number of the ring.
     pub ring: u32,
     /// Number of planets.
     pub planets: u32,
-    /// The ratio, input speed over output speed.
+    /// Ratio, input speed over output speed.
     pub ratio: f64,
-    /// The same, exactly.
+    /// Exact ratio as a fraction.
     pub exact_ratio: Fraction,
-    /// How far it is from the ratio wanted, as a share of it.
+    /// Relative deviation from the required ratio.
     pub ratio_error: f64,
-    /// The most planets that clear each other at equal spacing.
+    /// Maximum number of planets that clear each other at equal spacing.
     pub most_planets: u32,
     /// Whether the rack undercuts the sun.
     pub undercut_sun: bool,
     /// Whether the rack undercuts the planets.
     pub undercut_planet: bool,
-    /// Whether the planets stand at equal angles.
+    /// Whether the planets are equally spaced.
     pub equal_spacing: bool,
     /// Gap between the tip circles of neighbouring planets, in modules.
     pub planet_gap_in_modules: f64,
-    /// Where each planet stands.
+    /// Angle of each planet about the axis, in rad.
     pub planet_angles_rad: Vec<f64>,
-    /// Distance of the planets' common centre of mass from the axis over the radius of their centres.
+    /// Imbalance: distance of the planets' common centre of mass from the axis over the radius of their
+    /// centres.
     pub imbalance: f64,
 }
 
@@ -109,11 +109,11 @@ impl Answer for Teeth {
     const NAME: &'static str = "teeth";
 }
 
-/// Every set of tooth numbers for a ratio; `done` is told the share that is searched, from 0 to 1; a break
-/// ends the search.
+/// Finds all sets of tooth numbers for a ratio. The closure `done` receives the finished part of the search,
+/// from 0 to 1, and may end it.
 ///
 /// # Errors
-/// [`Error::Gear`] where nothing is found, or of a bound that cannot be.
+/// [`Error::Gear`] if nothing is found, or for an impossible bound.
 pub fn answer(wanted: &Wanted, done: impl FnMut(f64) -> ControlFlow<()>) -> Result<Teeth, Error> {
     let &Wanted { ratio, mode, tolerance, ref bounds, most, .. } = wanted;
     let found = bounds.first_for_ratio(ratio, mode, tolerance, most.min(MOST_SETS), done)?;
@@ -135,7 +135,7 @@ pub fn answer(wanted: &Wanted, done: impl FnMut(f64) -> ControlFlow<()>) -> Resu
 }
 
 impl Wanted {
-    /// The checks of the set with the number `checked`, which `gearbox` makes a gearbox.
+    /// Tooth checks of the set with the number `checked`, which `gearbox` converts to a gearbox.
     fn checks<Set>(
         &self,
         sets: &[Set],
@@ -145,7 +145,7 @@ impl Wanted {
         let Some(set) = sets.get(number - 1) else { return Ok(ToothChecks::default()) };
         let mut all =
             ToothChecks::of(gearbox(set, self)?.set_checks(&self.bounds.rack, |_| vec![]), |_| true);
-        // The only set of its gearbox has the number that the list gives it.
+        // The single set of its gearbox gets the number that it has in the list.
         all.checks.iter_mut().for_each(|check| check.set = number.to_string());
         Ok(all)
     }
@@ -155,27 +155,28 @@ impl Wanted {
     }
 }
 
-/// So many sets in series have a ratio that one has not within the same bounds.
+/// Sets in series that have a ratio impossible for one set within the same bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stages {
-    /// How many sets.
+    /// Number of sets in series.
     pub sets: u32,
-    /// The size of the ratio of each, were all alike.
+    /// Absolute ratio of each set if all are equal.
     pub ratio: f64,
-    /// The mode of the others, where one alone turns the direction of rotation.
+    /// Mode of the other sets, if one set alone reverses the direction of rotation.
     pub others: Option<Mode>,
 }
 
-/// The most sets in series that [`stages`] tries.
+/// Maximum number of sets in series that [`stages`] tries.
 const MOST_STAGES: u32 = 4;
 
-/// How many sets in series have a ratio that one has not: each has the same root of it within its share of
-/// the tolerance.
+/// Number of sets in series that have a ratio impossible for one set. Each set has the root of the ratio,
+/// within its part of the tolerance.
 ///
-/// A mode with negative ratios, the carrier at rest, is that of one set, and the carrier of the others turns.
+/// A mode with negative ratios and the carrier at rest applies to one set; the carriers of the other sets
+/// turn.
 ///
 /// # Errors
-/// Those of a bound that cannot be.
+/// Errors for impossible bounds.
 pub fn stages(wanted: &Wanted) -> Result<Option<Stages>, Error> {
     let Wanted { ratio, mode, tolerance, bounds, .. } = wanted;
     let is_negative = mode.fixed() == Member::Carrier;
@@ -208,10 +209,10 @@ pub fn stages(wanted: &Wanted) -> Result<Option<Stages>, Error> {
 }
 
 impl ToothNumbers {
-    /// The set as a gearbox without losses: its links are its members, and the one at rest is the housing.
+    /// Set as a gearbox without losses. Its links are its members, and the fixed one is the housing.
     ///
     /// # Errors
-    /// None of a set that [`answer`] tells.
+    /// No error is known for a set that [`answer`] returns.
     pub fn gearbox(&self, wanted: &Wanted) -> Result<Gearbox, Error> {
         let members = gearbox::members(wanted.mode);
         let set = SetSpec::teeth(gearbox::NAME, SetKind::Simple, members, self.sun, self.ring)?;
@@ -262,7 +263,7 @@ mod tests {
         assert_eq!((negative.sets, negative.others.unwrap().to_string()), (2, "aH^b".to_owned()));
         let faster = found(-1.0 / 24.0, [Member::Ring, Member::Sun]);
         assert_eq!((faster.sets, faster.others.unwrap().to_string()), (2, "Ha^b".to_owned()));
-        // A mode with the other sign, and bounds that no number of sets helps.
+        // A mode with the other sign, and bounds with which no number of sets helps.
         assert_eq!(stages(&wanted(-24.0, sun_to_carrier, Bounds::default())).unwrap(), None);
         let narrow = Bounds { ring_to_sun_ratio: 5.0..=5.0, ..Bounds::default() };
         assert_eq!(stages(&wanted(7.0, sun_to_carrier, narrow)).unwrap(), None);

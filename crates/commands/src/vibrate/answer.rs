@@ -1,24 +1,24 @@
-//! Vibration of the simple sets of a gearbox: natural frequencies and modes, what excites them, resonances
-//! and forces over the speed.
+//! Vibration of the simple sets of a gearbox: natural frequencies and modes, excitation, resonances, and
+//! forces over the speed.
 //!
 //! | module | is |
 //! |---|---|
 //! | [`records`] | modes, orders, resonances |
-//! | [`wanted`] | what is asked, by options or by the file |
+//! | [`wanted`] | requirements from options or from the file |
 //! | `prepared` | a set of a file as bodies and springs |
-//! | `orders` | what excites a set in a gear |
-//! | `spacing` | where planets stand |
+//! | `orders` | orders of excitation of a set in a gear |
+//! | `spacing` | places of the planets |
 //! | `links` | a gearbox in a gear as links, sets and shafts |
-//! | `torsional` | all sets on the links of a gear, torsional, and what excites them |
-//! | `coupled` | all sets on the links of a gear in the plane |
-//! | [`train_records`] | what these say |
-//! | `shapes` | what the bodies do in a mode |
-//! | `branches` | natural frequencies over the speed, and where orders meet them |
-//! | `response` | forces of the meshes by transmission errors, over the speed |
+//! | `torsional` | torsional model of all sets on the links of a gear, with its excitation |
+//! | `coupled` | planar model of all sets on the links of a gear |
+//! | [`train_records`] | records of the vibration of a whole gearbox |
+//! | `shapes` | motion of the bodies in a mode |
+//! | `branches` | natural frequencies over the speed, and their resonances |
+//! | `response` | mesh forces caused by transmission errors, over the speed |
 //!
-//! Each set stands alone, planar, on its supports; sets with helical teeth are left out. A member whose link
-//! is held in a gear does not rotate, or rotates against its tangential support; any other member is free to
-//! rotate.
+//! Each set is calculated separately, in its plane, on its supports; sets with helical teeth are left out. A
+//! member whose link is held in a gear does not rotate, or rotates against its tangential support. Any other
+//! member can rotate freely.
 
 mod branches;
 mod coupled;
@@ -60,31 +60,31 @@ use train_records::{CoupledModes, TorsionalModes};
 use wanted::Settled;
 pub use wanted::Wanted;
 
-/// Natural frequencies and modes of the simple sets of a gearbox, torsional ones of the whole, and at given
-/// speeds what excites them.
+/// Natural frequencies and modes of the simple sets of a gearbox, torsional ones of the whole gearbox, and
+/// excitation at given speeds.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Vibration {
     /// Name of the gearbox.
     pub gearbox: String,
-    /// Modes of each set, once for all gears that hold the same of its members.
+    /// Modes of each set, once for all gears that hold the same members.
     pub sets: Vec<SetModes>,
     /// Orders of excitation; empty without speeds.
     pub orders: Vec<Order>,
-    /// Resonances within the speeds, ascending in each gear; empty without speeds.
+    /// Resonances within the speeds, in increasing order in each gear; empty without speeds.
     pub resonances: Vec<Resonance>,
     /// Natural frequencies over the speeds; empty without speeds.
     pub campbell: Vec<Campbell>,
-    /// Forces that transmission errors make over the speeds; empty without such.
+    /// Forces caused by transmission errors over the speeds; empty without transmission errors.
     pub responses: Vec<Response>,
-    /// Torsional modes of the whole gearbox in each gear; none where one set is asked for, or one lacks
-    /// something.
+    /// Torsional modes of the whole gearbox in each gear; empty if a single set is requested, or a set lacks
+    /// data.
     pub torsional: Vec<TorsionalModes>,
-    /// Modes of the whole gearbox in the plane in each gear; empty unless asked for.
+    /// Modes of the whole gearbox in the plane in each gear; empty unless requested.
     pub coupled: Vec<CoupledModes>,
-    /// What is not calculated.
+    /// Results that are not calculated, with the reasons.
     pub not_calculated: Vec<NotCalculated>,
-    /// What the reader should know.
+    /// Warnings about the vibration.
     pub warnings: Vec<Warning>,
 }
 
@@ -92,20 +92,21 @@ impl Answer for Vibration {
     const NAME: &'static str = "vibrate";
 }
 
-/// The gearbox of a file whose vibration is asked.
+/// Reads the gearbox of a file for its vibration.
 ///
 /// # Errors
-/// Those of [`one`](crate::shared::gearbox::one), and [`Error::Document`] for a list of transmissions.
+/// Errors of [`one`](crate::shared::gearbox::one), and [`Error::Document`] for a list of transmissions.
 pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
     alone(document, "vibrate", "no masses and no stiffness")
 }
 
-/// The vibration of the sets of a gearbox, unless `goes_on`, which is asked now and then, breaks.
+/// Computes the vibration of the sets of a gearbox. The closure `goes_on` is called now and then, and may end
+/// the calculation.
 ///
 /// # Errors
-/// - [`Error::NoGear`], [`Error::NoSet`], [`Error::NothingVibrates`] where no set says enough, and those of
+/// - [`Error::NoGear`]; [`Error::NoSet`]; [`Error::NothingVibrates`] if no set has enough data; errors of
 ///   [`Wanted`].
-/// - [`Error::Document`] for what the file says wrong, with its place.
+/// - [`Error::Document`] for invalid data in the file, with the place.
 pub fn answer(
     subject: &Subject<'_>,
     wanted: &Wanted,
@@ -123,10 +124,11 @@ pub fn answer(
     Ok(found)
 }
 
-/// What a report says of the vibration of a gearbox; nothing where the file has no `vibration` of any set.
+/// Vibration of a gearbox for a report; `None` if the file has no `vibration` of any set.
 ///
 /// # Errors
-/// Those of [`answer`] but [`Error::NothingVibrates`]: what keeps sets from being calculated is told.
+/// Errors of [`answer`] except [`Error::NothingVibrates`]: the reasons why sets are not calculated are listed
+/// instead.
 pub fn chapter(
     subject: &Subject<'_>,
     wanted: &Wanted,
@@ -234,7 +236,7 @@ fn vibrating(
             if wanted.coupled {
                 match coupled::modes(&train, gear, &in_train)? {
                     Ok(modes) => all.coupled.push(modes),
-                    // What keeps all gears from being calculated is told once.
+                    // A reason that applies to all gears is listed once.
                     Err(missing) if all.not_calculated.contains(&missing) => {}
                     Err(missing) => all.not_calculated.push(missing),
                 }
@@ -311,7 +313,7 @@ fn over_speeds(
 }
 
 impl Of<'_> {
-    /// Refuses a tangential support of a member that no gear holds: nothing would use it.
+    /// Refuses a tangential support of a member that no gear holds, because nothing would use it.
     fn check_supports(&self, prepared: &Prepared) -> Result<(), Error> {
         let gearbox = &self.subject.gearbox;
         let gears = gearbox.gears().iter().map(Some).chain(gearbox.gears().is_empty().then_some(None));
@@ -330,7 +332,7 @@ impl Of<'_> {
     }
 }
 
-/// What of sun, ring and carrier a set has held in a gear, or by permanent connections alone; `None` where
+/// Whether sun, ring and carrier of a set are held in a gear, or by permanent connections alone; `None` if
 /// two of them are joined otherwise.
 fn held_in(gearbox: &Gearbox, set: &PlanetSet, gear: Option<&Gear>) -> Option<[bool; 3]> {
     let joined = joined(gearbox, gear, &[]);
@@ -340,8 +342,8 @@ fn held_in(gearbox: &Gearbox, set: &PlanetSet, gear: Option<&Gear>) -> Option<[b
     (!are_one(0, 1) && !are_one(1, 2) && !are_one(0, 2)).then_some(held)
 }
 
-/// What of sun, ring and carrier a set has held, with the gears in which it is so. A gear in which its
-/// members are joined, or several of them held and none of these elastically, is told to `locked`.
+/// Combinations of held members of a set, with their gears. A gear is reported to `locked` if it joins
+/// members, or holds several of them and none elastically.
 fn holdings(
     gearbox: &Gearbox,
     set: &PlanetSet,
@@ -371,8 +373,8 @@ fn holdings(
     all
 }
 
-/// For every link the first of those it turns as one piece with in a gear, by [`LinkId::index`], where these
-/// ties are springs.
+/// Representative of each link in a gear, by [`LinkId::index`]: the first of the links that turn as one piece
+/// with it. Connections that are springs do not count.
 fn joined(gearbox: &Gearbox, gear: Option<&Gear>, springs: &[[LinkId; 2]]) -> Vec<usize> {
     let mut roots: Vec<usize> = (0..gearbox.links().len()).collect();
     let engaged = gear.map_or(&[][..], Gear::engaged).iter();
@@ -387,7 +389,7 @@ fn joined(gearbox: &Gearbox, gear: Option<&Gear>, springs: &[[LinkId; 2]]) -> Ve
     roots
 }
 
-/// A set in some gears, solved.
+/// Solved set in some gears.
 struct Found {
     model: Model,
     parts: SetParts,
@@ -396,7 +398,7 @@ struct Found {
 }
 
 impl Found {
-    /// Base radius of the sun, m.
+    /// Base radius of the sun in m.
     fn sun_radius_m(&self) -> f64 {
         let sun = self.built.bodies.iter().find(|body| body.body == Member::Sun);
         sun.map_or(0.0, |sun| sun.radius_m)
@@ -465,7 +467,7 @@ impl Found {
     }
 }
 
-/// The number of a mode, from 1.
+/// Number of a mode, from 1.
 fn number(index: usize) -> u32 {
     u32::try_from(index + 1).unwrap_or(u32::MAX)
 }

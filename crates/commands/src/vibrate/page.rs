@@ -1,4 +1,4 @@
-//! The vibration of planet sets on the page of a gearbox.
+//! Vibration of planetary sets on the page of a gearbox.
 
 use crate::analyze::answer::gear::OneGear;
 use crate::page::sheet::{Arrangement, Block, Section};
@@ -11,15 +11,15 @@ use epicyclic_drawing::Scene;
 use epicyclic_pictures as pictures;
 use epicyclic_units::Dimension::{AngularSpeed, Force, Torque};
 
-/// Field of a Campbell diagram that stands across a page with the names of its orders.
+/// Field of a Campbell diagram that spans a page, with the names of its orders.
 const CAMPBELL_MM: [f64; 2] = [130.0, 90.0];
 /// Field of the plot of forces.
 const FORCES_MM: [f64; 2] = [150.0, 70.0];
 
-/// What the calculation leaves out.
+/// Effects that the calculation leaves out.
 pub(crate) const LEFT_OUT: &str = "Vibration: gaps, friction, the change of the stiffness of a mesh over time, tilting and axial motion; the housing is rigid.";
 
-/// Frequencies and kinds, modes, resonances, forces: so far as the answer has them.
+/// Sections for frequencies and kinds, modes, resonances and forces, as far as the answer has them.
 pub(crate) fn sections(all: &Vibration) -> Result<Vec<Section>, Error> {
     let whole = if all.coupled.is_empty() {
         "The torsional frequencies are of the whole gearbox."
@@ -78,7 +78,7 @@ pub(crate) fn sections(all: &Vibration) -> Result<Vec<Section>, Error> {
     Ok(sections)
 }
 
-/// What of it stands on the first page: the greatest force.
+/// Greatest force for the first page; `None` without forces.
 pub(crate) fn in_short(all: &Vibration) -> Option<String> {
     let (response, mesh, greatest) =
         forces(all).max_by(|one, other| one.2.force_n.total_cmp(&other.2.force_n))?;
@@ -91,7 +91,7 @@ pub(crate) fn in_short(all: &Vibration) -> Option<String> {
     ))
 }
 
-/// Where the flanks part at the load of the operating point.
+/// Objections: resonances at which the flanks separate at the load of the operating point.
 pub(crate) fn objections(all: &Vibration, gears: &[OneGear]) -> Vec<String> {
     let mut told: Vec<String> = vec![];
     for response in &all.responses {
@@ -119,7 +119,7 @@ pub(crate) fn objections(all: &Vibration, gears: &[OneGear]) -> Vec<String> {
     told
 }
 
-/// The greatest forces of every harmonic and mesh.
+/// Greatest forces of every harmonic and mesh.
 fn forces(all: &Vibration) -> impl Iterator<Item = (&Response, &'static str, &Greatest)> {
     all.responses.iter().flat_map(|response| {
         let harmonics = response.harmonics.iter();

@@ -1,6 +1,6 @@
-//! Ctrl-C, and a request to end (SIGTERM, SIGHUP): the program ends at once, its temporary files removed; but
-//! where something was found that can be told, it is asked first to end by itself, and ended at the second
-//! signal, or where it does not end in time.
+//! Handling of Ctrl-C and of requests to end (SIGTERM, SIGHUP): the program removes its temporary files and
+//! ends at once. If a search has results to print, it is first asked to stop. It is ended at the second
+//! signal, or if it does not stop in time.
 
 use epicyclic::desk::disk::remove_temporary;
 use epicyclic_commands::failure::{INTERRUPTED, NOTHING_TO_SHOW};
@@ -10,40 +10,41 @@ use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// What was found has to be told so long after the first signal.
+/// Time after the first signal by which a search must begin to print its results.
 const TO_TELL: Duration = Duration::from_millis(600);
-/// What is not over so long after it is ended: work that does not hear.
+/// Time after the first signal at which work that does not react is ended.
 const TO_STOP: Duration = Duration::from_millis(900);
-/// And where what was found is being told: somebody who reads it may be slow, but not for ever.
+/// Time after the first signal at which the program ends while it prints results: a reader may be slow, but
+/// not forever.
 const TO_WRITE: Duration = Duration::from_secs(3);
 
-/// Whether there is something to tell.
+/// Whether a search has results to print, and is asked to stop.
 static HEARS: AtomicBool = AtomicBool::new(false);
-/// When the program was asked to end.
+/// Time of the first signal.
 static ASKED: OnceLock<Instant> = OnceLock::new();
-/// How much of the answer is written, one of these.
+/// Progress of the output: one of the constants below.
 static WRITTEN: AtomicU8 = AtomicU8::new(NOTHING);
 const NOTHING: u8 = 0;
 const PART: u8 = 1;
 const ALL: u8 = 2;
 
-/// The length of a line of progress: what stood there before is covered.
+/// Width of a line of progress, which covers the previous one.
 pub(crate) const WIDTH: usize = 48;
 
-/// Whether a line of progress stands on the terminal.
+/// Whether a line of progress is shown on the terminal.
 static SHOWS: AtomicBool = AtomicBool::new(false);
 
-/// From here a line of progress may stand on the terminal, or no more.
+/// Sets whether a line of progress is shown on the terminal.
 pub(crate) fn line_stands(shows: bool) {
     SHOWS.store(shows, Ordering::SeqCst);
 }
 
-/// From here a part of the answer is written, or all that there was so far.
+/// Records that a part of the answer is written, or all results so far.
 pub(crate) fn answers(is_whole: bool) {
     WRITTEN.store(if is_whole { ALL } else { PART }, Ordering::SeqCst);
 }
 
-/// From here signals are heard.
+/// Installs the signal handlers.
 pub(crate) fn hear() {
     let heard = || {
         if !HEARS.load(Ordering::SeqCst) || ASKED.set(Instant::now()).is_err() {
@@ -60,7 +61,7 @@ pub(crate) fn hear() {
             end();
         }
     };
-    // Where no handler can be set the signal ends the program, and a temporary file may be left, for the next
+    // If no handler can be set, the signal ends the program, and a temporary file may remain for the next
     // call to remove.
     let _ = ctrlc::set_handler(heard);
 }
@@ -80,13 +81,13 @@ fn end() -> ! {
     std::process::exit(i32::from(INTERRUPTED));
 }
 
-/// From here, or no more, there is something to tell: the first signal asks for it, the second ends the
+/// Sets whether a search has results to print: the first signal then asks it to stop, the second ends the
 /// program.
 pub(crate) fn search_hears(hears: bool) {
     HEARS.store(hears, Ordering::SeqCst);
 }
 
-/// Whether the program was asked to end: then how many seconds are left to tell what was found.
+/// Seconds left to print results if the program was asked to end; otherwise `None`.
 pub(crate) fn asked() -> Option<f64> {
     let asked = ASKED.get()?;
     Some(TO_TELL.saturating_sub(asked.elapsed()).as_secs_f64())

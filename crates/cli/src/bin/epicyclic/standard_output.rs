@@ -1,16 +1,16 @@
-//! Standard output that takes nothing: one that is closed, or open for reading alone.
+//! Standard output that accepts nothing: closed, or open for reading only.
 //!
-//! A write to either succeeds by the standard library, and the answer would be lost with exit code 0. Before
-//! `main` the library also opens `/dev/null` in place of a closed stream, and a program that was given
-//! `/dev/null` cannot be told from one that was given nothing. So standard output is looked at before that.
+//! A write to either succeeds in the standard library, so the answer would be lost with exit code 0. Before
+//! `main` the library also opens `/dev/null` instead of a closed stream. After that, a closed stream cannot
+//! be distinguished from a real `/dev/null`, so standard output is checked before.
 
 use std::io;
 use std::path::Path;
 
-/// Refuses standard output that takes nothing.
+/// Refuses standard output that accepts nothing.
 ///
 /// # Errors
-/// Why it takes nothing.
+/// The reason why standard output accepts nothing.
 #[cfg(unix)]
 pub(crate) fn check() -> io::Result<()> {
     use std::fs::File;
@@ -20,7 +20,7 @@ pub(crate) fn check() -> io::Result<()> {
     if at_start::WAS_CLOSED.load(Ordering::Relaxed) {
         return Err(io::Error::other("it is closed"));
     }
-    // Nothing is written, and the system says whether something could be.
+    // Writing zero bytes has no effect, but the system reports whether the stream can be written.
     File::from(io::stdout().as_fd().try_clone_to_owned()?).write(&[]).map(drop)
 }
 
@@ -30,7 +30,7 @@ pub(crate) fn check() -> io::Result<()> {
     Ok(())
 }
 
-/// Whether a file to write is standard output by another name.
+/// Whether an output file is another name of standard output.
 pub(crate) fn is_name(file: &Path) -> bool {
     ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].map(Path::new).contains(&file)
 }

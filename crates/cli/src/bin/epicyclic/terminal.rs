@@ -1,4 +1,4 @@
-//! A terminal and the disk, or what a shell puts in a terminal's place.
+//! Desk of a terminal and the disk, or of what a shell connects instead of a terminal.
 
 use crate::interrupt::{WIDTH, answers, asked, hear, line_stands, search_hears};
 use crate::standard_output;
@@ -15,7 +15,7 @@ pub(crate) struct Terminal {
 }
 
 impl Terminal {
-    /// From here signals are heard.
+    /// Desk of the program; installs the signal handlers.
     pub(crate) fn new() -> Self {
         hear();
         Self { begun: Instant::now() }
@@ -66,7 +66,7 @@ impl Desk for Terminal {
         done
     }
 
-    /// Nothing can be done where that fails.
+    /// A message that cannot be written is lost, because there is no other place for it.
     fn message(&self, text: &str) {
         let _ = writeln!(stderr(), "{}", text);
     }
@@ -82,7 +82,7 @@ impl Desk for Terminal {
         io::stdout().is_terminal()
     }
 
-    /// As many as the terminal has, or `COLUMNS` says where the answer goes to a pipe.
+    /// Width of the terminal, or `COLUMNS` if the answer goes to a pipe.
     fn columns(&self) -> Option<usize> {
         let out = io::stdout();
         let terminal = out.is_terminal().then(|| terminal_size_of(&out)).flatten();

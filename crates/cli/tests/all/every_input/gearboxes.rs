@@ -25,7 +25,7 @@ const SHEET: &[&str] = &["sheet"];
 const VIBRATE: &[&str] = &["vibrate"];
 /// The torsional vibration of two simple sets with what the file says of the whole gearbox.
 const TRAIN: &[&str] = &["train"];
-/// The same with its motion in the plane.
+/// The coupled vibration of the whole gearbox in the plane.
 const COUPLED: &[&str] = &["train", "--coupled"];
 const TWO_SETS: &str = "\
 gearbox: train
@@ -770,7 +770,7 @@ transmissions:
 note: a remark
 ";
 
-/// Without the shaft that turns with a planet: how many pins it has says nothing of assembly.
+/// List without the planet shaft, with which the number of pins would not determine the assembly.
 const WITHOUT_DISC: Changes = &[
     ("    planet_shafts: {P4: outer}\n", ""),
     ("    disc: [P4]\n", ""),
@@ -915,7 +915,7 @@ const NOTES_OF_LISTS: &[(&str, &str, &str)] = &[
     ("transmissions.gears.note", ", note: a remark", ", note: [another]"),
 ];
 
-/// What is seen of a file, or why it is refused.
+/// Results for a file, or the reason why it is refused.
 fn seen(folder: &Path, file: &str, more: &[&str]) -> Result<String, String> {
     let train = |block: &str| {
         let (block, _) = block.split_once("\n\n").unwrap();
@@ -942,8 +942,8 @@ fn seen(folder: &Path, file: &str, more: &[&str]) -> Result<String, String> {
     if output.status.success() { Ok(text(&output.stdout)) } else { Err(text(&output.stderr)) }
 }
 
-/// Each key changes what is seen of it, each remark changes nothing, and every path of the schema is among
-/// them.
+/// Checks that each key changes the results, that no remark does, and that every path of the schema has a
+/// key.
 fn check(of: &str, file: &str, keys: &[Key], notes: &[(&str, &str, &str)]) {
     let folder = here();
     keys::check(file, keys, |file, look| seen(folder.path(), file, look));

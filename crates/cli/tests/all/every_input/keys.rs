@@ -1,11 +1,11 @@
-//! Keys of a file with another value, and that each changes what is seen.
+//! Keys of a file with another value, and the check that each changes the results.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Changes of a file: what stands in it, and what in its place.
+/// Changes of a file: the old text and the new text.
 pub(crate) type Changes = &'static [(&'static str, &'static str)];
 
-/// A key with another value, and what shows it.
+/// Key with another value, and the command options that show its effect.
 pub(crate) struct Key<Look = ()> {
     pub(crate) path: &'static str,
     /// Changes that make the key matter.
@@ -15,23 +15,23 @@ pub(crate) struct Key<Look = ()> {
     pub(crate) look: Look,
 }
 
-/// A key that matters as the example is, where there is one look alone.
+/// Key that has an effect in the example as it is, for files with a single command.
 pub(crate) const fn key(path: &'static str, from: &'static str, to: &'static str) -> Key {
     after(&[], path, from, to)
 }
 
-/// The same after changes.
+/// Key that has an effect only after changes.
 pub(crate) const fn after(first: Changes, path: &'static str, from: &'static str, to: &'static str) -> Key {
     Key { path, first, from, to, look: () }
 }
 
-/// A file with something else in place of what stands in it.
+/// File with a text replaced by another.
 pub(crate) fn replaced(file: &str, from: &str, to: &str) -> String {
     assert!(file.contains(from), "{from}");
     file.replacen(from, to, 1)
 }
 
-/// Checks that each key changes what is seen of the file, which is refused neither before nor after.
+/// Checks that each key changes the results for the file, which is refused neither before nor after.
 pub(crate) fn check<Look: Copy + Ord, Seen: PartialEq>(
     file: &str,
     keys: &[Key<Look>],

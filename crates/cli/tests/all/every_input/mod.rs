@@ -1,7 +1,7 @@
 //! Every key of a file and every option of a command changes the answer.
 //!
-//! The keys are those of the schemas, the options those of the help, so that neither grows without an entry
-//! here. Drives stand here, gearboxes and transmissions in `gearboxes`, options in `options`.
+//! The keys are those of the schemas, the options those of the help, so that no new one can be forgotten
+//! here. Drives are in this file, gearboxes and transmissions in `gearboxes`, options in `options`.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
@@ -26,7 +26,7 @@ const KEYS: &[Key] = &[
     key("power", "power: 106.5 kW", "power: 100 kW"),
     key("speed", "speed: 1950 rpm", "speed: 1900 rpm"),
     key("ratio", "ratio: 6", "ratio: 5"),
-    // Given in full the teeth miss the ratio by a part; whether that is too much the tolerance says.
+    // Tooth numbers given in full miss the ratio slightly; the tolerance decides whether that is too much.
     after(
         &[
             ("sun: 17..200", "sun: 20"),
@@ -97,7 +97,7 @@ const KEYS: &[Key] = &[
     key("start.load", "load: 2400 N·m", "load: 2300 N·m"),
 ];
 
-/// What is seen of a drive.
+/// Results for a drive.
 fn drive(folder: &Path, file: &str) -> String {
     fs::write(folder.join("drive.yaml"), file).unwrap();
     let output = output(folder, &["drive", "drive.yaml", "--format", "json"]);
@@ -150,7 +150,7 @@ fn leaves(root: &Value, schema: &Value, at: &str, into: &mut BTreeSet<String>) {
                 leaves(root, schema, &at, into);
             }
         }
-        // What a list or a map holds has the path of the list.
+        // The entries of a list or a map have the path of the list.
         None => match below("items").or_else(|| below("additionalProperties")) {
             Some(held) => leaves(root, held, at, into),
             None => _ = into.insert(at.to_owned()),
@@ -158,7 +158,7 @@ fn leaves(root: &Value, schema: &Value, at: &str, into: &mut BTreeSet<String>) {
     }
 }
 
-/// All paths of the schema that the program prints.
+/// Paths of the schema that the program prints.
 fn schema(of: &str) -> BTreeSet<String> {
     let schema = output(here().path(), &["schema", of]);
     let schema: Value = serde_json::from_slice(&schema.stdout).unwrap();

@@ -103,7 +103,7 @@ const KEYS: &[Key] = &[
     key("ports.most_trapped", "most_trapped: 5 MPa", "most_trapped: 0.1 MPa"),
 ];
 
-/// What is told of a motor, without its file; or why it is refused.
+/// Results for a motor without its file, or the reason why it is refused.
 fn seen(folder: &Path, file: &str) -> Result<Value, String> {
     fs::write(folder.join("motor.yaml"), file).unwrap();
     let output = output(folder, &["report", "motor.yaml", "--format", "json"]);

@@ -6,8 +6,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-/// Command lines where options matter, and below each what is added to it, option by option: it takes the
-/// place of what the line has of the same option.
+/// Command lines in which options have an effect, each with the options to add below it. An added option
+/// replaces that of the line.
 const TRIED: &str = "\
 teeth: --ratio 6 --format json
   --ratio 5
@@ -712,7 +712,7 @@ man:
   --output here.1
 ";
 
-/// Options that change nothing where they stand, and what has to be written instead.
+/// Options without effect in their place, with the correct form.
 const REFUSED: &str = "\
 analyze: real-transmissions.yaml --speed '100 rpm' | add --transmission
 analyze: real-transmissions.yaml --efficiency 97% | add --transmission
@@ -845,7 +845,7 @@ fn tried() -> Vec<Line> {
     all
 }
 
-/// What a call leaves: its exit code, its answer, the files it wrote.
+/// Results of a call: its exit code, its answer, the files it wrote.
 type Left = (Option<i32>, String, BTreeMap<String, Vec<u8>>);
 
 fn left(command: &str, args: &[String]) -> (Left, String) {

@@ -187,7 +187,7 @@ const KEYS: &[Key] = &[
     key("thresholds.speed", "speed: 1000 rpm", "speed: 1010 rpm"),
 ];
 
-/// The folder of a scenario with the files beside it.
+/// Writes a scenario and its files into a folder.
 fn with_files(folder: &Path, example: &str) {
     let start = example.find("gearbox: #").unwrap();
     let inline = &example[start..example.find("efficiency: 97").unwrap()];
@@ -222,7 +222,7 @@ fn with_files(folder: &Path, example: &str) {
     }
 }
 
-/// What is seen of a scenario, or why it is refused.
+/// Results for a scenario, or the reason why it is refused.
 fn seen(folder: &Path, file: &str) -> Result<String, String> {
     let file = uncommented(file);
     fs::write(folder.join("scenario.yaml"), file).unwrap();

@@ -1,4 +1,4 @@
-//! Every combination of shift elements, with its state.
+//! Combinations of shift elements, each with its state.
 
 use super::records::{Indeterminate, State, concerned, is_same, state};
 use super::{engaged, moving, warnings};
@@ -10,41 +10,41 @@ use epicyclic_train::{Analysis, Gearbox};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// All combinations of the shift elements of a gearbox.
+/// Combinations of the shift elements of a gearbox, each with its state.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Combinations {
     /// Name of the gearbox.
     pub gearbox: String,
-    /// How many combinations have a ratio.
+    /// Number of combinations that have a ratio.
     pub with_ratio: usize,
-    /// All of them.
+    /// List of the combinations, those of fewer elements first.
     pub combinations: Vec<Combination>,
-    /// What the reader should know.
+    /// Warnings about the gearbox.
     pub warnings: Vec<Warning>,
 }
 
-/// Some shift elements engaged together.
+/// Combination of engaged shift elements.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Combination {
-    /// Shift elements engaged.
+    /// Names of the engaged shift elements.
     pub engaged: Vec<String>,
-    /// The gear of the gearbox that engages these.
+    /// Name of the gear that engages exactly these shift elements; null if none exists.
     pub gear: Option<String>,
-    /// What the gearbox then does.
+    /// State of the gearbox in this combination.
     pub state: State,
-    /// Links that the state concerns.
+    /// Links that the state concerns: at rest, free, or without a known speed.
     pub state_links: Vec<String>,
-    /// Where underdetermined: how many further speeds must be given.
+    /// Number of further speeds that must be given if the combination is underdetermined; otherwise null.
     pub missing_speeds: Option<usize>,
-    /// Where torques are indeterminate: the redundant parts.
+    /// Redundant parts if the torques are indeterminate; otherwise null.
     pub indeterminate: Option<Indeterminate>,
-    /// Ratio, input speed over output speed.
+    /// Ratio, input speed over output speed; null if none exists.
     pub ratio: Option<f64>,
-    /// The same, exactly, where the teeth are known.
+    /// Exact ratio as a fraction; null unless the tooth numbers are known.
     pub exact_ratio: Option<Fraction>,
-    /// Efficiency driven from the input; none where the mesh losses hold it.
+    /// Efficiency when driven from the input; null if none exists or the mesh losses hold the gearbox.
     pub efficiency: Option<f64>,
 }
 
@@ -52,10 +52,10 @@ impl Answer for Combinations {
     const NAME: &'static str = "analyze-combinations";
 }
 
-/// The state of every combination, those of fewer elements first.
+/// Finds the state of every combination, those of fewer elements first.
 ///
 /// # Errors
-/// [`Error::Gearbox`] where there are more combinations than are solved.
+/// [`Error::Gearbox`] if the gearbox has more combinations than the limit of the analysis.
 pub fn answer(subject: &Subject<'_>) -> Result<Combinations, Error> {
     let gearbox = &subject.gearbox;
     let all = gearbox.combinations(0..=gearbox.shift_elements().len())?;

@@ -1,4 +1,4 @@
-//! Shift elements: what each joins, and its slip and torque in one gear and over all.
+//! Shift elements: the links they join, their slip and torque in one gear and over all gears.
 
 use super::Worked;
 use super::records::{ShiftElementKind, links_of};
@@ -8,20 +8,20 @@ use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// A shift element.
+/// Shift element and the links that it joins.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ShiftElement {
-    /// Its name.
+    /// Name of the shift element.
     pub shift_element: String,
-    /// What it is.
+    /// Kind of the shift element: brake or clutch, one-way or not.
     pub kind: ShiftElementKind,
     /// The two links that it joins; `ground` is the housing.
     pub links: [String; 2],
 }
 
 impl ShiftElement {
-    /// Those of a gearbox.
+    /// Lists the shift elements of a gearbox.
     pub(crate) fn all(gearbox: &Gearbox) -> Vec<Self> {
         gearbox.shift_elements().iter().map(|element| Self::of(gearbox, element)).collect()
     }
@@ -35,26 +35,27 @@ impl ShiftElement {
     }
 }
 
-/// What a shift element does in a gear; torques act on its first link.
+/// Slip and torque of a shift element in a gear; torques act on its first link.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SlipAndTorque {
-    /// Whether it is engaged.
+    /// Whether the gear engages the shift element.
     pub engaged: bool,
-    /// Slip over the input's speed: speed of the first link less that of the second.
+    /// Slip relative to the input speed: speed of the first link minus speed of the second; null if unknown.
     pub slip_of_input: Option<f64>,
-    /// Slip.
+    /// Slip in rad/s, speed of the first link minus speed of the second; null if unknown or no input speed is
+    /// given.
     pub slip_rad_s: Option<f64>,
-    /// Torque without losses, over the input's.
+    /// Torque on the first link without losses, relative to the input torque; null if it cannot be computed.
     pub ideal_torque_of_input: Option<f64>,
-    /// Torque with losses, over the input's.
+    /// Torque on the first link with losses, relative to the input torque; null if it cannot be computed.
     pub torque_of_input: Option<f64>,
-    /// Torque at the load.
+    /// Torque on the first link at the given load, in N·m; null without a load or if it cannot be computed.
     pub torque_n_m: Option<f64>,
 }
 
 impl SlipAndTorque {
-    /// Of the shift element at this place of a gearbox.
+    /// Slip and torque of the shift element at this place of the gearbox.
     pub(super) fn of(worked: &Worked<'_>, place: usize) -> Self {
         let analysis = &worked.analysis;
         let torque = worked.operation.as_ref().and_then(|operation| operation.shift_elements[place]);
@@ -73,15 +74,15 @@ impl SlipAndTorque {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct InGear {
-    /// Its name.
+    /// Name of the shift element.
     pub shift_element: String,
-    /// What it does.
+    /// Slip and torque of the shift element.
     #[serde(flatten)]
     pub duty: SlipAndTorque,
 }
 
 impl InGear {
-    /// All shift elements in a gear.
+    /// Lists the shift elements with their slips and torques in a gear.
     pub(super) fn all(gearbox: &Gearbox, worked: &Worked<'_>) -> Vec<Self> {
         let one = |(place, element): (usize, &train::ShiftElement)| Self {
             shift_element: element.id().to_owned(),
@@ -95,40 +96,42 @@ impl InGear {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct OverGears {
-    /// What it is.
+    /// Name, kind and links of the shift element.
     #[serde(flatten)]
     pub element: ShiftElement,
-    /// Its largest torque with losses; of equal ones the first. `null` where it carries none or none follows.
+    /// Largest torque with losses over all gears, the first of equal ones; null if no gear has any or none
+    /// can be computed.
     pub largest_torque: Option<LargestTorque>,
-    /// Its largest slip; of equal ones the first. `null` where it never slips or no slip follows.
+    /// Largest slip over all gears, the first of equal ones; null if the element never slips or no slip is
+    /// known.
     pub largest_slip: Option<LargestSlip>,
 }
 
-/// The largest torque of a shift element.
+/// Largest torque of a shift element over all gears.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct LargestTorque {
-    /// In which gear.
+    /// Gear in which the torque occurs.
     pub gear: String,
-    /// Torque over the input's.
+    /// Torque relative to the input torque.
     pub torque_of_input: f64,
-    /// Torque at the load.
+    /// Torque at the given load, in N·m; null without a load.
     pub torque_n_m: Option<f64>,
 }
 
-/// The largest slip of a shift element.
+/// Largest slip of a shift element over all gears.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct LargestSlip {
-    /// In which gear.
+    /// Gear in which the slip occurs.
     pub gear: String,
-    /// Slip over the input's speed.
+    /// Slip relative to the input speed.
     pub slip_of_input: f64,
-    /// Slip.
+    /// Slip in rad/s; null if no input speed is given.
     pub slip_rad_s: Option<f64>,
 }
 
-/// The entry of the largest size, of equal ones the first; none where all are nothing.
+/// Finds the entry with the largest absolute value, the first of equal ones; `None` if all are zero.
 pub(super) fn largest<T>(all: impl IntoIterator<Item = (f64, T)>) -> Option<(f64, T)> {
     let larger = |most: Option<(f64, T)>, one: (f64, T)| match most {
         Some(most) if one.0.abs() <= most.0.abs() => Some(most),
@@ -138,7 +141,7 @@ pub(super) fn largest<T>(all: impl IntoIterator<Item = (f64, T)>) -> Option<(f64
 }
 
 impl OverGears {
-    /// Those of a gearbox over its gears, which have their names.
+    /// Lists the shift elements of a gearbox with their extremes over the named gears.
     pub(super) fn all(gearbox: &Gearbox, gears: &[(&str, &[InGear])]) -> Vec<Self> {
         let one = |(place, element): (usize, &train::ShiftElement)| {
             let duties = || gears.iter().map(|(gear, duties)| (*gear, &duties[place].duty));

@@ -1,4 +1,4 @@
-//! The ratios of gears as formulas, and the way to them.
+//! Ratios of the gears as formulas, with the steps that lead to them.
 
 use super::analysis;
 use super::records::{GearFacts, Kind, ShiftElementKind, member_name};
@@ -18,227 +18,229 @@ use epicyclic_train::{Analysis, Gearbox, LinkId};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// The ratios of a gearbox, or of one gear of it, as formulas.
+/// Ratios of all gears of a gearbox, or of one, as formulas.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Formulas {
     /// Name of the gearbox.
     pub gearbox: String,
-    /// The symbols that occur.
+    /// Symbols that occur in the formulas.
     pub symbols: Vec<Symbol>,
-    /// The gears.
+    /// Gears with their formulas.
     pub gears: Vec<Gear>,
 }
 
-/// A symbol: the size of the basic ratio i₀ = (ω₁ − ω_H)/(ω₂ − ω_H) of two central gears 1 and 2 of a set.
+/// Symbol for the absolute value of the basic ratio i₀ = (ω₁ − ω_H)/(ω₂ − ω_H) of two central gears 1 and 2
+/// of a set.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Symbol {
-    /// As formulas write it.
+    /// Symbol as the formulas write it.
     pub symbol: String,
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// How the set is made.
+    /// Kind of the set.
     pub kind: Kind,
-    /// Central gear 1.
+    /// Name of central gear 1.
     pub first: String,
-    /// Central gear 2.
+    /// Name of central gear 2.
     pub second: String,
-    /// Whether i₀ is the symbol with the sign turned; else it is the symbol.
+    /// Whether i₀ is the negative of the symbol; otherwise i₀ equals the symbol.
     pub is_negative: bool,
-    /// Gears whose teeth multiply it.
+    /// Gears whose tooth numbers form the numerator.
     pub teeth_above: Vec<GearTeeth>,
-    /// Gears whose teeth divide it.
+    /// Gears whose tooth numbers form the denominator.
     pub teeth_below: Vec<GearTeeth>,
-    /// Its value, where the sizes of the sets are known.
+    /// Value of the symbol; null if the ratio of the set is not known.
     pub value: Option<f64>,
-    /// The same, exactly, where the teeth are known.
+    /// Exact value of the symbol as a fraction; null unless the tooth numbers are known.
     pub exact_value: Option<Fraction>,
 }
 
-/// A gear wheel of a set with its teeth.
+/// Gear of a set with its tooth number.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct GearTeeth {
-    /// Its name in the set.
+    /// Name of the gear in its set.
     pub gear: String,
-    /// Its teeth, where known.
+    /// Tooth number; null if it is not known.
     pub teeth: Option<u32>,
 }
 
-/// A gear.
+/// Gear of the gearbox with its ratio as a formula.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Gear {
-    /// What it engages, its state, ratio and efficiencies.
+    /// Engaged elements, state, ratio and efficiencies of the gear.
     #[serde(flatten)]
     pub facts: GearFacts,
-    /// Its ratio as a formula.
+    /// Ratio of the gear as a formula; null if there is no formula.
     pub formula: Option<RatioFormula>,
-    /// Why there is none.
+    /// Reason why the gear has no formula; null if it has one.
     pub no_formula: Option<NoFormula>,
-    /// The way to the ratio, where it is asked for.
+    /// Steps that lead to the ratio; null unless they were asked for.
     pub steps: Option<Steps>,
 }
 
-/// A ratio as a formula: the product of the factors of the numerator over that of the denominator.
+/// Ratio as a formula: the product of the numerator's factors over the product of the denominator's.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct RatioFormula {
-    /// As it is written.
+    /// Formula as text.
     pub text: String,
     /// Factors of the numerator.
     pub numerator: Vec<Factor>,
     /// Factors of the denominator.
     pub denominator: Vec<Factor>,
-    /// Its value at the gearbox's numbers, where they are known.
+    /// Value of the formula with the numbers of the gearbox; null if they are not known.
     pub value: Option<f64>,
-    /// The same, exactly, where the teeth are known.
+    /// Exact value of the formula as a fraction; null unless the tooth numbers are known.
     pub exact_value: Option<Fraction>,
-    /// Sets whose equations follow from those of the others: the formula holds at numbers for which they do.
+    /// Redundant sets, whose equations follow from those of the others. The formula holds only for numbers
+    /// for which they do.
     pub spare_sets: Vec<String>,
 }
 
-/// A factor: a sum of terms.
+/// Factor of a formula: a sum of terms.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Factor {
-    /// As it is written.
+    /// Factor as text.
     pub text: String,
-    /// Its terms.
+    /// Terms of the sum.
     pub terms: Vec<Term>,
 }
 
-/// A term: a number times symbols.
+/// Term of a factor: a number times symbols.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Term {
-    /// The number.
+    /// Coefficient of the term.
     pub coefficient: i64,
-    /// The symbols.
+    /// Symbols that multiply the coefficient.
     pub symbols: Vec<String>,
 }
 
-/// Why a gear has no formula.
+/// Reason why a gear has no formula.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct NoFormula {
-    /// The reason.
+    /// Kind of the reason.
     pub reason: Reason,
-    /// Where there are too many: symbols that it needs.
+    /// Number of symbols that the formula needs, if these are too many; otherwise null.
     pub symbols: Option<usize>,
-    /// Symbols that a formula takes at most.
+    /// Maximum number of symbols in a formula.
     pub most_symbols: usize,
 }
 
-/// The reason why there is no formula.
+/// Kinds of reasons why a gear has no formula.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Reason {
     /// The gear has no ratio; its state says why.
     NoRatio,
-    /// The formula needs more symbols than are taken.
+    /// The formula needs more symbols than the limit.
     TooManySymbols,
-    /// The gear has its ratio with these numbers alone.
+    /// The gear has its ratio only with these particular numbers.
     TheseNumbersAlone,
 }
 
-/// The way to a ratio.
+/// Steps of the calculation of a ratio.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Steps {
-    /// Willis' equations of the sets that the output's speed needs.
+    /// Willis equations of the sets that determine the output speed.
     pub equations: Vec<Equation>,
-    /// What holds links or ties them.
+    /// Conditions by which links are held or joined.
     pub conditions: Vec<Condition>,
-    /// The equations, solved one after the other; the last one gives the output's speed.
+    /// Equations solved one after the other; the last one gives the output speed.
     pub substitutions: Vec<Substitution>,
-    /// Torques without losses, where they follow.
+    /// Torques without losses; null if they cannot be computed.
     pub torques: Option<StepTorques>,
-    /// Torques and powers with losses, where any set has some and they follow.
+    /// Torques and powers with losses; null if no set has losses or they cannot be computed.
     pub losses: Option<StepLosses>,
 }
 
-/// Willis' equation ω₁ − i₀·ω₂ − (1 − i₀)·ω_H = 0 with its numbers.
+/// Willis equation ω₁ − i₀·ω₂ − (1 − i₀)·ω_H = 0 with its numbers.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Equation {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The symbol of its basic ratio.
+    /// Symbol of the basic ratio of the set.
     pub symbol: String,
-    /// Links of central gear 1, central gear 2 and the carrier with the factors of their speeds.
+    /// Links of central gear 1, central gear 2 and the carrier, with the factors of their speeds.
     pub terms: Vec<Speed>,
 }
 
-/// The speed of a link with a factor.
+/// Speed of a link with a factor.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Speed {
-    /// The link.
+    /// Name of the link.
     pub link: String,
-    /// The factor.
+    /// Factor of the speed.
     pub factor: f64,
-    /// The same, exactly, where the teeth are known.
+    /// Exact factor as a fraction; null unless the tooth numbers are known.
     pub exact_factor: Option<Fraction>,
 }
 
-/// What holds a link or ties two.
+/// Condition that holds a link or joins two links.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Condition {
-    /// What does it.
+    /// Part that holds or joins the links.
     pub by: By,
-    /// What shift element it is.
+    /// Kind of the shift element; null if the condition comes from another part.
     pub kind: Option<ShiftElementKind>,
-    /// Name of the shift element or set.
+    /// Name of the shift element or set; null for a permanent connection.
     pub name: Option<String>,
-    /// The two links, whose speeds are equal; `ground` is the housing.
+    /// Names of the two links, whose speeds are equal; `ground` is the housing.
     pub links: [String; 2],
 }
 
-/// What ties links.
+/// Kinds of parts that hold or join links.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum By {
-    /// An engaged shift element.
+    /// Engaged shift element.
     ShiftElement,
-    /// A permanent connection.
+    /// Permanent connection.
     PermanentConnection,
-    /// A set of which two members turn as one, and so all.
+    /// Set with two members that turn together, so that all its members do.
     Block,
-    /// A set with a basic ratio of 1.
+    /// Set with a basic ratio of 1.
     BasicRatioOfOne,
 }
 
-/// An equation solved for a speed.
+/// Equation solved for one speed.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Substitution {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The symbol of its basic ratio.
+    /// Symbol of the basic ratio of the set.
     pub symbol: String,
-    /// The equation under the conditions, a link standing for all that turn as one with it: the sum of these
-    /// is 0.
+    /// Equation under the conditions: the sum of these terms is 0. Links that turn together are replaced by
+    /// one of them.
     pub under_conditions: Vec<Speed>,
-    /// Speeds known before, which are put in.
+    /// Known speeds that are substituted.
     pub known: Vec<Known>,
-    /// The equation then: the sum of these is 0.
+    /// Equation after the substitution: the sum of these terms is 0.
     pub terms: Vec<Speed>,
-    /// The link whose speed it is solved for.
+    /// Link for whose speed the equation is solved.
     pub unknown: String,
-    /// That speed as a sum; 0 where there are no terms.
+    /// Result for this speed as a sum of terms; 0 if there are no terms.
     pub equals: Vec<Speed>,
 }
 
-/// A speed that is known.
+/// Known speed of a link.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Known {
-    /// The link.
+    /// Name of the link.
     pub link: String,
-    /// Its speed as a sum; 0 where there are no terms.
+    /// Speed of the link as a sum of terms; 0 if there are no terms.
     pub equals: Vec<Speed>,
 }
 
@@ -246,10 +248,10 @@ impl Answer for Formulas {
     const NAME: &'static str = "analyze-formulas";
 }
 
-/// The formulas of all gears, or of one; with steps the way to each.
+/// Derives the formulas of all gears, or of one; `with_steps` adds the steps that lead to each.
 ///
 /// # Errors
-/// [`Error::NoGear`] for a gear that there is not.
+/// [`Error::NoGear`] for a gear that does not exist.
 pub fn answer(subject: &Subject<'_>, gear: Option<&str>, with_steps: bool) -> Result<Formulas, Error> {
     let gearbox = &subject.gearbox;
     let names = || gearbox.gears().iter().map(epicyclic_train::Gear::name).collect();
@@ -260,7 +262,7 @@ pub fn answer(subject: &Subject<'_>, gear: Option<&str>, with_steps: bool) -> Re
         let analysis = analysis(gearbox, name)?;
         let found = Formula::new(&analysis);
         if let Ok(formula) = &found {
-            // The steps need what cancels in the formula, too.
+            // The steps also need the symbols that cancel in the formula.
             let occurs = |place: &usize| with_steps || formula.occurring().any(|one| one == *place);
             let meanings = (0..formula.symbols().len()).filter(occurs).map(|place| &formula.symbols()[place]);
             let new: Vec<Meaning> = meanings.filter(|one| !all.contains(one)).cloned().collect();
@@ -274,7 +276,7 @@ pub fn answer(subject: &Subject<'_>, gear: Option<&str>, with_steps: bool) -> Re
 }
 
 impl Formulas {
-    /// The same of sets whose sizes are not known: formulas and symbols alone.
+    /// Removes all numbers, for sets whose tooth numbers are not known: formulas and symbols remain.
     #[must_use]
     pub fn without_numbers(mut self) -> Self {
         for symbol in &mut self.symbols {

@@ -1,4 +1,4 @@
-//! Everything about one gear.
+//! Full analysis of one gear.
 
 use super::elements::{self, SlipAndTorque};
 use super::planet_bearings::{self, PlanetBearing};
@@ -18,104 +18,105 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::Power;
 
-/// A gear in full.
+/// Full analysis of one gear.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct OneGear {
     /// Name of the gearbox.
     pub gearbox: String,
-    /// Whether any of its sets loses power.
+    /// Whether any set of the gearbox loses power.
     pub has_losses: bool,
     /// Speed and load of the input that were asked for.
     pub operating_point: OperatingPoint,
-    /// What the gear engages, its state, ratio and efficiencies.
+    /// Engaged elements, state, ratio and efficiencies of the gear.
     pub gear: GearFacts,
-    /// Links: speed and power.
+    /// Links with their speeds and powers.
     pub links: Vec<Link>,
-    /// Planets: speeds.
+    /// Planets with their speeds.
     pub planets: Vec<Planet>,
-    /// Planet bearings, where a force or a torque of theirs follows.
+    /// Forces on the planet bearings; empty unless the size of a set is known or torques can be computed.
     pub planet_bearings: Vec<PlanetBearing>,
-    /// Shift elements: slip and torque.
+    /// Shift elements with their slips and torques.
     pub shift_elements: Vec<ShiftElement>,
-    /// What the one-way clutches do.
+    /// Behaviour of the one-way clutches in this gear.
     pub one_way_clutches: Vec<OneWayClutch>,
-    /// Torques on the gearbox from outside; none where no torques follow.
+    /// Torques on the gearbox from outside; null if no torques can be computed.
     pub torques: Option<Torques>,
-    /// Planet sets: rolling power and loss.
+    /// Planetary sets with rolling power and loss.
     pub sets: Vec<Set>,
-    /// Members of the sets: torque and power.
+    /// Members of the sets with torque and power.
     pub members: Vec<Member>,
-    /// Meshes: power.
+    /// Meshes with their powers.
     pub meshes: Vec<Mesh>,
-    /// Powers of the whole; none where no torques follow.
+    /// Powers of the whole gearbox; null if no torques can be computed.
     pub powers: Option<Powers>,
     /// Self-consistent sign patterns of the losses, the chosen one first.
     pub patterns: Vec<Pattern>,
-    /// What the reader should know.
+    /// Warnings about the gear.
     pub warnings: Vec<Warning>,
 }
 
-/// A link.
+/// Link with its speed and power.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Link {
-    /// Its name.
+    /// Name of the link.
     pub link: String,
-    /// Whether power enters here in this gear.
+    /// Whether power enters at this link in this gear.
     pub is_input: bool,
-    /// Whether power leaves here in this gear.
+    /// Whether power leaves at this link in this gear.
     pub is_output: bool,
-    /// Members of sets that turn with it.
+    /// Members of sets that turn with this link.
     pub members: Vec<LinkMember>,
-    /// Its speed over the input's.
+    /// Speed of the link relative to the input speed; null if unknown.
     pub speed_of_input: Option<f64>,
-    /// Its speed.
+    /// Speed of the link in rad/s; null if unknown or no input speed is given.
     pub speed_rad_s: Option<f64>,
-    /// Power through it over what enters.
+    /// Power through the link relative to the entering power; null if it cannot be computed.
     pub power_of_entering: Option<f64>,
-    /// Power through it.
+    /// Power through the link in W; null unless speed and load are given and it can be computed.
     pub power_w: Option<f64>,
 }
 
-/// A member of a set, as part of a link.
+/// Member of a set, as part of a link.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct LinkMember {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The member: `sun`, `ring`, `carrier`; with its name where a set has several of a kind.
+    /// Name of the member: `sun`, `ring`, `carrier`; followed by its own name if the set has several of a
+    /// kind.
     pub member: String,
 }
 
-/// Planets of one kind.
+/// Planets of one kind with their speeds.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Planet {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The planet: its name, or its number in the set.
+    /// Name of the planet, or its number in the set.
     pub planet: String,
-    /// Whether its teeth are known, without which no speed follows.
+    /// Whether the tooth number of the planet is known; without it, its speeds cannot be computed.
     pub has_teeth: bool,
-    /// Speed relative to the carrier, over the input's speed.
+    /// Planet speed relative to the carrier, relative to the input speed; null if unknown.
     pub relative_speed_of_input: Option<f64>,
-    /// Speed relative to the carrier.
+    /// Planet speed relative to the carrier in rad/s; null if unknown or no input speed is given.
     pub relative_speed_rad_s: Option<f64>,
-    /// Speed over the input's.
+    /// Planet speed relative to the input speed; null if unknown.
     pub speed_of_input: Option<f64>,
-    /// Speed.
+    /// Planet speed in rad/s; null if unknown or no input speed is given.
     pub speed_rad_s: Option<f64>,
 }
 
-/// A shift element; torques act on its first link.
+/// Shift element in this gear; torques act on its first link.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ShiftElement {
-    /// What it is.
+    /// Name, kind and links of the shift element.
     #[serde(flatten)]
     pub element: elements::ShiftElement,
-    /// What it does in this gear.
+    /// Slip and torque of the shift element in this gear.
     #[serde(flatten)]
     pub does: SlipAndTorque,
 }
@@ -124,23 +125,23 @@ pub struct ShiftElement {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Torques {
-    /// Without losses, over the input's.
+    /// Torques without losses, relative to the input torque.
     pub without_losses: TorquesOfInput,
-    /// With losses, over the input's.
+    /// Torques with losses, relative to the input torque; null if they cannot be computed.
     pub with_losses: Option<TorquesOfInput>,
-    /// At the load.
+    /// Torques at the given load; null without a load or if the gear cannot carry it.
     pub at_load: Option<TorquesAtLoad>,
 }
 
-/// Torques over the input's.
+/// Torques relative to the input torque.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct TorquesOfInput {
-    /// On the input.
+    /// Torque on the input relative to the input torque: 1.
     pub input: f64,
-    /// On the output.
+    /// Torque on the output relative to the input torque.
     pub output: f64,
-    /// From the housing.
+    /// Torque from the housing relative to the input torque, `−T_in − T_out`.
     pub housing: f64,
 }
 
@@ -152,29 +153,29 @@ impl TorquesOfInput {
     }
 }
 
-/// What is left for the housing, `−T_in − T_out`; nothing where rounding alone leaves it.
+/// Torque of the housing, `−T_in − T_out`; 0 if only rounding leaves a difference.
 fn rest(input: f64, output: f64) -> f64 {
     let rest = -input - output;
     if rest.abs() <= ROUNDED * input.abs().max(output.abs()) { 0.0 } else { rest }
 }
 
-/// Torques at a load.
+/// Torques on the gearbox at a load.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct TorquesAtLoad {
-    /// On the input.
+    /// Torque on the input in N·m.
     pub input_n_m: f64,
-    /// On the output.
+    /// Torque on the output in N·m.
     pub output_n_m: f64,
-    /// From the housing.
+    /// Torque from the housing in N·m, `−T_in − T_out`.
     pub housing_n_m: f64,
 }
 
-/// In which direction rolling power runs in a set with two central gears.
+/// Direction of the rolling power in a set with two central gears.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum RollingPower {
-    /// There is none.
+    /// No rolling power.
     None,
     /// From the first central gear to the second.
     FirstToSecond,
@@ -182,134 +183,139 @@ pub enum RollingPower {
     SecondToFirst,
 }
 
-/// A planet set. Basic ratio, efficiency and rolling power are told of sets with two central gears.
+/// Planetary set. Only a set with two central gears has a basic ratio, an efficiency and one rolling power.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Set {
-    /// Its name.
+    /// Name of the set.
     pub set: String,
-    /// How it is made.
+    /// Kind of the set.
     pub kind: Kind,
-    /// Basic ratio i₀: with the carrier fixed, speed of the first central gear over that of the second.
+    /// Basic ratio i₀: with the carrier fixed, speed of the first central gear over that of the second. Null
+    /// for more than two central gears.
     pub basic_ratio: Option<f64>,
-    /// The same, exactly, where the teeth are known.
+    /// Exact basic ratio as a fraction; null unless the tooth numbers are known.
     pub exact_ratio: Option<Fraction>,
-    /// Efficiency with the carrier fixed.
+    /// Efficiency with the carrier fixed; null for more than two central gears.
     pub efficiency: Option<f64>,
-    /// In which direction the rolling power runs.
+    /// Direction of the rolling power; null if it cannot be computed or the set has more than two central
+    /// gears.
     pub rolling_power_runs: Option<RollingPower>,
-    /// Rolling power, seen from the carrier, over what enters; positive from the first central gear to the
-    /// second.
+    /// Rolling power (power relative to the carrier) over the entering power, positive from the first central
+    /// gear to the second. Null for more than two central gears.
     pub rolling_power_of_entering: Option<f64>,
-    /// Loss over what enters.
+    /// Loss of the set relative to the entering power; null if it cannot be computed.
     pub loss_of_entering: Option<f64>,
-    /// Exponents of the efficiencies in Kreines' rule, one of a set with two central gears.
+    /// Exponents of the efficiencies in Kreines' rule; one for a set with two central gears.
     pub kreines_exponents: Vec<i8>,
 }
 
-/// A member of a set.
+/// Member of a set with its torque and power.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Member {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The member: `sun`, `ring`, `carrier`; with its name where a set has several of a kind.
+    /// Name of the member: `sun`, `ring`, `carrier`; followed by its own name if the set has several of a
+    /// kind.
     pub member: String,
-    /// The link that it is part of.
+    /// Link to which the member belongs.
     pub link: String,
-    /// Torque on it without losses, over the input's.
+    /// Torque on the member without losses, relative to the input torque; null if it cannot be computed.
     pub ideal_torque_of_input: Option<f64>,
-    /// Torque on it with losses, over the input's.
+    /// Torque on the member with losses, relative to the input torque; null if it cannot be computed.
     pub torque_of_input: Option<f64>,
-    /// Torque on it at the load.
+    /// Torque on the member at the given load, in N·m; null without a load or if it cannot be computed.
     pub torque_n_m: Option<f64>,
-    /// Power over what enters the gear; positive where it enters the set.
+    /// Power of the member relative to the entering power, positive into the set; null if it cannot be
+    /// computed.
     pub power_of_entering: Option<f64>,
-    /// The part of it that circulates.
+    /// Circulating part of this power, relative to the entering power; null if it cannot be computed.
     pub circulating_of_entering: Option<f64>,
 }
 
-/// A mesh, in the direction of its power as seen from the carrier.
+/// Mesh in the direction of its power relative to the carrier.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Mesh {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The gear that drives.
+    /// Name of the driving gear.
     pub from: String,
-    /// The gear that is driven.
+    /// Name of the driven gear.
     pub to: String,
     /// Efficiency of the mesh.
     pub efficiency: f64,
-    /// Power that enters the mesh, over what enters the gear.
+    /// Power into the mesh relative to the power that enters the gearbox; null if it cannot be computed.
     pub enters_of_entering: Option<f64>,
-    /// Power that leaves the mesh, over what enters the gear.
+    /// Power out of the mesh relative to the power that enters the gearbox; null if it cannot be computed.
     pub leaves_of_entering: Option<f64>,
 }
 
-/// Powers of the whole, with losses.
+/// Powers of the whole gearbox, with losses.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Powers {
-    /// Where power enters.
+    /// End at which power enters.
     pub enters_at: Terminal,
-    /// Over what enters there; none where no torque there moves the gear.
+    /// Powers relative to the entering power; null if no torque at that end moves the gear.
     pub of_entering: Option<PowersOfEntering>,
-    /// At the load and speed.
+    /// Powers at the given speed and load; null unless both are given.
     pub at_load: Option<PowersAtLoad>,
 }
 
-/// An end of a gear.
+/// Ends of a gear.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Terminal {
-    /// Its input.
+    /// Input of the gear.
     Input,
-    /// Its output.
+    /// Output of the gear.
     Output,
 }
 
-/// Powers over what enters.
+/// Powers relative to the entering power.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct PowersOfEntering {
-    /// What leaves; none of a gear that is self-locking in this direction.
+    /// Power that leaves; null if the gear is self-locking in this direction.
     pub leaving: Option<f64>,
-    /// Of a gear that is self-locking in this direction: what must enter at the other end too.
+    /// Power that must enter at the other end too, if the gear is self-locking in this direction; otherwise
+    /// null.
     pub helping: Option<f64>,
-    /// What the meshes take.
+    /// Power lost in the meshes.
     pub loss: f64,
-    /// What circulates.
+    /// Circulating power.
     pub circulating: f64,
     /// Largest power of any member.
     pub largest: f64,
 }
 
-/// Powers at a load and speed.
+/// Powers at a given load and speed.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct PowersAtLoad {
-    /// What enters.
+    /// Entering power in W.
     pub entering_w: f64,
-    /// What leaves.
+    /// Leaving power in W.
     pub leaving_w: f64,
-    /// What the meshes take.
+    /// Power lost in the meshes, in W.
     pub loss_w: f64,
-    /// What circulates.
+    /// Circulating power in W.
     pub circulating_w: f64,
-    /// Largest power of any member.
+    /// Largest power of any member, in W.
     pub largest_w: f64,
 }
 
-/// Directions of the rolling power in all sets that are consistent with the losses they bring.
+/// Directions of the rolling power in all sets that are consistent with the losses they cause.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Pattern {
-    /// By set.
+    /// Signs by set.
     pub sets: Vec<SetSigns>,
-    /// Efficiency of the gear by this pattern.
+    /// Efficiency of the gear with this pattern.
     pub efficiency: f64,
-    /// Whether it is the one that is continuous with vanishing losses, and so the answer.
+    /// Whether this pattern is the result: the one that is continuous with vanishing losses.
     pub chosen: bool,
 }
 
@@ -317,9 +323,10 @@ pub struct Pattern {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SetSigns {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// Of each group of meshes that carry power together: 1 away from the first gear, -1 towards it, 0 none.
+    /// Sign of each group of meshes that carry power together: 1 away from the first gear, −1 towards it, 0
+    /// none.
     pub signs: Vec<i8>,
 }
 
@@ -327,11 +334,11 @@ impl Answer for OneGear {
     const NAME: &'static str = "analyze-gear";
 }
 
-/// A gear with the input as asked.
+/// Analyzes a gear at the given speed and load of the input.
 ///
 /// # Errors
-/// [`Error::NoGear`]; [`Error::Load`] for a load that the gear cannot take; [`Error::Gearbox`] for speeds and
-/// loads that are no numbers.
+/// [`Error::NoGear`]; [`Error::Load`] for a load that the gear cannot carry; [`Error::Gearbox`] for speeds
+/// and loads that are not finite.
 pub fn answer(subject: &Subject<'_>, gear: &str, input: Input) -> Result<OneGear, Error> {
     let gearbox = &subject.gearbox;
     let worked = Worked::new(gearbox, gear, input)?;
@@ -375,7 +382,7 @@ impl Scene<'_> {
         self.worked.case()
     }
 
-    /// Powers are known when both a load and a speed are.
+    /// Operating point if both load and speed are given, so that powers are known.
     fn powered(&self) -> Option<&Operation> {
         self.operation().filter(|_| self.worked.input.speed.is_some())
     }
@@ -454,7 +461,7 @@ impl Scene<'_> {
         let kreines = self.worked.analysis.kreines();
         let one = |(place, set): (usize, &PlanetSet)| {
             let power = self.case().and_then(|case| case.power.sets[place].as_ref());
-            // Of a set with more than two central gears no one number says it: its members and meshes do.
+            // With more than two central gears no single number describes the set; its members and meshes do.
             let is_short = set.short().is_some();
             let runs = match self.case().map_or(&[][..], |case| case.signs_of(self.gearbox, place)) {
                 [0] => Some(RollingPower::None),
@@ -525,7 +532,7 @@ impl Scene<'_> {
         };
         let at_load = |(operation, case): (&Operation, &LoadCase)| {
             let entering: Power = operation.entering;
-            // What rounding leaves of a balance is no loss.
+            // A balance that differs from zero only by rounding is not a loss.
             let is_noise = operation.loss.abs() < entering.abs() * ROUNDED;
             PowersAtLoad {
                 entering_w: entering.si(),

@@ -20,164 +20,165 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use uom::si::f64::{AngularVelocity, Torque};
 
-/// What several links of a gear do.
+/// Given speeds and torques of several links of a gear.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Wanted {
-    /// Speeds by link; without any, those that the file states of the gear.
+    /// Speeds by link; if `None`, those that the file gives for the gear.
     pub speeds: Option<Vec<(String, AngularVelocity)>>,
-    /// Torques by link; without any, and without speeds, those that the file states of the gear.
+    /// Torques by link; if `None` and no speeds are given, those that the file gives for the gear.
     pub torques: Option<Vec<(String, Torque)>>,
 }
 
-/// A gear with several inputs at given speeds, and at torques where they are given.
+/// Gear with several inputs at given speeds and, if given, torques.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Inputs {
     /// Name of the gearbox.
     pub gearbox: String,
-    /// The gear.
+    /// Gear that keeps several degrees of freedom.
     pub gear: InputsGear,
-    /// Links: speed and power.
+    /// Links with their speeds and powers.
     pub links: Vec<Link>,
-    /// Planets: speeds.
+    /// Planets with their speeds.
     pub planets: Vec<Planet>,
-    /// Shift elements: slip and torque.
+    /// Shift elements with their slips and torques.
     pub shift_elements: Vec<ShiftElement>,
-    /// Where power enters and leaves; none without torques.
+    /// Links where power enters or leaves; empty without torques.
     pub terminals: Vec<Terminal>,
-    /// Torque from the housing; none without torques.
+    /// Torque from the housing in N·m; null without torques.
     pub housing_torque_n_m: Option<f64>,
-    /// Members of the sets: torque and power.
+    /// Members of the sets with torque and power; empty without torques.
     pub members: Vec<Member>,
-    /// Meshes: power.
+    /// Meshes with their powers; empty without torques.
     pub meshes: Vec<Mesh>,
-    /// Powers of the whole; none without torques.
+    /// Powers of the whole gearbox; null without torques.
     pub powers: Option<Powers>,
-    /// What the reader should know.
+    /// Warnings about the gear.
     pub warnings: Vec<Warning>,
 }
 
-/// A gear that keeps freedoms.
+/// Gear that keeps several degrees of freedom.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct InputsGear {
-    /// Its name.
+    /// Name of the gear.
     pub gear: String,
-    /// Shift elements engaged.
+    /// Names of the engaged shift elements.
     pub engaged: Vec<String>,
-    /// Link of the gear's input.
+    /// Link at the input of the gear.
     pub input: String,
-    /// Link of the gear's output.
+    /// Link at the output of the gear.
     pub output: String,
-    /// How many speeds settle all others.
+    /// Number of degrees of freedom: the speeds that determine all others.
     pub freedoms: usize,
 }
 
-/// A link.
+/// Link with its speed and power.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Link {
-    /// Its name.
+    /// Name of the link.
     pub link: String,
-    /// Its speed.
+    /// Speed of the link in rad/s; null if it does not follow from the given speeds.
     pub speed_rad_s: Option<f64>,
-    /// Whether its speed is given.
+    /// Whether the speed of the link is given.
     pub given: bool,
-    /// Power through it.
+    /// Power through the link in W; null if it cannot be computed.
     pub power_w: Option<f64>,
 }
 
-/// Planets of one kind.
+/// Planets of one kind with their speeds.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Planet {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The planet: its name, or its number in the set.
+    /// Name of the planet, or its number in the set.
     pub planet: String,
-    /// Speed relative to the carrier.
+    /// Planet speed relative to the carrier in rad/s; null if unknown.
     pub relative_speed_rad_s: Option<f64>,
-    /// Speed.
+    /// Planet speed in rad/s; null if unknown.
     pub speed_rad_s: Option<f64>,
 }
 
-/// A shift element.
+/// Shift element with its slip and torque.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ShiftElement {
-    /// Its name.
+    /// Name of the shift element.
     pub shift_element: String,
-    /// What it is.
+    /// Kind of the shift element: brake or clutch, one-way or not.
     pub kind: ShiftElementKind,
     /// The two links that it joins; `ground` is the housing.
     pub links: [String; 2],
-    /// Whether it is engaged.
+    /// Whether the gear engages the shift element.
     pub engaged: bool,
-    /// Slip: speed of the first link less that of the second.
+    /// Slip in rad/s: speed of the first link minus speed of the second; null if unknown.
     pub slip_rad_s: Option<f64>,
-    /// Torque on the first link.
+    /// Torque on the first link in N·m; null if it cannot be computed.
     pub torque_n_m: Option<f64>,
 }
 
-/// A link where power enters or leaves.
+/// Link where power enters or leaves.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Terminal {
-    /// The link.
+    /// Name of the link.
     pub link: String,
-    /// Torque on it from outside.
+    /// Torque on the link from outside in N·m.
     pub torque_n_m: f64,
-    /// Power that enters there; negative where it leaves.
+    /// Power that enters at the link in W; negative if it leaves.
     pub power_w: f64,
 }
 
-/// A member of a set.
+/// Member of a set with its torque and power.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Member {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The member: `sun`, `ring`, `carrier`; with its name where a set has several of a kind.
+    /// Name of the member: `sun`, `ring`, `carrier`; followed by its own name if the set has several of a
+    /// kind.
     pub member: String,
-    /// The link that it is part of.
+    /// Link to which the member belongs.
     pub link: String,
-    /// Torque on it.
+    /// Torque on the member in N·m.
     pub torque_n_m: f64,
-    /// Power, positive where it enters the set.
+    /// Power of the member in W, positive into the set; null if it cannot be computed.
     pub power_w: Option<f64>,
 }
 
-/// A mesh, in the direction of its power as seen from the carrier.
+/// Mesh in the direction of its power relative to the carrier.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Mesh {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The gear that drives.
+    /// Name of the driving gear.
     pub from: String,
-    /// The gear that is driven.
+    /// Name of the driven gear.
     pub to: String,
     /// Efficiency of the mesh.
     pub efficiency: f64,
-    /// Power that enters the mesh.
+    /// Power into the mesh in W; null if it cannot be computed.
     pub enters_w: Option<f64>,
-    /// Power that leaves the mesh.
+    /// Power out of the mesh in W; null if it cannot be computed.
     pub leaves_w: Option<f64>,
 }
 
-/// Powers of the whole, with losses.
+/// Powers of the whole gearbox, with losses.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Powers {
-    /// What enters.
+    /// Entering power in W, over all links.
     pub entering_w: f64,
-    /// What leaves.
+    /// Leaving power in W, over all links.
     pub leaving_w: f64,
-    /// What the meshes take.
+    /// Power lost in the meshes, in W.
     pub loss_w: f64,
-    /// What circulates.
+    /// Circulating power in W.
     pub circulating_w: f64,
-    /// What leaves over what enters.
+    /// Efficiency: leaving power over entering power; null if it is not defined.
     pub efficiency: Option<f64>,
 }
 
@@ -185,11 +186,11 @@ impl Answer for Inputs {
     const NAME: &'static str = "analyze-inputs";
 }
 
-/// A gear with several inputs at one point.
+/// Analyzes a gear with several inputs at one point.
 ///
 /// # Errors
-/// [`Error::NoGear`]; [`Error::NoLink`] and [`Error::Inputs`] for given speeds and torques,
-/// [`Error::Document`] with the place for those of the file.
+/// [`Error::NoGear`]; [`Error::NoLink`] and [`Error::Inputs`] for given speeds and torques;
+/// [`Error::Document`] with the place for speeds and torques of the file.
 pub fn answer(subject: &Subject<'_>, gear: &str, wanted: &Wanted) -> Result<Inputs, Error> {
     let task = Task::new(subject, gear)?;
     let speeds = match (&wanted.speeds, subject.inputs(gear)) {
@@ -197,6 +198,7 @@ pub fn answer(subject: &Subject<'_>, gear: &str, wanted: &Wanted) -> Result<Inpu
         (None, Some(inputs)) => task.links(Origin::File(Given::Speeds), &stated(&inputs.speeds))?,
         (None, None) => vec![],
     };
+    // The file gives its torques for its own speeds, so they are only used together.
     let torques = task.torques(wanted.torques.as_deref(), wanted.speeds.is_none())?;
     let at =
         if wanted.speeds.is_some() { Origin::Question(Given::Speeds) } else { Origin::File(Given::Speeds) };
@@ -204,11 +206,11 @@ pub fn answer(subject: &Subject<'_>, gear: &str, wanted: &Wanted) -> Result<Inpu
     Ok(task.inputs(&speeds, &state))
 }
 
-/// Where values come from.
+/// Origin of values: the question or the file.
 #[derive(Clone, Copy)]
 enum Origin {
     Question(Given),
-    /// The gear in the file, under the key of these.
+    /// The gear in the file, under the key for these values.
     File(Given),
 }
 
@@ -228,7 +230,7 @@ impl<'a> Task<'a> {
         Ok(Self { subject, gearbox, gear: analysis(gearbox, gear)?.gear().clone() })
     }
 
-    /// A fault of the question as it is, one of the file with its place there.
+    /// Error for a fault: as it is for given values, with its place for values of the file.
     fn refuse(&self, at: Origin, fault: impl FnOnce(Given) -> Error) -> Error {
         match at {
             Origin::Question(given) => fault(given),
@@ -256,8 +258,8 @@ impl<'a> Task<'a> {
         values.iter().map(|(name, value)| Ok((self.link(name, at)?, *value))).collect()
     }
 
-    /// The torques given, else those of the file where its speeds or a map are asked for: other speeds ask
-    /// another question.
+    /// Torques that were given, otherwise those of the file. The file's torques belong to the file's speeds
+    /// or to a map; at other given speeds they do not apply.
     fn torques(
         &self,
         given: Option<&[(String, Torque)]>,
@@ -400,17 +402,19 @@ impl<'a> Task<'a> {
         all.map(one).collect()
     }
 
-    /// One-way clutches that would not let these speeds or torques be.
+    /// Warnings about one-way clutches that contradict these speeds or torques.
     fn one_way(&self, state: &MultiState) -> Vec<Warning> {
         let load = state.load.as_ref();
         let torques =
             load.into_iter().flat_map(|load| load.terminals.iter().map(|end| end.torque.si().abs()));
+        // The limit scales with the load, because the clutch torque is a difference of larger torques.
         let nothing_n_m = ROUNDED * torques.fold(0.0, f64::max);
         let of = |(place, element): (usize, &train::ShiftElement)| {
             let is_engaged = self.gear.engaged().contains(&place);
             let torque = load.and_then(|load| load.shift_elements[place]).map(Physical::si);
             let clutch = element.id();
             let message = if is_engaged {
+                // By convention a one-way clutch transmits only positive torque on its first link.
                 (torque? < -nothing_n_m).then(|| {
                     format!("the one-way clutch {clutch} would overrun at these torques: the one on its first link is reversed")
                 })

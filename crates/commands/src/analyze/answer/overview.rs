@@ -1,4 +1,4 @@
-//! All gears of a gearbox side by side.
+//! Overview of all gears of a gearbox.
 
 use super::elements::{self, InGear};
 use super::planet_bearings::{self, PlanetBearing};
@@ -16,66 +16,67 @@ use epicyclic_units::Physical as _;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// A gearbox gear by gear.
+/// Overview of a gearbox, gear by gear.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Overview {
-    /// Its name.
+    /// Name of the gearbox.
     pub gearbox: String,
-    /// Where its data stand in print.
+    /// Publication with the data of the gearbox; null if none is named.
     pub source: Option<String>,
-    /// Whether any of its sets loses power.
+    /// Whether any set of the gearbox loses power.
     pub has_losses: bool,
-    /// Its planet sets: teeth, ratios, and whether their planets fit.
+    /// Planetary sets with tooth numbers and ratios, and whether their planets fit.
     pub sets: Vec<SetFacts>,
     /// Speed and load of the input that were asked for.
     pub operating_point: OperatingPoint,
-    /// Its gears. Their `engaged` is the engagement table.
+    /// Gears of the gearbox. The `engaged` lists form the engagement table.
     pub gears: Vec<Gear>,
-    /// Its gears by input, output and direction of rotation: spread, and ideal progressions.
+    /// Spread and ideal progressions of the gears, grouped by input, output and direction of rotation.
     pub progressions: Vec<Progression>,
-    /// Its shift elements, the columns of the engagement table, with their largest torque and slip.
+    /// Shift elements (columns of the engagement table), each with its largest torque and slip.
     pub shift_elements: Vec<elements::OverGears>,
-    /// The shifts between neighbouring gears, towards the smaller ratio.
+    /// Shifts between neighbouring gears, towards the smaller ratio.
     pub shifts: Vec<Shift>,
-    /// What the one-way clutches do in each gear.
+    /// Behaviour of the one-way clutches in each gear.
     pub one_way_clutches: Vec<OneWayClutch>,
-    /// The planets with their largest speeds and forces.
+    /// Planets with their largest speeds and forces.
     pub planets: Vec<planets::OverGears>,
-    /// The planet bearings in each gear, where the size of any set is known.
+    /// Forces on the planet bearings in each gear; empty unless the size of a set is known.
     pub planet_bearings: Vec<PlanetBearing>,
-    /// The checks of the teeth of its sets.
+    /// Tooth checks of the sets.
     pub tooth_checks: ToothChecks,
-    /// What the reader should know.
+    /// Warnings about the gearbox and its gears.
     pub warnings: Vec<Warning>,
 }
 
-/// A gear, beside the others.
+/// Gear in an overview.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Gear {
-    /// What it engages, its state, ratio and efficiencies.
+    /// Engaged elements, state, ratio and efficiencies of the gear.
     #[serde(flatten)]
     pub facts: GearFacts,
-    /// Ratio step: the next larger ratio of the progression over this one; none of the largest. The order of
-    /// the file does not matter.
+    /// Ratio step: the next larger ratio of the progression over this one, whatever the order in the file.
+    /// Null for the largest ratio.
     pub step: Option<f64>,
-    /// The ratio over that of the geometric progression between the first and the last gear of its
-    /// progression, less 1; `null` where there are no other gears between these.
+    /// Relative deviation of the ratio from the geometric progression between the first and last gear of its
+    /// progression. Null if there are no gears between them.
     pub geometric_deviation: Option<f64>,
-    /// The ratio over that of the progressive progression between the same, less 1.
+    /// Relative deviation of the ratio from the progressive progression between the first and last gear of
+    /// its progression; null if none exists.
     pub progressive_deviation: Option<f64>,
-    /// Circulating power over what enters.
+    /// Circulating power relative to the entering power; null if it cannot be computed.
     pub circulating_of_entering: Option<f64>,
-    /// Largest speed of a link over the input's.
+    /// Largest speed of a link relative to the input speed; null if unknown.
     pub largest_speed_of_input: Option<f64>,
-    /// Largest speed of a planet relative to its carrier, over the input's speed.
+    /// Largest planet speed relative to its carrier, relative to the input speed; null if unknown.
     pub largest_planet_speed_of_input: Option<f64>,
-    /// Slip and torque of the shift elements.
+    /// Slip and torque of the shift elements in this gear.
     pub shift_elements: Vec<InGear>,
-    /// Speed of the output at the operating point.
+    /// Output speed at the operating point, in rad/s; null if unknown or no input speed is given.
     pub output_speed_rad_s: Option<f64>,
-    /// Torque on the output at the operating point.
+    /// Torque on the output at the operating point, in N·m; null without a load or if it cannot be computed.
     pub output_torque_n_m: Option<f64>,
 }
 
@@ -83,12 +84,12 @@ impl Answer for Overview {
     const NAME: &'static str = "analyze";
 }
 
-/// All gears with the input as asked; `progression_factor` is that of the progressive progression, by default
-/// the one that fits best.
+/// Analyzes all gears at the given speed and load of the input. `progression_factor` is φ_2 of the
+/// progressive progression; by default the best fit.
 ///
 /// # Errors
-/// [`Error::Load`] for a load that a gear cannot take, [`Error::ProgressionFactor`] for a factor that leaves
-/// no progression, [`Error::Gearbox`] for speeds and loads that are no numbers.
+/// [`Error::Load`] for a load that a gear cannot carry; [`Error::ProgressionFactor`] for a factor without a
+/// progression; [`Error::Gearbox`] for speeds and loads that are not finite.
 pub fn answer(
     subject: &Subject<'_>,
     input: Input,

@@ -1,7 +1,8 @@
-//! Limits of practice for planets on their pins, where the speed of the input and the bearing are known.
+//! Practical limits for planets on their pins, checked if the input speed and the bearing are known.
 //!
 //! ```text
-//! n·d_m ≤ 500 000 mm/min with a cage, 200 000 mm/min full of rollers        a·ω_H² ≤ 150 g, caged needles 3000 g
+//! n·d_m ≤ 500 000 mm/min with a cage, 200 000 mm/min full of rollers
+//! a·ω_H² ≤ 150 g, caged needles 3000 g
 //! ```
 //!
 //! | symbol | meaning | unit |
@@ -21,7 +22,7 @@ use epicyclic_units::Physical;
 use epicyclic_units::format::trimmed;
 use uom::si::f64::{AngularVelocity, Length};
 
-/// Speed times mean diameter, mm/min, of a bearing with a cage, and of one full of rollers.
+/// Limits of speed times mean diameter in mm/min: a bearing with a cage, and a full-complement one.
 const CAGED: f64 = 500_000.0;
 const FULL: f64 = 200_000.0;
 
@@ -68,7 +69,7 @@ pub(crate) fn warning(subject: &Subject<'_>, worked: &[&Worked<'_>]) -> Option<W
     })
 }
 
-/// What rolls in the bearing of a planet, and its mean diameter.
+/// Rolling elements and mean diameter of a planet's bearing, from the file.
 fn stated(file: &GearboxFile, set: &str, planet: &str) -> Option<(RollingEntry, Option<Length>)> {
     if let Some(entry) = file.sets.iter().find(|entry| entry.id == set) {
         return Some((entry.bearing_rolling, entry.bearing_diameter.map(|of| of.0)));

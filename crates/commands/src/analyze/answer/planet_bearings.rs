@@ -13,94 +13,96 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::Torque;
 
-/// The bearing of each of the planets of one kind, in a gear.
+/// Bearing of one of the equally loaded planets of a kind, in a gear.
 ///
-/// Tangential forces are along the orbit, positive against the carrier; radial ones are those of the meshes,
-/// positive outwards. All planets carry alike.
+/// Tangential forces act along the orbit, positive against the carrier. Radial forces are those of the
+/// meshes, positive outwards.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct PlanetBearing {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The gear.
+    /// Name of the gear.
     pub gear: String,
-    /// The planet: its name, or its number in the set.
+    /// Name of the planet, or its number in the set.
     pub planet: String,
-    /// How many there are.
+    /// Number of planets of this kind; null if unknown.
     pub planets: Option<u32>,
-    /// Radius of their centres.
+    /// Radius of the planet centres in m; null if unknown.
     pub carrier_radius_m: Option<f64>,
-    /// Mass of one.
+    /// Mass of one planet in kg; null if unknown.
     pub planet_mass_kg: Option<f64>,
-    /// Size of the torque of the set's carrier over the input's; none of a set of planets that differ, which
-    /// share it.
+    /// Absolute value of the carrier torque relative to the input torque; null if planets that differ share
+    /// it.
     pub carrier_torque_of_input: Option<f64>,
-    /// The part of it for each planet; none of a set of planets that differ.
+    /// Carrier torque per planet relative to the input torque; null if planets that differ share it.
     pub carrier_torque_each_of_input: Option<f64>,
-    /// Tangential force in N at 1 N·m on the input.
+    /// Tangential force in N at an input torque of 1 N·m; null if it cannot be computed.
     pub tangential_force_n_per_input_n_m: Option<f64>,
-    /// Radial force in N at 1 N·m on the input.
+    /// Radial force of the meshes in N at an input torque of 1 N·m; null if it cannot be computed.
     pub radial_force_n_per_input_n_m: Option<f64>,
-    /// Tangential force at the load.
+    /// Tangential force at the given load, in N; null without a load or if it cannot be computed.
     pub tangential_force_n: Option<f64>,
-    /// Radial force of the meshes at the load.
+    /// Radial force of the meshes at the given load, in N; null without a load or if it cannot be computed.
     pub radial_force_n: Option<f64>,
-    /// Centrifugal force at the speed.
+    /// Centrifugal force at the given speed, in N; null without a speed or mass.
     pub centrifugal_force_n: Option<f64>,
-    /// All of them together.
+    /// Resultant of tangential, radial and centrifugal force, in N; null if one of them is unknown.
     pub force_n: Option<f64>,
-    /// Axial forces of the meshes with sun and ring on the planet at the load, against each other; none of
-    /// spur teeth.
+    /// Axial forces in N on the planet in its meshes with sun and ring, opposite to each other; null for spur
+    /// teeth.
     pub axial_forces_n: Option<[f64; 2]>,
-    /// Moment by which they tilt the planet; it is no part of the force together.
+    /// Moment of the axial forces that tilts the planet, in N·m; not contained in the resultant force. Null
+    /// for spur teeth.
     pub tilting_moment_n_m: Option<f64>,
-    /// Basic dynamic load rating of a planet's bearings.
+    /// Basic dynamic load rating of the bearings of one planet, in N; null if not given.
     pub bearing_load_rating_n: Option<f64>,
-    /// Speed of the planet relative to its carrier.
+    /// Planet speed relative to its carrier in rad/s; null if unknown.
     pub bearing_speed_rad_s: Option<f64>,
-    /// Basic rating life, which 90 % of the bearings reach; none where a planet does not turn.
+    /// Basic rating life in s, which 90 % of the bearings reach; null if unknown or the planet does not turn.
     pub bearing_life_s: Option<f64>,
-    /// What is missing for forces, or why none follow.
+    /// Data that are missing for the forces, or reasons why they cannot be computed.
     pub missing: Vec<Lack>,
 }
 
-/// What is missing for a force on a planet bearing.
+/// Missing data for a force on a planet bearing.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Lack {
-    /// What it is.
+    /// Kind of the missing data.
     pub lack: LackName,
-    /// The other planet concerned: its name, or its number in the set.
+    /// Name of the other planet concerned, or its number in the set; otherwise null.
     pub other_planet: Option<String>,
-    /// Where two planets cannot stand in mesh: radius of this planet's centre and of the other's.
+    /// Radii in m of the centres of this planet and the other, if the two cannot mesh; otherwise null.
     pub radii_m: Option<[f64; 2]>,
-    /// Where two planets cannot stand in mesh: distance of their centres by module and teeth.
+    /// Centre distance in m of the two planets by module and tooth numbers, if they cannot mesh; otherwise
+    /// null.
     pub distance_m: Option<f64>,
 }
 
-/// Kinds of what is missing.
+/// Kinds of missing data.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum LackName {
     /// The number of planets.
     Planets,
-    /// The radius of their centres, or the module with the teeth.
+    /// The radius of the planet centres, or module and tooth numbers.
     Radius,
-    /// One radius is given for planets that differ, and not taken.
+    /// One radius is given for planets that differ; it is not used.
     CommonRadius,
-    /// The teeth, and with them the radial force of the meshes.
+    /// The tooth numbers, needed for the radial force of the meshes.
     Teeth,
-    /// The radius of the centre of another planet in mesh.
+    /// The radius of the centre of another meshing planet.
     OtherRadius,
-    /// Module or teeth of the mesh with another planet.
+    /// Module or tooth numbers of the mesh with another planet.
     Distance,
-    /// Two planets in mesh cannot stand at their radii.
+    /// Two meshing planets whose centre distance does not fit their radii.
     Triangle,
-    /// The mass of a planet, or its face width, for the centrifugal force.
+    /// The mass of a planet, or its face width, needed for the centrifugal force.
     Mass,
-    /// Forces on bevel planets are not computed.
+    /// Forces on bevel planets, which are not computed.
     Bevel,
-    /// The set is written in a list of transmissions, which has no sizes of such sets.
+    /// The set belongs to a list of transmissions, which has no sizes for this kind of set.
     NoSizesInList,
 }
 
@@ -130,7 +132,7 @@ impl Lack {
     }
 }
 
-/// The planet bearings of one gear, where a force or a torque of theirs follows.
+/// Forces on the planet bearings in one gear; empty if neither a size nor a torque is known.
 pub(super) fn of_gear(subject: &Subject<'_>, worked: &Worked<'_>) -> Result<Vec<PlanetBearing>, Error> {
     if has_sizes(subject) || worked.analysis.ideal().is_some() {
         bearings(subject, worked)
@@ -139,7 +141,7 @@ pub(super) fn of_gear(subject: &Subject<'_>, worked: &Worked<'_>) -> Result<Vec<
     }
 }
 
-/// The planet bearings of all gears, where the size of any set is known.
+/// Forces on the planet bearings in all gears; empty unless the size of a set is known.
 pub(super) fn of_gears(subject: &Subject<'_>, worked: &[Worked<'_>]) -> Result<Vec<PlanetBearing>, Error> {
     let mut all = vec![];
     if has_sizes(subject) {
@@ -171,7 +173,7 @@ fn one(
         let torques = case.members[bearing.set].as_ref()?;
         Some(torques.last()?.abs() / case.input.abs())
     };
-    // Planets that differ share it as their places and meshes make them: their forces say how.
+    // Planets that differ share the torque according to their places and meshes; only their forces show how.
     let carrier_torque = case.and_then(of_carrier).filter(|_| bearing.is_only());
     let per_unit = case.map(|case| bearing.of_unit_input(case)).transpose()?.unwrap_or_default();
     let carrier = analysis.speed(set.carrier());
@@ -179,14 +181,14 @@ fn one(
     let at = operation.as_ref().and_then(|operation| operation.members[bearing.set].as_deref());
     let forces = bearing.forces(at, speed)?;
     let planet = analysis.sets()[bearing.set].planets[bearing.planet];
-    // A set that turns as a block leaves the rounding of a difference.
+    // In a set that turns as a block, the difference of two equal speeds leaves a rounding error.
     let turning = input.speed.zip(planet).map(|(speed, planet)| speed * rounded(planet.relative));
     let life = match forces.total.zip(turning) {
         Some((force, turning)) => bearing.life(force, turning)?,
         None => None,
     };
     let axial = at.and_then(|torques| axial(subject, set, bearing, torques));
-    // A list of transmissions states sizes of compound sets alone.
+    // A list of transmissions gives sizes only for compound sets.
     let is_in_list = !subject.published.is_empty() && set.short().is_some();
     let missing = if is_in_list {
         vec![Lack::named(LackName::NoSizesInList)]
@@ -219,8 +221,7 @@ fn one(
     })
 }
 
-/// Axial forces of the meshes of a helical set on one planet, and their moment, of the torques on sun and
-/// ring.
+/// Axial forces and tilting moment on one planet of a helical set, from the torques on sun and ring.
 fn axial(
     subject: &Subject<'_>,
     set: &PlanetSet,
@@ -231,7 +232,7 @@ fn axial(
     let toothed = spec.involute_set(&subject.rack)?.ok()?;
     let (sun, ring) = (torques.first()?.abs(), torques.get(1)?.abs());
     let planets = f64::from(bearing.planets?);
-    // Where a carrier radius is given beside the module, the teeth stand on it.
+    // A carrier radius that is given beside the module sets the actual centre distance.
     let module = bearing.radius? / toothed.centre_distance();
     let [of_sun, _, of_ring] = toothed.gears();
     let tangential = [(sun, of_sun), (ring, of_ring)]

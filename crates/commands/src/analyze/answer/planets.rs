@@ -12,46 +12,46 @@ use serde::Serialize;
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct OverGears {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The planet: its name, or its number in the set.
+    /// Name of the planet, or its number in the set.
     pub planet: String,
-    /// Its largest speed relative to the carrier; of equal ones the first. `null` where it never turns there
-    /// or no speed follows.
+    /// Largest speed relative to the carrier, the first of equal ones; null if the planet never turns there
+    /// or no speed is known.
     pub largest_speed: Option<LargestSpeed>,
-    /// The largest force on its bearing; of equal ones the first. `null` where none follows.
+    /// Largest force on the bearing of the planet, the first of equal ones; null if no force can be computed.
     pub largest_force: Option<LargestForce>,
 }
 
-/// The largest speed of a planet relative to its carrier.
+/// Largest planet speed relative to its carrier, over all gears.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct LargestSpeed {
-    /// In which gear.
+    /// Gear in which the speed occurs.
     pub gear: String,
-    /// Speed relative to the carrier, over the input's speed.
+    /// Planet speed relative to the carrier, relative to the input speed.
     pub relative_speed_of_input: f64,
-    /// Speed relative to the carrier.
+    /// Planet speed relative to the carrier in rad/s; null if no input speed is given.
     pub relative_speed_rad_s: Option<f64>,
 }
 
-/// The largest force on a planet bearing: by all forces together where they follow, else by the tangential
-/// one at the load, else by that at 1 N·m on the input.
+/// Largest force on a planet bearing over all gears. Gears are compared by the resultant force if known, else
+/// by the tangential force at the load, else at an input torque of 1 N·m.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct LargestForce {
-    /// In which gear.
+    /// Gear in which the force occurs.
     pub gear: String,
-    /// Meshes and mass together.
+    /// Resultant of mesh forces and centrifugal force, in N; null if unknown.
     pub force_n: Option<f64>,
-    /// Tangential force at the load.
+    /// Tangential force at the given load, in N; null without a load.
     pub tangential_force_n: Option<f64>,
-    /// Tangential force in N at 1 N·m on the input.
+    /// Tangential force in N at an input torque of 1 N·m; null if unknown.
     pub tangential_force_n_per_input_n_m: Option<f64>,
 }
 
 impl LargestForce {
-    /// Of the same planet's bearing in several gears.
+    /// Largest force on the bearing of one planet over several gears.
     fn of(bearings: &[&PlanetBearing]) -> Option<Self> {
         let measures: [fn(&PlanetBearing) -> Option<f64>; 3] = [
             |bearing| bearing.force_n,
@@ -72,7 +72,7 @@ impl LargestForce {
 }
 
 impl OverGears {
-    /// All planets of a gearbox; `bearings` are those of all its gears.
+    /// Lists the planets of a gearbox; `bearings` holds the bearings of all gears.
     pub(super) fn all(gearbox: &Gearbox, worked: &[Worked<'_>], bearings: &[PlanetBearing]) -> Vec<Self> {
         let of_set = |(place, set): (usize, &PlanetSet)| -> Vec<Self> {
             let of_planet = |planet: usize| {

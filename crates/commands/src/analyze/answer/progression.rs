@@ -21,7 +21,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// The gears between the same two links that turn the output in the same direction.
+/// Gears between the same two links that turn the output in the same direction.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Progression {
@@ -31,38 +31,38 @@ pub struct Progression {
     pub output: String,
     /// Whether the output turns against the input.
     pub reverses: bool,
-    /// Its gears by falling size of the ratio; gears of the same ratio stand beside each other.
+    /// Names of the gears by decreasing absolute ratio; gears of equal ratio are neighbours in the list.
     pub gears: Vec<String>,
-    /// How many different ratios they have.
+    /// Number of different ratios.
     pub ratios: usize,
-    /// Spread: the ratio of the first over that of the last.
+    /// Spread: first ratio over last ratio.
     pub spread: f64,
-    /// The one step of the geometric progression between first and last.
+    /// Step of the geometric progression between first and last ratio.
     pub geometric_step: f64,
-    /// Progression factor φ_2: each step of the progressive progression over the next one. `null` of two
+    /// Progression factor φ_2: each step of the progressive progression over the next one; null for two
     /// ratios.
     pub progression_factor: Option<f64>,
-    /// Whether it was given; else it is the one that fits the ratios best.
+    /// Whether the progression factor was given; otherwise it is the best fit to the ratios.
     pub progression_factor_is_given: bool,
 }
 
-/// How far the ratio of a gear is from an ideal one.
+/// Relative deviation of a gear's ratio from the ideal progressions.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Deviation {
-    /// Over that of the geometric progression, less 1.
+    /// Ratio over that of the geometric progression, minus 1.
     pub(super) geometric: Option<f64>,
-    /// Over that of the progressive progression, less 1.
+    /// Ratio over that of the progressive progression, minus 1.
     pub(super) progressive: Option<f64>,
 }
 
-/// The gears of a progression by their places in the gearbox.
+/// Gears of a progression by their places in the gearbox.
 pub(super) struct Ordered {
     reverses: bool,
-    /// By falling size of the ratio; gears of the same ratio are one entry.
+    /// Places by decreasing absolute ratio; gears of equal ratio are one entry.
     pub(super) ranks: Vec<Vec<usize>>,
 }
 
-/// The progressions of more than one ratio, in the order of their first gears.
+/// Finds the progressions of more than one ratio, in the order of their first gears.
 pub(super) fn ordered(gears: &[&Analysis<'_>]) -> Vec<Ordered> {
     let mut groups: BTreeMap<_, Vec<(usize, f64)>> = BTreeMap::new();
     for (place, gear) in gears.iter().enumerate() {
@@ -87,7 +87,7 @@ pub(super) fn ordered(gears: &[&Analysis<'_>]) -> Vec<Ordered> {
     groups.into_iter().map(one).filter(|ordered| ordered.ranks.len() > 1).collect()
 }
 
-/// The progressions of a gearbox, and the deviation of each of its gears.
+/// Computes the progressions of a gearbox, and the deviation of each of its gears.
 pub(super) fn of(
     gears: &[&Analysis<'_>],
     ordered: &[Ordered],
@@ -128,7 +128,7 @@ pub(super) fn of(
     Ok((all, deviations))
 }
 
-/// The step to each gear from the next larger ratio of its progression.
+/// Step to each gear from the next larger ratio of its progression.
 pub(super) fn steps(gears: &[&Analysis<'_>], ordered: &[Ordered]) -> Vec<Option<f64>> {
     let mut steps = vec![None; gears.len()];
     for pair in ordered.iter().flat_map(|one| one.ranks.windows(2)) {
@@ -140,7 +140,7 @@ pub(super) fn steps(gears: &[&Analysis<'_>], ordered: &[Ordered]) -> Vec<Option<
     steps
 }
 
-/// Ideal progressions between the first and the last of some ratios.
+/// Ideal progressions between the first and the last of the given ratios.
 #[derive(Debug)]
 struct Ideal {
     spread: f64,
@@ -149,7 +149,7 @@ struct Ideal {
 }
 
 impl Ideal {
-    /// The range that is allowed of a factor outside it.
+    /// Ideal progressions; the error is the allowed range of a factor outside it.
     fn of(ratios: &[f64], factor: Option<f64>) -> Result<Self, [f64; 2]> {
         let steps = ratios.len() as f64 - 1.0;
         let spread = ratios[0] / ratios[ratios.len() - 1];
@@ -165,7 +165,7 @@ impl Ideal {
         Ok(ideal)
     }
 
-    /// The factor whose progression fits best.
+    /// Factor of the progression that fits best (least squares of the logarithms).
     fn best(&self, ratios: &[f64]) -> f64 {
         let (mut above, mut below) = (0.0, 0.0);
         for (rank, ratio) in ratios.iter().enumerate() {
@@ -183,7 +183,7 @@ impl Ideal {
     fn deviation(&self, ratios: &[f64], rank: usize) -> Deviation {
         let geometric = self.geometric(ratios, rank);
         let progressive = |factor: f64| geometric * libm::pow(factor, bend(ratios.len(), rank));
-        // First and last are theirs by definition.
+        // The first and last ratio are equal in all progressions by definition.
         let is_end = rank == 0 || rank + 1 == ratios.len();
         let over = |ideal: f64| if is_end { 0.0 } else { ratios[rank] / ideal - 1.0 };
         Deviation {
@@ -193,7 +193,7 @@ impl Ideal {
     }
 }
 
-/// The power of φ_2 by which the progressive ratio of a rank, from 0, is off the geometric one.
+/// Exponent of φ_2 in the progressive ratio over the geometric one, for a rank from 0.
 fn bend(ratios: usize, rank: usize) -> f64 {
     -0.5 * (ratios - 1 - rank) as f64 * rank as f64
 }
@@ -202,7 +202,7 @@ fn bend(ratios: usize, rank: usize) -> f64 {
 mod tests {
     use super::*;
 
-    /// Steps that are each the same part of the one before, multiplied one after the other.
+    /// Ratios with steps in a constant proportion, multiplied one after the other.
     fn progressive(last: f64, base: f64, factor: f64, count: usize) -> Vec<f64> {
         let mut ratios = vec![last];
         let mut step = base;
@@ -229,7 +229,7 @@ mod tests {
         }
     }
 
-    /// Of all factors nearby none has a smaller sum of squares.
+    /// No nearby factor has a smaller sum of squares.
     #[test]
     fn the_factor_that_is_found_fits_best() {
         let ratios = [4.714, 3.143, 2.106, 1.667, 1.285, 1.0, 0.839, 0.667];

@@ -1,4 +1,4 @@
-//! Records that the answers about gearboxes share.
+//! Records shared by the answers about gearboxes.
 
 use super::{engaged, moving};
 use crate::shared::gearbox::Subject;
@@ -12,23 +12,23 @@ use epicyclic_train::{self as train, Analysis, Gear, Gearbox, PlanetSet};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// What a gear does.
+/// States of a gear.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum State {
-    /// The input drives the output at a ratio and with torques that follow from the teeth.
+    /// The input drives the output with a ratio and torques that follow from the tooth numbers.
     Driven,
     /// The input cannot turn.
     InputBlocked,
     /// The output cannot turn while the input can.
     OutputAtRest,
-    /// Nothing joins the output to the input: neutral.
+    /// Nothing connects the output to the input: neutral.
     OutputFree,
-    /// Input and output are related together with further speeds that must be given.
+    /// Input and output depend on further speeds that must be given.
     Underdetermined,
-    /// The same, and the file gives these speeds.
+    /// Input and output depend on further speeds, and the file gives these.
     SpeedsGiven,
-    /// Speeds follow; how torques are shared depends on how tightly redundant parts hold.
+    /// Speeds are determined; the sharing of torques depends on how tightly redundant parts hold.
     TorquesIndeterminate,
     /// The mesh losses hold the gear: no torque at the input moves a load at the output.
     SelfLocking,
@@ -52,23 +52,23 @@ impl State {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Indeterminate {
-    /// Shift elements.
+    /// Names of the shift elements.
     pub shift_elements: Vec<String>,
-    /// Sets.
+    /// Names of the sets.
     pub sets: Vec<String>,
 }
 
-/// In which directions the mesh losses hold a gear.
+/// Directions in which the mesh losses hold a gear.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum SelfLocking {
-    /// It moves when driven from either end.
+    /// Not self-locking: moves when driven from either end.
     No,
-    /// It is self-locking when driven from its output.
+    /// Self-locking when driven from the output.
     FromOutput,
-    /// It is self-locking when driven from its input.
+    /// Self-locking when driven from the input.
     FromInput,
-    /// It is self-locking when driven from either end.
+    /// Self-locking when driven from either end.
     BothWays,
 }
 
@@ -84,21 +84,21 @@ impl SelfLocking {
     }
 }
 
-/// A published ratio beside the computed one.
+/// Published ratio with the computed one.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Published {
-    /// The ratio as published.
+    /// Ratio as published.
     pub ratio: f64,
-    /// Decimals of the published figure.
+    /// Number of decimals of the published ratio.
     pub decimals: u32,
-    /// Whether it is published as output speed over input speed.
+    /// Whether the ratio is published as output speed over input speed.
     pub output_over_input: bool,
-    /// Whether the figure was not read in the source named.
+    /// Whether the published ratio has not been checked in the source named.
     pub unverified: bool,
-    /// The computed ratio in the form in which it is published.
+    /// Computed ratio in the published form; null if the gear has no ratio.
     pub computed: Option<f64>,
-    /// Whether the published digits stand for the computed ratio.
+    /// Whether the published digits, rounded or truncated, match the computed ratio; null without a ratio.
     pub agrees: Option<bool>,
 }
 
@@ -115,42 +115,43 @@ impl Published {
     }
 }
 
-/// A gear: what it engages, its state, ratio and efficiencies.
+/// Engaged elements, state, ratio and efficiencies of a gear.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct GearFacts {
-    /// Its name.
+    /// Name of the gear.
     pub gear: String,
-    /// Shift elements engaged.
+    /// Names of the engaged shift elements.
     pub engaged: Vec<String>,
     /// Link where power enters.
     pub input: String,
     /// Link where power leaves.
     pub output: String,
-    /// What the gear does.
+    /// State of the gear.
     pub state: State,
     /// Links that the state concerns: at rest, free, or without a known speed.
     pub state_links: Vec<String>,
-    /// Of an underdetermined gear: how many speeds beside the input's must be given.
+    /// Number of speeds that must be given besides the input speed, if the gear is underdetermined; otherwise
+    /// null.
     pub missing_speeds: Option<usize>,
-    /// Of a gear with indeterminate torques: the redundant parts.
+    /// Redundant parts, if the torques are indeterminate; otherwise null.
     pub indeterminate: Option<Indeterminate>,
-    /// Links whose speeds the file states for this gear.
+    /// Links whose speeds the file gives for this gear.
     pub links_with_given_speeds: Vec<String>,
-    /// Ratio, input speed over output speed.
+    /// Ratio, input speed over output speed; null if none exists.
     pub ratio: Option<f64>,
-    /// The same, exactly, where the teeth are known.
+    /// Exact ratio as a fraction; null unless the tooth numbers are known.
     pub exact_ratio: Option<Fraction>,
-    /// The published ratio, of a published transmission.
+    /// Published ratio; null unless the gearbox is a published transmission.
     pub published: Option<Published>,
-    /// Efficiency driven from the input; none where the mesh losses hold the gear.
+    /// Efficiency when driven from the input; null if the mesh losses hold the gear.
     pub efficiency: Option<f64>,
-    /// The same by Kreines' rule, from the ratio alone.
+    /// Efficiency by Kreines' rule, from the ratio alone; null if it cannot be computed or is not positive.
     pub kreines_efficiency: Option<f64>,
-    /// Efficiency driven from the output; none where the mesh losses hold the gear, or a one-way clutch
+    /// Efficiency when driven from the output; null if the mesh losses hold the gear or a one-way clutch
     /// overruns.
     pub back_driving_efficiency: Option<f64>,
-    /// In which directions it is self-locking.
+    /// Directions in which the gear is self-locking; null if unknown.
     pub self_locking: Option<SelfLocking>,
 }
 
@@ -166,7 +167,7 @@ impl GearFacts {
             input: gearbox.link_name(gear.input()).to_owned(),
             output: gearbox.link_name(gear.output()).to_owned(),
             state: match (State::of(analysis.state()), missing_speeds, inputs) {
-                // The speeds given are of as many links as the gear keeps freedoms.
+                // The file gives the speeds of as many links as the gear keeps degrees of freedom.
                 (State::Underdetermined, Some(missing), Some(inputs))
                     if inputs.speeds.len() == missing + 1 =>
                 {
@@ -191,7 +192,7 @@ impl GearFacts {
     }
 }
 
-/// Links, missing speeds and redundant parts of a state.
+/// Links, number of missing speeds and redundant parts of a state.
 pub(super) fn concerned(state: &train::State) -> (Vec<String>, Option<usize>, Option<Indeterminate>) {
     let missing = match state {
         train::State::Underdetermined { missing, .. } => Some(*missing),
@@ -210,17 +211,17 @@ pub(super) fn state(analysis: &Analysis<'_>) -> State {
     State::of(analysis.state())
 }
 
-/// What a shift element is.
+/// Kinds of shift elements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ShiftElementKind {
-    /// It holds a link at the housing.
+    /// Brake, which holds a link at the housing.
     Brake,
-    /// It joins two links.
+    /// Clutch, which joins two links.
     Clutch,
-    /// A brake that holds in one direction.
+    /// Brake that holds in one direction.
     OneWayBrake,
-    /// A clutch that holds in one direction.
+    /// Clutch that holds in one direction.
     OneWayClutch,
 }
 
@@ -235,24 +236,24 @@ impl ShiftElementKind {
     }
 }
 
-/// The two links that a shift element joins; `ground` is the housing.
+/// Names of the two links that a shift element joins; `ground` is the housing.
 pub(super) fn links_of(gearbox: &Gearbox, element: &train::ShiftElement) -> [String; 2] {
     element.links().map(|link| gearbox.link_name(link).to_owned())
 }
 
-/// What a one-way clutch does.
+/// Behaviour of a one-way clutch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Duty {
-    /// It carries torque.
+    /// Carries torque.
     Holds,
-    /// It turns free, as the gear says.
+    /// Overruns, as the gear requires.
     Overruns,
-    /// It is at rest or turns as one, without torque.
+    /// Carries no torque, at rest or with both links at the same speed.
     Idles,
-    /// The gear relies on it, and its torque would turn it free.
+    /// Would overrun under its torque, although the gear relies on it.
     WouldOverrun,
-    /// The gear does not name it, and it would hold.
+    /// Would hold, although the gear does not engage it.
     WouldHold,
 }
 
@@ -269,28 +270,28 @@ impl Duty {
     }
 }
 
-/// A one-way clutch in a gear.
+/// Behaviour of a one-way clutch in a gear.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct OneWayClutch {
-    /// The gear.
+    /// Name of the gear.
     pub gear: String,
-    /// The one-way clutch.
+    /// Name of the one-way clutch.
     pub clutch: String,
-    /// Whether the gear counts it as engaged.
+    /// Whether the gear counts the clutch as engaged.
     pub relied_on: bool,
-    /// What it does when power enters at the input.
+    /// Behaviour when power enters at the input; null if unknown.
     pub drive: Option<Duty>,
-    /// What it does when power enters at the output.
+    /// Behaviour when power enters at the output; null if unknown.
     pub coast: Option<Duty>,
-    /// Whether the output can drive the input in this gear, of gears that rely on a one-way clutch.
+    /// Whether the output can drive the input; null unless the gear relies on a one-way clutch.
     pub engine_braking: Option<bool>,
-    /// Shift elements between the same links that hold in both directions: with one of them engaged besides,
-    /// the gear holds on coast.
+    /// Shift elements between the same links that hold in both directions. With one of them engaged too, the
+    /// gear holds on coast.
     pub beside: Vec<String>,
 }
 
-/// Shift elements between the links of a one-way clutch that hold in both directions.
+/// Names of the shift elements between the links of a one-way clutch that hold in both directions.
 pub(super) fn beside(gearbox: &Gearbox, clutch: usize) -> Vec<String> {
     let links = |element: &train::ShiftElement| {
         let [one, other] = element.links();
@@ -302,7 +303,7 @@ pub(super) fn beside(gearbox: &Gearbox, clutch: usize) -> Vec<String> {
     others.map(|element| element.id().to_owned()).collect()
 }
 
-/// What the one-way clutches do in a gear.
+/// Behaviour of the one-way clutches in a gear.
 pub(super) fn one_way_clutches(gearbox: &Gearbox, analysis: &Analysis<'_>) -> Vec<OneWayClutch> {
     let one = |one: OneWay| OneWayClutch {
         gear: analysis.gear().name().to_owned(),
@@ -316,7 +317,7 @@ pub(super) fn one_way_clutches(gearbox: &Gearbox, analysis: &Analysis<'_>) -> Ve
     analysis.one_way_clutches().into_iter().map(one).collect()
 }
 
-/// How a set is made.
+/// Kinds of planetary sets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Kind {
@@ -338,7 +339,7 @@ pub enum Kind {
     ExternalPair,
     /// A pinion in a ring on fixed axes.
     InternalPair,
-    /// Described gear by gear.
+    /// Compound set, described gear by gear.
     Compound,
 }
 
@@ -359,12 +360,12 @@ impl Kind {
     }
 }
 
-/// A member of a set by its name: a central gear or planet shaft, or the carrier, which stands last.
+/// Name of a member of a set: a central gear, a planet shaft, or the carrier, which is the last.
 pub(super) fn member_name(set: &PlanetSet, member: usize) -> String {
     if member == set.centrals().len() { "carrier".to_owned() } else { set.gear_name(GearOf::Central(member)) }
 }
 
-/// A planet of a set by its name, or by its number where it has none.
+/// Name of a planet of a set, or its number if it has no name.
 pub(crate) fn planet_name(set: &PlanetSet, planet: usize) -> String {
     match &set.planets()[planet].name {
         name if name.is_empty() => (planet + 1).to_string(),
@@ -372,7 +373,7 @@ pub(crate) fn planet_name(set: &PlanetSet, planet: usize) -> String {
     }
 }
 
-/// A mesh in the direction of its power.
+/// Mesh in the direction of its power.
 pub(crate) struct MeshFigures {
     pub(crate) set: String,
     pub(crate) from: String,
@@ -382,7 +383,7 @@ pub(crate) struct MeshFigures {
     pub(crate) leaves: Option<f64>,
 }
 
-/// The meshes of all sets, with what `power` says of those of a set.
+/// Lists the meshes of all sets; `power` returns the mesh powers of a set.
 pub(crate) fn meshes(gearbox: &Gearbox, power: impl Fn(usize) -> Option<Vec<MeshPower>>) -> Vec<MeshFigures> {
     let mut all = vec![];
     for (place, set) in gearbox.sets().iter().enumerate() {
@@ -406,7 +407,7 @@ pub(crate) fn meshes(gearbox: &Gearbox, power: impl Fn(usize) -> Option<Vec<Mesh
     all
 }
 
-/// Whether two gears engage the same between the same links.
+/// Whether two gears engage the same elements between the same links.
 pub(super) fn is_same(one: &Gear, other: &Gear) -> bool {
     one.engaged() == other.engaged() && one.input() == other.input() && one.output() == other.output()
 }

@@ -1,4 +1,4 @@
-//! What the planet sets are: teeth, ratios, planets, and whether these fit.
+//! Planetary sets: tooth numbers, ratios, planets, and whether these fit.
 
 use super::records::Kind;
 use crate::shared::gearbox::Subject;
@@ -10,70 +10,70 @@ use epicyclic_train::tooth_checks::PlanetFit;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// A planet set as its file describes it, the same in all gears.
+/// Planetary set as its file describes it, for all gears.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SetFacts {
-    /// Its name.
+    /// Name of the set.
     pub set: String,
-    /// How it is made.
+    /// Kind of the set.
     pub kind: Kind,
-    /// Its gears with their teeth, central gears first.
+    /// Gears of the set with their tooth numbers, central gears first.
     pub gears: Vec<TeethOf>,
     /// Basic ratio i₀ of a set with two central gears: with the carrier fixed, speed of the first over that
-    /// of the second.
+    /// of the second. Otherwise null.
     pub basic_ratio: Option<f64>,
-    /// The same, exactly, where the teeth are known.
+    /// Exact basic ratio as a fraction; null unless the tooth numbers are known.
     pub exact_ratio: Option<Fraction>,
-    /// Efficiency with the carrier fixed, of a set with two central gears.
+    /// Efficiency with the carrier fixed; null for more than two central gears.
     pub efficiency: Option<f64>,
-    /// How many planets of each kind there are; `null` where the file does not say it.
+    /// Number of planets of each kind; null if the file does not give it.
     pub planets: Option<u32>,
-    /// Whether the planets can be assembled at their angles, which are equal unless the file states others.
+    /// Whether the planets can be assembled at their angles, which are equal unless the file gives others.
     pub assembly: Fit,
-    /// Whether the tip circles of neighbours clear each other, with the profile shifts that are stated.
+    /// Whether the tip circles of neighbouring planets clear each other, with the given profile shifts.
     pub clearance: Fit,
 }
 
-/// A gear of a set.
+/// Gear of a set with its tooth number.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct TeethOf {
-    /// What it is called: `sun`, `ring`, `planet`, with its name where a set has several of a kind.
+    /// Name of the gear: `sun`, `ring`, `planet`; followed by its own name if the set has several of a kind.
     pub gear: String,
-    /// Its teeth; `null` where they are not known. The planet of a simple set has those that equal centre
-    /// distances leave it, if need be with half a tooth.
+    /// Tooth number; null if unknown. For the planet of a simple set it follows from equal centre distances,
+    /// and may then end in one half.
     pub teeth: Option<f64>,
 }
 
-/// Whether something fits, or why that is not known.
+/// Results of a check whether parts fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Fit {
-    /// It does.
+    /// Fits.
     Yes,
-    /// It does not.
+    /// Does not fit.
     No,
     /// Not checked: the number of planets is not given.
     PlanetsNotGiven,
-    /// Not checked: teeth are not given.
+    /// Not checked: tooth numbers are not given.
     TeethNotGiven,
-    /// Not checked: where the planets stand does not follow from their teeth, as of bevel gears and planets
-    /// with a shaft of their own.
+    /// Not checked: the positions of the planets do not follow from their tooth numbers, as for bevel gears
+    /// and planets with a shaft of their own.
     NotChecked,
-    /// Gears on fixed axes: there are no planets.
+    /// Gears on fixed axes, without planets.
     NoPlanets,
 }
 
 impl SetFacts {
-    /// The sets of a gearbox in their order.
+    /// Lists the sets of a gearbox in their order.
     pub(super) fn all(subject: &Subject<'_>) -> Vec<Self> {
         subject.gearbox.sets().iter().map(|set| Self::of(set, subject)).collect()
     }
 
     fn of(set: &PlanetSet, subject: &Subject<'_>) -> Self {
         let PlanetFit { assembles, clears } = set.planet_fit(&subject.rack);
-        // Of a set with more than two central gears no one number says it.
+        // With more than two central gears no single number describes the set.
         let has_two = set.short().is_some();
         let gears = gears_of(set);
         let lacks_teeth = gears.iter().any(|gear| gear.teeth.is_none());

@@ -1,9 +1,11 @@
-//! Shifts from gear to gear: what is released and applied, and what the input and the shift elements do.
+//! Shifts between gears: the elements released and applied, and the speeds of the input and the shift
+//! elements.
 //!
-//! While a gearbox shifts, its output keeps its speed: the machine is heavier than the motor. A shift from
-//! ratio `i_a` to `i_b` then takes the input from `ω` to `ω·i_b/i_a`, and each shift element from its slip in
-//! the first gear to that in the second. All are told over the input's speed before the shift. Shifts are
-//! told towards the smaller ratio; the way back releases what is applied here, and applies what is released.
+//! During a shift the output keeps its speed, because the machine is much heavier than the motor. A shift
+//! from ratio `i_a` to `i_b` takes the input from `ω` to `ω·i_b/i_a`. Each shift element goes from its slip
+//! in the first gear to its slip in the second. All speeds are relative to the input speed before the shift.
+//! Shifts are listed towards the smaller ratio; the reverse shift releases what is applied here, and applies
+//! what is released.
 
 use super::progression::{Ordered, ordered};
 use super::warnings;
@@ -16,21 +18,21 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::AngularVelocity;
 
-/// Shifts are told of so many gears at most: the pairs grow with the square of their number.
+/// Maximum number of gears for a list of shifts, because the number of pairs grows with its square.
 pub const MOST_GEARS: usize = 64;
 
-/// All shifts of a gearbox.
+/// Shifts between the gears of a gearbox.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Shifts {
     /// Name of the gearbox.
     pub gearbox: String,
-    /// The input's speed before each shift, if it was given.
+    /// Input speed before each shift in rad/s; null if not given.
     pub input_speed_rad_s: Option<f64>,
-    /// The shifts between gears of different ratios that have input and output in common and turn the output
-    /// in the same direction: those between neighbours, and those that pass gears over.
+    /// Shifts between gears of different ratios with the same input, output and direction of the output. The
+    /// list includes shifts that skip gears.
     pub shifts: Vec<Shift>,
-    /// What the reader should know.
+    /// Warnings about the gearbox.
     pub warnings: Vec<Warning>,
 }
 
@@ -38,67 +40,67 @@ impl Answer for Shifts {
     const NAME: &'static str = "analyze-shifts";
 }
 
-/// How many shift elements change over at once.
+/// Number of shift elements that change over at once.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Transition {
-    /// At most one is released and one applied.
+    /// At most one element is released and one applied.
     Single,
-    /// Two are released or applied.
+    /// Two elements are released or two applied.
     Double,
-    /// More than two are.
+    /// More than two elements are released or applied.
     Multiple,
 }
 
-/// A shift between two gears.
+/// Shift between two gears.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Shift {
-    /// The gear before.
+    /// Name of the gear before the shift.
     pub from: String,
-    /// The gear after.
+    /// Name of the gear after the shift.
     pub to: String,
-    /// How many ratios it passes over: 0 between neighbours.
+    /// Number of ratios that the shift skips: 0 between neighbours.
     pub skipped_ratios: usize,
-    /// Shift elements that are released, one-way clutches apart.
+    /// Shift elements that are released, without one-way clutches.
     pub released: Vec<String>,
-    /// Shift elements that are applied, one-way clutches apart.
+    /// Shift elements that are applied, without one-way clutches.
     pub applied: Vec<String>,
-    /// One-way clutches that the first gear relies on and the second does not: they let go by themselves.
+    /// One-way clutches on which only the first gear relies: they release without actuation.
     pub one_way_released: Vec<String>,
-    /// One-way clutches that the second gear relies on and the first does not: they take over by themselves.
+    /// One-way clutches on which only the second gear relies: they engage without actuation.
     pub one_way_applied: Vec<String>,
-    /// How many change over at once, one-way clutches among them.
+    /// Number of elements that change over at once, one-way clutches included.
     pub transition: Transition,
-    /// Speed of the input after the shift over that before, at the same speed of the output.
+    /// Input speed after the shift over input speed before, at constant output speed.
     pub input_speed_after_of_before: f64,
-    /// Speed of the input before.
+    /// Input speed before the shift in rad/s; null if not given.
     pub input_speed_before_rad_s: Option<f64>,
-    /// Speed of the input after.
+    /// Input speed after the shift in rad/s; null if not given.
     pub input_speed_after_rad_s: Option<f64>,
-    /// The shift elements.
+    /// Shift elements with their slips before and after the shift.
     pub shift_elements: Vec<ElementInShift>,
 }
 
-/// A shift element in a shift; slips are over the input's speed before.
+/// Shift element in a shift.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ElementInShift {
-    /// Its name.
+    /// Name of the shift element.
     pub shift_element: String,
-    /// Slip before.
+    /// Slip before the shift, relative to the input speed before the shift; null if unknown.
     pub slip_before_of_input: Option<f64>,
-    /// Slip after.
+    /// Slip after the shift, relative to the input speed before the shift; null if unknown.
     pub slip_after_of_input: Option<f64>,
-    /// Slip after less slip before.
+    /// Slip after minus slip before the shift, relative to the input speed before the shift; null if unknown.
     pub slip_change_of_input: Option<f64>,
-    /// Slip before.
+    /// Slip before the shift in rad/s; null if unknown or no input speed is given.
     pub slip_before_rad_s: Option<f64>,
-    /// Slip after.
+    /// Slip after the shift in rad/s; null if unknown or no input speed is given.
     pub slip_after_rad_s: Option<f64>,
 }
 
-/// All shifts, with the input's speed before each of them.
+/// Lists all shifts, at the given input speed before each of them.
 ///
 /// # Errors
 /// [`Error::ManyGears`] for a gearbox of more than [`MOST_GEARS`] gears; [`Error::Gearbox`] for a gear that
@@ -120,7 +122,7 @@ pub fn answer(subject: &Subject<'_>, speed: Option<AngularVelocity>) -> Result<S
     })
 }
 
-/// The shifts that pass over at most so many ratios.
+/// Shifts that skip at most this number of ratios.
 pub(super) fn between(
     gearbox: &Gearbox,
     gears: &[&Analysis<'_>],
@@ -142,7 +144,7 @@ pub(super) fn between(
 }
 
 impl Shift {
-    /// `None` where a gear has no ratio.
+    /// Shift between two gears; `None` if one of them has no ratio.
     fn of(
         gearbox: &Gearbox,
         [from, to]: [&Analysis<'_>; 2],

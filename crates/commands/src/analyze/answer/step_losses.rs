@@ -1,4 +1,4 @@
-//! The way from the losses of the meshes to the efficiency of a gear, as steps of a calculation.
+//! Calculation of the efficiency of a gear from the mesh losses, step by step.
 
 use super::records::{member_name, meshes};
 use crate::shared::number::plain;
@@ -8,71 +8,72 @@ use epicyclic_train::{Analysis, Gearbox};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Torques and powers with losses, driven from the input: torques over the input's, speeds over the input's,
-/// powers over what enters.
+/// Torques and powers with losses, driven from the input. Torques are relative to the input torque, speeds to
+/// the input speed, powers to the entering power.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct StepLosses {
-    /// The sets that carry torque.
+    /// Sets that carry torque.
     pub sets: Vec<SetSteps>,
-    /// The sum of the losses of the sets.
+    /// Sum of the losses of the sets, relative to the entering power.
     pub loss_of_entering: f64,
-    /// Efficiency of the gear: 1 less this sum. At or below 0 the gear is self-locking.
+    /// Efficiency of the gear: 1 minus the sum of the losses. At or below 0 the gear is self-locking.
     pub efficiency: f64,
 }
 
-/// A set that carries torque.
+/// Set that carries torque.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SetSteps {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// Its efficiency with its carrier fixed, η₀; `null` of a set with more than two central gears, which has
-    /// its meshes alone.
+    /// Efficiency η₀ with the carrier fixed; null for more than two central gears, where only meshes have
+    /// efficiencies.
     pub efficiency: Option<f64>,
-    /// Exponent w in `T_1 : T_2 : T_H = 1 : −i₀·η₀^w : i₀·η₀^w − 1`: 1 where the rolling power runs from gear
-    /// 1 to gear 2, −1 the other way, 0 where none does; `null` of a set with more than two central gears.
+    /// Exponent w in `T_1 : T_2 : T_H = 1 : −i₀·η₀^w : i₀·η₀^w − 1`: 1 if the rolling power runs from gear 1
+    /// to gear 2, −1 in the opposite direction, 0 without rolling power. Null for more than two central
+    /// gears.
     pub exponent: Option<i8>,
-    /// Its members, the carrier last.
+    /// Members of the set, the carrier last.
     pub members: Vec<MemberSteps>,
-    /// Its meshes.
+    /// Meshes of the set.
     pub meshes: Vec<MeshSteps>,
-    /// Its loss: the sum of the rolling powers.
+    /// Loss of the set, the sum of the rolling powers, relative to the entering power.
     pub loss_of_entering: f64,
 }
 
-/// A member of a set.
+/// Member of a set.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct MemberSteps {
-    /// The member.
+    /// Name of the member.
     pub member: String,
-    /// Torque on it.
+    /// Torque on the member relative to the input torque.
     pub torque_of_input: f64,
-    /// Its speed relative to the carrier.
+    /// Speed of the member relative to the carrier, relative to the input speed.
     pub relative_speed_of_input: f64,
-    /// Rolling power, torque times this speed: positive where it enters the meshes.
+    /// Rolling power relative to the entering power: torque times relative speed, positive into the meshes.
     pub rolling_power_of_entering: f64,
 }
 
-/// A mesh, in the direction of its power as seen from the carrier.
+/// Mesh in the direction of its power relative to the carrier.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct MeshSteps {
-    /// The gear that drives.
+    /// Name of the driving gear.
     pub from: String,
-    /// The gear that is driven.
+    /// Name of the driven gear.
     pub to: String,
     /// Efficiency of the mesh.
     pub efficiency: f64,
-    /// Power that enters the mesh.
+    /// Power into the mesh, relative to the entering power.
     pub enters_of_entering: f64,
-    /// Power that leaves the mesh.
+    /// Power out of the mesh, relative to the entering power.
     pub leaves_of_entering: f64,
 }
 
 impl StepLosses {
-    /// Of a gear; `None` where no set loses power, or torques or speeds do not follow.
+    /// Steps for a gear; `None` if no set loses power, or torques or speeds cannot be computed.
     pub(super) fn of(gearbox: &Gearbox, analysis: &Analysis<'_>) -> Option<Self> {
         let case = analysis.driving()?;
         let is_lossy = gearbox
@@ -137,7 +138,8 @@ mod tests {
     use epicyclic_formats::Document;
     use epicyclic_gears::efficiency::MeshEfficiency;
 
-    /// The steps end at the efficiency that the gear has, and each power follows from the figures beside it.
+    /// The steps lead to the efficiency of the gear, and each power follows from the other figures of its
+    /// step.
     #[test]
     fn losses_sum_up_to_the_efficiency() {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/");

@@ -8,68 +8,68 @@ use epicyclic_train::{Analysis, Gearbox, LinkId};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Torques without losses, as multiples of the input's.
+/// Torques without losses, relative to the input torque.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct StepTorques {
-    /// On the members of sets that carry torque: in each equation 1, −i₀ and i₀ − 1 times the same.
+    /// Torques on the members of sets that carry torque: in each equation 1, −i₀ and i₀ − 1 times one value.
     pub members: Vec<MemberTorque>,
-    /// On the links that carry torque.
+    /// Torque balances of the links that carry torque.
     pub links: Vec<LinkBalance>,
 }
 
-/// The torque on a member of a set.
+/// Torque on a member of a set.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct MemberTorque {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The member.
+    /// Name of the member.
     pub member: String,
-    /// Torque on it over the input's.
+    /// Torque on the member relative to the input torque.
     pub torque_of_input: f64,
 }
 
-/// The torques on a link, whose sum is 0.
+/// Torques on a link, whose sum is 0.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct LinkBalance {
-    /// The link, and those that are permanently connected to it.
+    /// Names of the link and of the links permanently connected to it.
     pub links: Vec<String>,
-    /// The torques.
+    /// Torques on the link.
     pub torques: Vec<TorqueOnLink>,
 }
 
-/// A torque on a link.
+/// Torque on a link.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct TorqueOnLink {
-    /// What it comes from.
+    /// Origin of the torque.
     pub from: TorqueFrom,
-    /// Name of the shift element or set.
+    /// Name of the shift element or set; null for the input and output.
     pub name: Option<String>,
-    /// The member of the set.
+    /// Name of the member of the set; null unless the torque comes from a set.
     pub member: Option<String>,
-    /// The torque over the input's.
+    /// Torque relative to the input torque.
     pub torque_of_input: f64,
 }
 
-/// What a torque on a link comes from.
+/// Origins of a torque on a link.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum TorqueFrom {
-    /// The machine at the input.
+    /// Machine at the input.
     Input,
-    /// The machine at the output.
+    /// Machine at the output.
     Output,
-    /// A shift element.
+    /// Shift element.
     ShiftElement,
-    /// A set: the reaction to the torque on its member.
+    /// Set: the reaction to the torque on its member.
     Set,
 }
 
 impl StepTorques {
-    /// Of a gear; `None` where torques do not follow.
+    /// Steps for a gear; `None` if torques cannot be computed.
     pub(super) fn of(gearbox: &Gearbox, analysis: &Analysis<'_>) -> Option<Self> {
         let case = analysis.ideal()?;
         let members = case.members.iter().cloned().collect::<Option<Vec<Vec<f64>>>>()?;

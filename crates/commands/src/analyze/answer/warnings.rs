@@ -1,4 +1,4 @@
-//! What the reader should know of a gearbox and of its gears.
+//! Warnings about a gearbox and its gears.
 
 use super::Worked;
 use super::records::{GearFacts, SelfLocking, State, beside};
@@ -8,12 +8,12 @@ use epicyclic_train::one_way::Duty;
 use epicyclic_train::set::SetSpec;
 use epicyclic_train::{self as train, Analysis, Gearbox, PlanetSet};
 
-/// `gear 1`, `gears 1, 2`.
+/// Formats names of gears: `gear 1`, `gears 1, 2`.
 fn named(gears: &[&str]) -> String {
     format!("gear{} {}", if gears.len() == 1 { "" } else { "s" }, gears.join(", "))
 }
 
-/// Gears by what they have in common, in the order in which each first comes.
+/// Groups gears by a common key, in the order in which each key first occurs.
 fn grouped<'a, Key: PartialEq>(all: impl IntoIterator<Item = (Key, &'a str)>) -> Vec<(Key, Vec<&'a str>)> {
     let mut groups: Vec<(Key, Vec<&str>)> = vec![];
     for (key, gear) in all {
@@ -25,7 +25,7 @@ fn grouped<'a, Key: PartialEq>(all: impl IntoIterator<Item = (Key, &'a str)>) ->
     groups
 }
 
-/// One-way clutches that do not do what the engaged elements of gears say.
+/// Warnings about one-way clutches that do not behave as the engaged elements of the gears require.
 pub(super) fn contradictions(gearbox: &Gearbox, gears: &[&Analysis<'_>]) -> Vec<Warning> {
     let of_gear = |gear: &&'_ Analysis<'_>| -> Vec<(usize, Duty)> {
         let all = gear.one_way_clutches().into_iter();
@@ -53,7 +53,8 @@ pub(super) fn contradictions(gearbox: &Gearbox, gears: &[&Analysis<'_>]) -> Vec<
     grouped(all).into_iter().map(message).collect()
 }
 
-/// One-way clutches that let go at the load, and what would have to be engaged besides.
+/// Warnings about one-way clutches that overrun at the load, with the elements that would have to be engaged
+/// too.
 pub(super) fn released(gearbox: &Gearbox, gears: &[&Worked<'_>]) -> Vec<Warning> {
     let all = gears
         .iter()
@@ -75,7 +76,7 @@ pub(super) fn released(gearbox: &Gearbox, gears: &[&Worked<'_>]) -> Vec<Warning>
     grouped(all).into_iter().map(message).collect()
 }
 
-/// Gears that cannot be driven from their outputs.
+/// Warning about gears that cannot be driven from their outputs.
 pub(super) fn self_locking(gears: &[&Analysis<'_>]) -> Option<Warning> {
     let held: Vec<&str> = gears
         .iter()
@@ -84,6 +85,7 @@ pub(super) fn self_locking(gears: &[&Analysis<'_>]) -> Option<Warning> {
         .collect();
     let message = match held[..] {
         [] => return None,
+        // In the answer for a single gear its name would be redundant.
         [_] if gears.len() == 1 => "the gear is self-locking when driven from its output".to_owned(),
         [one] => format!("gear {one} is self-locking when driven from its output"),
         _ => format!("{} are self-locking when driven from their output", named(&held)),
@@ -91,9 +93,10 @@ pub(super) fn self_locking(gears: &[&Analysis<'_>]) -> Option<Warning> {
     Some(Warning { name: "self-locking", message })
 }
 
-/// Gears whose output is not driven, one line for each state; but for those that the file gives speeds of
-/// several links.
+/// Warnings about gears whose output is not driven, one for each state. Gears for which the file gives speeds
+/// of several links are left out.
 pub(super) fn not_driven(subject: &Subject<'_>, gears: &[&Analysis<'_>]) -> Vec<Warning> {
+    // A gear with several given speeds is underdetermined on purpose.
     let is_told = |gear: &&&Analysis<'_>| {
         !matches!(gear.state(), train::State::Driven) && !subject.has_inputs(gear.gear().name())
     };
@@ -122,9 +125,10 @@ pub(crate) fn of_gearbox(subject: &Subject<'_>) -> Vec<Warning> {
     of_gearbox.chain(teeth).collect()
 }
 
-/// Sets with helical teeth among those whose planet bearings have forces or are rated: neither has the moment
-/// of the axial forces.
+/// Warning about helical sets whose planet bearings have forces or ratings: both leave out the moment of the
+/// axial forces.
 pub(crate) fn tilted(subject: &Subject<'_>) -> Option<Warning> {
+    // Without radius and number of planets there are no forces that could leave out the moment.
     let is_borne = |place: usize| {
         let own = subject.planet_bearings.iter().filter(|bearing| bearing.set == place);
         own.into_iter().any(|bearing| bearing.radius.is_some() && bearing.planets.is_some())
@@ -136,7 +140,7 @@ pub(crate) fn tilted(subject: &Subject<'_>) -> Option<Warning> {
     tilting(&names)
 }
 
-/// That the teeth of these sets are helical, and what their planet bearings are not held against.
+/// Warning that these sets are helical, and which loads the rating of their planet bearings leaves out.
 pub(crate) fn tilting(sets: &[&str]) -> Option<Warning> {
     let which = match sets {
         [] => return None,
@@ -149,13 +153,13 @@ pub(crate) fn tilting(sets: &[&str]) -> Option<Warning> {
     Some(Warning { name: "tilting-moment", message })
 }
 
-/// Drags that the file states are no part of this answer.
+/// Warning that the drags in the file are not part of this answer.
 pub(super) fn drags(subject: &Subject<'_>) -> Option<Warning> {
     let message = "efficiencies are of the meshes alone, without the drags of the file; `losses` takes both";
     (!subject.drags.is_empty()).then(|| Warning { name: "drags", message: message.to_owned() })
 }
 
-/// The state of a gear as a sentence, without the gear's name.
+/// Describes the state of a gear as a sentence without the gear's name.
 #[must_use]
 pub fn state_in_words(facts: &GearFacts) -> String {
     let links = facts.state_links.join(", ");

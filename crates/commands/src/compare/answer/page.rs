@@ -1,19 +1,19 @@
-//! What a page of a comparison draws.
+//! Drawings for the page of a comparison.
 
 use super::Candidate;
 use epicyclic_layout::{Layout, Options, Verdict, draw};
 use epicyclic_train::Gearbox;
 
-/// A gearbox to be drawn.
+/// Gearbox to be drawn.
 #[derive(Debug)]
 pub struct Drawn<'g> {
     /// The gearbox.
     pub gearbox: &'g Gearbox,
-    /// Its layout, if it is drawable.
+    /// Layout of the gearbox; `None` if it is not drawable.
     pub layout: Option<Box<Layout>>,
 }
 
-/// The gearboxes, laid out.
+/// Computes the layouts of the gearboxes.
 #[must_use]
 pub fn drawn<'g>(candidates: &[Candidate<'g, '_>]) -> Vec<Drawn<'g>> {
     let one = |candidate: &Candidate<'g, '_>| {

@@ -1,10 +1,11 @@
-//! Which gears of several gearboxes stand beside each other.
+//! Pairing of the gears of several gearboxes.
 //!
-//! Where all gearboxes have gears of the same names in the same order of their ratios, those of one name do.
-//! Otherwise gears stand together by their ratios: with one gearbox after the other the gears are laid beside
-//! those of the gearboxes before, both by falling size of the ratio and apart by its sign, so that the sum of
-//! `|ln(i/i')|` over all pairs is least, where a gear that stays alone costs half of `ln 1.2`. No two gears
-//! whose ratios differ by more than a fifth are a pair.
+//! If all gearboxes have gears of the same names in the same order of their ratios, gears are paired by name.
+//! Otherwise they are paired by ratio. The gears of one gearbox after the other are aligned with the rows of
+//! those before. Both lists are sorted by decreasing absolute ratio, separately for each sign.
+//!
+//! The alignment minimizes the sum of `|ln(i/i')|` over all pairs; a gear without a partner costs half of
+//! `ln 1.2`. Gears whose ratios differ by more than a fifth are never paired.
 
 use crate::analyze::answer::overview::{Gear, Overview};
 use crate::error::Error;
@@ -12,26 +13,26 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeSet;
 
-/// A gearbox has at most so many gears in a comparison: laying ratios beside each other takes their product.
+/// Maximum number of gears of a gearbox in a comparison, because the alignment takes their product.
 pub const MOST_GEARS: usize = 1000;
 
-/// Gears whose ratios differ by a larger factor are not beside each other.
+/// Largest factor between the ratios of paired gears.
 const FARTHEST: f64 = 1.2;
 
-/// By what gears stand beside each other.
+/// Properties by which gears are paired.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum GearsBy {
-    /// By their names, which are the same in all gearboxes and in the same order of their ratios.
+    /// By names, which are the same in all gearboxes and in the same order of the ratios.
     Name,
-    /// By their ratios.
+    /// By ratios.
     Ratio,
 }
 
-/// A gear of each gearbox by its place, or none.
+/// Gear of each gearbox by its place, or `None`.
 type Row = Vec<Option<usize>>;
 
-/// The rows of a comparison.
+/// Computes the rows of a comparison.
 pub(super) fn of(overviews: &[Overview]) -> Result<(GearsBy, Vec<Row>), Error> {
     for overview in overviews {
         if overview.gears.len() > MOST_GEARS {
@@ -58,7 +59,7 @@ pub(super) fn of(overviews: &[Overview]) -> Result<(GearsBy, Vec<Row>), Error> {
     Ok((GearsBy::Ratio, by_ratio(&ratios)))
 }
 
-/// Names of the gears that have a ratio, the largest first, reverse gears last; equal ones by their names.
+/// Names of the gears that have a ratio, in decreasing order with reverse gears last; equal ratios by name.
 fn by_falling_ratio(overview: &Overview) -> Vec<&str> {
     let of = |gear: &'_ Gear| gear.facts.ratio;
     let mut gears: Vec<&Gear> = overview.gears.iter().filter(|gear| of(gear).is_some()).collect();
@@ -69,11 +70,12 @@ fn by_falling_ratio(overview: &Overview) -> Vec<&str> {
     gears.into_iter().map(|gear| gear.facts.gear.as_str()).collect()
 }
 
-/// Rows by ratio: forward gears, then those of negative ratio, then gears without a ratio, each alone.
+/// Computes rows by ratio: forward gears, then those of negative ratio, then gears without a ratio, each
+/// alone.
 fn by_ratio(ratios: &[Vec<Option<f64>>]) -> Vec<Row> {
     let mut rows = vec![];
     for sign in [1.0, -1.0] {
-        // The size of the first ratio of each row, and the row.
+        // Absolute value of the first ratio of each row, and the row.
         let mut beside: Vec<(f64, Row)> = vec![];
         for (gearbox, ratios) in ratios.iter().enumerate() {
             let of_sign =
@@ -99,12 +101,12 @@ fn by_ratio(ratios: &[Vec<Option<f64>>]) -> Vec<Row> {
     rows
 }
 
-/// The gears of one more gearbox laid beside the rows so that the cost is least.
+/// Aligns the gears of one more gearbox with the rows at the least cost.
 fn laid(rows: &[(f64, Row)], gears: &[(f64, usize)], gearbox: usize) -> Vec<(f64, Row)> {
     let alone = 0.5 * libm::log(FARTHEST);
     let pair = |row: usize, gear: usize| f64::abs(libm::log(rows[row].0 / gears[gear].0));
     let width = gears.len() + 1;
-    // Least cost of the first rows and the first gears.
+    // Least cost of the first rows and the first gears (dynamic programming).
     let mut least = vec![0.0; (rows.len() + 1) * width];
     for row in 0..=rows.len() {
         for gear in 0..=gears.len() {
@@ -116,11 +118,11 @@ fn laid(rows: &[(f64, Row)], gears: &[(f64, usize)], gearbox: usize) -> Vec<(f64
             least[row * width + gear] = ways.into_iter().flatten().reduce(f64::min).unwrap_or(0.0);
         }
     }
-    // Back along the least cost.
+    // The path is traced back along the least cost.
     let (mut row, mut gear, mut all) = (rows.len(), gears.len(), vec![]);
     while row > 0 || gear > 0 {
         let here = least[row * width + gear];
-        // Of ways that cost the same the one whose pairs come first.
+        // Of paths with equal cost, the one whose pairs come first is taken.
         let taken = if row > 0 && here == least[(row - 1) * width + gear] + alone {
             (Some(row - 1), None)
         } else if gear > 0 && here == least[row * width + gear - 1] + alone {
@@ -156,7 +158,7 @@ mod tests {
         let three = some(&[1.0, 1.4815, 2.4815, -2.0769]);
         let rows = by_ratio(&[eight, three]);
         let beside: Vec<(usize, usize)> = rows.iter().filter_map(|row| Some((row[0]?, row[1]?))).collect();
-        // Of two gears of one ratio the first has the pair.
+        // The first of two gears with equal ratio gets the partner.
         let low = by_ratio(&[some(&[2.4, 2.4, 1.0]), some(&[2.5, 1.0])]);
         assert_eq!(low, [[Some(0), Some(0)], [Some(1), None], [Some(2), Some(1)]]);
         // 2.1064 and 2.4815, 1.6667 and 1.4815 differ by less than a fifth.
@@ -165,7 +167,7 @@ mod tests {
         assert!(rows.iter().all(|row| row.len() == 2));
     }
 
-    /// Against the trial of every way to lay them.
+    /// Checks the cost against all possible alignments.
     #[test]
     fn the_cost_is_the_least_of_all_ways() {
         fn trial(one: &[f64], other: &[f64], alone: f64) -> f64 {

@@ -24,24 +24,24 @@ use epicyclic_units::format::trimmed;
 use std::ops::ControlFlow;
 use uom::si::f64::{AngularVelocity, Torque};
 
-/// Parts of the tolerance within which all deviations count as equal, the least first: only where no design
-/// of a class has sizes, the next class is searched. So a deviation is never given for mass beyond a tenth of
-/// the tolerance.
+/// Parts of the tolerance within which all deviations count as equal, in increasing order. The next class is
+/// searched only if no design of a class has sizes. So beyond a tenth of the tolerance, accuracy is never
+/// traded for mass.
 const CLASSES: [f64; 3] = [0.1, 1.0 / 3.0, 1.0];
 
 /// Tooth numbers and sizes of a scheme.
 pub(super) struct Attempt {
     pub(super) teeth: TeethStep,
     pub(super) sizes: Option<SizesStep>,
-    /// The gearbox with its sizes, where every set has one.
+    /// Gearbox file with sizes; `None` unless every set has one.
     pub(super) file: Option<String>,
-    /// Speeds of the tooth numbers taken.
+    /// Speeds reached with the chosen tooth numbers.
     pub(super) speeds: Vec<ReachedSpeed>,
     pub(super) warnings: Vec<Warning>,
 }
 
 impl Attempt {
-    /// Of a scheme: the designs of the class with the least deviation in which one has sizes, the best first.
+    /// Designs one scheme: the class of least deviation in which a design has sizes, the best design first.
     pub(super) fn of(wanted: &Wanted, mechanism: Mechanism, watch: &Watch) -> Result<Self, Error> {
         let duty = &wanted.selection.duty;
         let torque = duty.torque()?.ok_or(Error::NoLoad)?;
@@ -51,14 +51,14 @@ impl Attempt {
         let (mut accepted, mut within) = (0, 0.0);
         for part in CLASSES {
             within = part * tolerance;
-            // The search lists those of closer classes again.
+            // The search also lists the designs of the closer classes again.
             let of_teeth = of_teeth(wanted, mechanism, within, wanted.tries + listed);
             let found = teeth::search(&of_teeth, watch)?;
             accepted = found.searched().accepted;
             for place in 0..found.shown() {
                 let speeds = found.speeds(place);
                 let deviation = largest_deviation(&speeds);
-                // A ratio at the edge of the tolerance may have a speed beyond it.
+                // A ratio at the edge of the tolerance may lead to a speed just beyond it.
                 if deviation > within + OBJECTIVE
                     || closer.is_some_and(|closer| deviation <= closer + OBJECTIVE)
                 {
@@ -112,7 +112,7 @@ impl Attempt {
     }
 }
 
-/// The search for so many tooth numbers of a scheme with ratios within a tolerance.
+/// Requirements for the search for tooth numbers of one scheme, with ratios within a tolerance.
 fn of_teeth(wanted: &Wanted, mechanism: Mechanism, tolerance: f64, most: usize) -> teeth::Wanted {
     let mut requirements = wanted.selection.requirements.clone();
     requirements.tolerance = tolerance;
@@ -134,24 +134,24 @@ fn of_teeth(wanted: &Wanted, mechanism: Mechanism, tolerance: f64, most: usize) 
     }
 }
 
-/// Digits of torque and speed in the file.
+/// Significant digits of torque and speed in the file.
 const DIGITS: usize = 12;
 
-/// A design of the tooth search with its sizes.
+/// Design of the tooth search with its sizes.
 #[derive(Debug)]
 struct Tried {
-    /// Its teeth.
+    /// Tooth numbers of the design.
     taken: TeethTaken,
-    /// Its speeds.
+    /// Speeds that the design reaches.
     speeds: Vec<ReachedSpeed>,
-    /// The gearbox without sizes.
+    /// Gearbox file without sizes.
     file: String,
-    /// Its sizes.
+    /// Sizes of the design.
     size: Size,
 }
 
 impl Tried {
-    /// The design at a place of a search with its sizes, and its number among all that are listed.
+    /// Sizes the design at a place of a search; `listed` is its number among all listed designs.
     fn of(
         (found, place): (&Searches<'_>, usize),
         listed: usize,
@@ -174,12 +174,12 @@ impl Tried {
         self.size.not_sized.is_empty() && self.size.mass_kg.is_some()
     }
 
-    /// Mass of its gears, if every set has a size.
+    /// Mass of the gears in kg; `None` unless every set has a size.
     fn mass_kg(&self) -> Option<f64> {
         self.size.mass_kg.filter(|_| self.is_whole())
     }
 
-    /// What is minimised; infinite where a set has no size.
+    /// Objective to minimize; infinite if a set has no size.
     fn objective(&self) -> f64 {
         let rings = self.size.sets.iter().filter_map(|set| Some(set.found.first()?.ring_diameter_m));
         let objective = match self.size.minimise {
@@ -190,11 +190,11 @@ impl Tried {
     }
 }
 
-/// What a fault calls the gearbox in the making.
+/// Name of the unfinished gearbox in error messages.
 const MAKING: &str = "the gearbox in the making";
 
-/// The gearbox with what its strength asks for and its duty, as a file. The number of planets and the profile
-/// shifts are left to the sizes.
+/// Gearbox file with its duty and the data for its strength. The number of planets and the profile shifts are
+/// left to the sizing.
 fn loaded(saved: &Saved, wanted: &Wanted, torque: Torque, speed: AngularVelocity) -> Result<String, Error> {
     let text = saved.file(&[]).map_err(|error| Error::Json(error.to_string()))?;
     let document = Document::parse_one(MAKING, text.as_bytes())?;
@@ -219,7 +219,7 @@ fn loaded(saved: &Saved, wanted: &Wanted, torque: Torque, speed: AngularVelocity
             return Err(Error::Shares { given: shares.len(), gears });
         }
     };
-    // Beyond these digits is the rounding of their units.
+    // More digits would show only the rounding of the unit conversion.
     let written = |value: f64, unit: &str| Value::from(format!("{} {unit}", trimmed(value, DIGITS)));
     let greatest = wanted.overload.map(|factor| written(factor * torque.si(), "N·m"));
     let [torque, speed] = [written(torque.si(), "N·m"), written(speed.rpm(), "rpm")];

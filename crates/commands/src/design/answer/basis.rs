@@ -1,4 +1,4 @@
-//! What a design takes that no speed tells: materials, factors, tools, oil, life and required safeties.
+//! Assumed values of a design: materials, factors, tools, oil, life and required safeties.
 
 use super::records::BasisKey;
 use crate::error::Error;
@@ -9,25 +9,25 @@ use epicyclic_formats::yaml::Value;
 use epicyclic_formats::{Document, Path};
 use epicyclic_strength::factor::Symbol;
 
-/// Materials, factors, tools, oil, life and required safeties, as a gearbox file writes them.
+/// Assumed materials, factors, tools, oil, life and required safeties, as written in a gearbox file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Basis {
-    /// The key `strength` of each set.
+    /// Value of the key `strength` of each set.
     pub strength: Value,
-    /// The key `tools` of each set. Without it the tools are the usual ones.
+    /// Value of the key `tools` of each set; if `None`, the usual tools are assumed.
     pub tools: Option<Value>,
     /// Keys of the gearbox: life, oil, required, materials, density, pressure angle, addendum.
     pub keys: Vec<(String, Value)>,
 }
 
-/// Keys of a gearbox that a basis has.
+/// Keys of a gearbox that belong to a basis.
 const KEYS: [&str; 7] = ["life", "oil", "required", "materials", "density", "pressure_angle", "addendum"];
 
-/// The basis where none is given.
+/// Default basis.
 pub const USUAL: &str = include_str!("basis.yaml");
 
 impl Default for Basis {
-    /// [`USUAL`].
+    /// Basis of [`USUAL`].
     ///
     /// # Panics
     /// Never: a test reads the text.
@@ -38,9 +38,9 @@ impl Default for Basis {
 }
 
 impl Basis {
-    /// The basis that a file gives: `strength` and `tools`, at its top or of the first set with `strength`,
-    /// and its keys such as `life`. The keys that it lacks are [usual](USUAL). So a gearbox whose strength is
-    /// calculated is a basis for another.
+    /// Reads the basis from a file: `strength` and `tools`, at its top or of the first set with `strength`,
+    /// and keys such as `life`. Missing keys are taken from the [default](USUAL). A gearbox with calculated
+    /// strength can therefore serve as the basis of another.
     ///
     /// # Errors
     /// [`Error::Document`] for a file without `strength`.
@@ -60,7 +60,7 @@ impl Basis {
         Ok(Self { strength: strength.clone(), tools, keys: KEYS.iter().filter_map(own).collect() })
     }
 
-    /// The same with what is usual in place of the keys that it does not have.
+    /// Adds the default values of missing keys.
     #[must_use]
     pub fn completed(mut self) -> Self {
         for (key, value) in Self::default().keys {
@@ -71,7 +71,7 @@ impl Basis {
         self
     }
 
-    /// All keys with their values.
+    /// Lists all keys with their values.
     pub(super) fn told(&self) -> Vec<BasisKey> {
         let key = |key: String, value: &Value| BasisKey { key, value: flow(value) };
         let own = self.keys.iter().map(|(name, value)| key(name.clone(), value));
@@ -81,7 +81,7 @@ impl Basis {
         own.chain(of_strength.map(|(of, value)| key(name(of), value))).chain(tools).collect()
     }
 
-    /// The same with another value of a key.
+    /// Replaces the value of a key.
     #[must_use]
     pub fn with(mut self, key: &str, value: Value) -> Self {
         self.keys.retain(|(own, _)| own != key);
@@ -89,8 +89,8 @@ impl Basis {
         self
     }
 
-    /// The same with factors of both meshes by the names of their symbols, in place of those of the same
-    /// symbol under any key and in any spelling.
+    /// Sets factors of both meshes by the names of their symbols. A factor replaces those of the same symbol
+    /// under any key and in any spelling.
     #[must_use]
     pub fn with_factors(mut self, factors: &[(String, f64)]) -> Self {
         let Some(strength) = self.strength.as_mapping_mut() else { return self };
@@ -122,7 +122,7 @@ impl Basis {
     }
 }
 
-/// A value in one line: lists and mappings as people write them in a line of YAML.
+/// Formats a value in one line: lists and mappings as in one line of YAML.
 fn flow(value: &Value) -> String {
     match value {
         Value::Sequence(items) => items.iter().map(flow).collect::<Vec<_>>().join(", "),
@@ -169,7 +169,7 @@ mod tests {
         let refused = of("life: 5 h\n").unwrap_err().to_string();
         assert!(refused.starts_with("basis.yaml:1:1") && refused.contains("`strength`"), "{refused}");
     }
-    /// Whatever key has the factor, whatever its spelling.
+    /// The key and the spelling of a factor do not matter.
     #[test]
     fn a_factor_given_by_option_acts_in_any_spelling() {
         let file = "strength: { factors: { KA: 2, K_v: 1 }, sun_mesh_factors: { K_Hβ: 1.3 }, ring_factors: { Y_S: 2 } }\n";

@@ -11,47 +11,47 @@ use epicyclic_selection::Mechanism;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// A key of what no speed tells.
+/// Assumed value with its key.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct BasisKey {
-    /// The key; those of a set begin with `strength.`.
+    /// Name of the key; keys of a set begin with `strength.`.
     pub key: String,
-    /// Its value as the file has it, in one line.
+    /// Value as written in the file, in one line.
     pub value: String,
 }
 
-/// What a scheme is held against.
+/// Criteria for schemes.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Criteria {
-    /// Ratios of the braked gears that are wanted.
+    /// Required ratios of the braked gears.
     pub ratios: Vec<f64>,
-    /// How far a ratio may be off, as a share of it.
+    /// Allowed relative deviation of a ratio.
     pub tolerance: f64,
-    /// Which brake gives which ratio.
+    /// Assignment of brakes to ratios.
     pub brakes: Brakes,
-    /// Which signs the ratios may have.
+    /// Allowed signs of the ratios.
     pub signs: RatioSigns,
-    /// Which objective decides first, and which next.
+    /// Objectives in the order in which they decide.
     pub order: Vec<Objective>,
-    /// Ring-to-sun ratios allowed.
+    /// Allowed range of ring-to-sun ratios.
     pub k: KRange,
-    /// Ring-to-sun ratios preferred.
+    /// Preferred range of ring-to-sun ratios.
     pub preferred_k: KRange,
     /// Efficiency of each set with its carrier fixed.
     pub set_efficiency: f64,
-    /// Least efficiency of a gear.
+    /// Minimum efficiency of a gear.
     pub least_efficiency: f64,
-    /// Greatest speed of a link over the input's; `null` without limit.
+    /// Maximum speed of a link relative to the input speed; null without limit.
     pub greatest_link_speed_of_input: Option<f64>,
-    /// Greatest speed of a planet relative to its carrier over the input's; `null` without limit.
+    /// Maximum planet speed relative to the carrier, relative to the input speed; null without limit.
     pub greatest_planet_speed_of_input: Option<f64>,
-    /// Greatest slip of the open direct-drive clutch over the input's speed; `null` without limit.
+    /// Maximum slip of the open direct-drive clutch relative to the input speed; null without limit.
     pub greatest_clutch_slip_of_input: Option<f64>,
-    /// Greatest circulating power over what enters; `null` without limit.
+    /// Maximum circulating power relative to the entering power; null without limit.
     pub greatest_circulating_of_entering: Option<f64>,
-    /// Whether the output must turn one way in all gears.
+    /// Whether the output must turn in the same direction in all gears.
     pub same_direction: bool,
     /// Whether the scheme must be drawable.
     pub drawable: bool,
@@ -80,32 +80,32 @@ impl Criteria {
     }
 }
 
-/// The scheme.
+/// Choice of the scheme.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SchemeStep {
-    /// Whether it was asked for; otherwise it is the best of the order.
+    /// Whether the scheme was asked for; otherwise it is the best by the order of objectives.
     pub asked_for: bool,
-    /// The one taken: the source's name, or that of the structure; `null` where none meets the criteria.
+    /// Chosen scheme: its name in the source, or that of its structure. Null if none meets the criteria.
     pub taken: Option<String>,
-    /// What the criteria are.
+    /// Criteria for the schemes.
     pub criteria: Criteria,
-    /// How many were compared.
+    /// Number of schemes compared.
     pub compared: usize,
-    /// How many of them meet the criteria.
+    /// Number of schemes that meet the criteria.
     pub accepted: usize,
-    /// The objective by which it is ahead of others; `null` where there are none, or all are equal.
+    /// Objective by which the best scheme is ahead; null if there is only one, or all are equal.
     pub decided_by: Option<Objective>,
-    /// Ring-to-sun ratios of its sets that give the ratios exactly.
+    /// Ring-to-sun ratios of the sets that give the required ratios exactly.
     pub k: Vec<f64>,
-    /// Those that come before it and have no tooth numbers with sizes that hold.
+    /// Better schemes that were passed over, because none of their tooth numbers has sufficient sizes.
     pub passed_over: Vec<String>,
-    /// The next one that meets the criteria; `null` where there is none.
+    /// Next best scheme that meets the criteria; null if none exists.
     pub next: Option<String>,
 }
 
 impl SchemeStep {
-    /// Of all candidates: the mechanism taken, and those before it that have no sizes.
+    /// Step from all candidates, the chosen mechanism, and the better ones without sizes.
     pub(super) fn of(
         selection: &Select,
         taken: Option<Mechanism>,
@@ -136,19 +136,19 @@ impl SchemeStep {
     }
 }
 
-/// The tooth numbers.
+/// Choice of the tooth numbers.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct TeethStep {
-    /// Largest deviation of the designs compared by mass: a part of the tolerance, or all of it.
+    /// Largest relative deviation of the designs compared by mass: a part of the tolerance, or all of it.
     pub tolerance: f64,
-    /// Pairs of tooth numbers, or tooth numbers of one set, within it that meet the criteria.
+    /// Number of tooth designs (pairs of sets, or single sets) within this deviation that meet the criteria.
     pub accepted: u64,
-    /// Of how many the sizes were sought.
+    /// Number of tooth designs for which sizes were searched.
     pub tried: usize,
-    /// The one taken; `null` where there is none, or not so many.
+    /// Chosen tooth design; null if none exists, or fewer than the number asked for.
     pub taken: Option<TeethTaken>,
-    /// The next best of those tried; `null` where there is none.
+    /// Next best of the designs with searched sizes; null if none exists.
     pub next: Option<TeethTaken>,
 }
 
@@ -156,19 +156,19 @@ pub struct TeethStep {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct TeethTaken {
-    /// The number of the design, from 1: the least class of deviation first, then the smallest ring at one
-    /// load of the teeth.
+    /// Number of the design, from 1: ordered by class of deviation, then by the smallest ring at equal tooth
+    /// load.
     pub number: usize,
-    /// Mass of its gears; `null` where a set has no size.
+    /// Mass of the gears in kg; null if a set has no size.
     pub mass_kg: Option<f64>,
-    /// Teeth of sun, planet and ring of each set.
+    /// Tooth numbers of sun, planet and ring of each set.
     pub sets: Vec<[u32; 3]>,
     /// Ratios of the braked gears.
     pub ratios: Vec<f64>,
 }
 
 impl TeethTaken {
-    /// Of a design without sizes, by its number.
+    /// Tooth numbers of a design without sizes, with its number.
     pub(super) fn of(design: &teeth::Design, number: usize) -> Self {
         Self {
             number,
@@ -179,32 +179,33 @@ impl TeethTaken {
     }
 }
 
-/// The sizes.
+/// Choice of the sizes.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SizesStep {
-    /// Designs of all sets together.
+    /// Number of size designs of all sets together.
     pub designs: u64,
-    /// Mass of the best designs of all sets; `null` where one has none.
+    /// Mass of the best designs of all sets, in kg; null if a set has none.
     pub mass_kg: Option<f64>,
-    /// The sets, with the safeties of their teeth over the duty.
+    /// Sets with the safeties of their teeth over the duty.
     pub sets: Vec<SizedSet>,
-    /// The set whose requirement is met least, and this requirement; `null` where a set has no size.
+    /// Set with the least margin over a requirement, and this requirement; null if a set has no size.
     pub governing: Option<GoverningSet>,
 }
 
-/// The requirement that a gearbox meets least.
+/// Requirement with the least margin in the gearbox.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct GoverningSet {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// What governs it.
+    /// Governing requirement.
     pub requirement: Governing,
 }
 
 impl SizesStep {
     pub(super) fn of(size: Size) -> Self {
+        // One set without a size leaves the governing requirement unknown, so `collect` yields `None`.
         let best: Option<Vec<GoverningSet>> = size
             .sets
             .iter()
@@ -213,6 +214,7 @@ impl SizesStep {
                 Some(GoverningSet { set: set.set.clone(), requirement })
             })
             .collect();
+        // Safeties and load ratios have different required values; only the quotient compares them.
         let ratio = |one: &GoverningSet| one.requirement.value / one.requirement.required;
         let governing =
             best.and_then(|all| all.into_iter().min_by(|one, other| ratio(one).total_cmp(&ratio(other))));

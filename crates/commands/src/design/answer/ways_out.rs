@@ -1,6 +1,7 @@
-//! Limits that would have to give where no gearbox is left, each with the gearbox behind it.
+//! Limits to relax if no gearbox is found, each with the gearbox that is then found.
 //!
-//! Every way out is a search with the limit relaxed: what is told is what the same command finds with it.
+//! Every way out is the result of a search with the limit relaxed. The same command with the relaxed limit
+//! finds the same gearbox.
 
 use super::records::TeethTaken;
 use super::{Design, Wanted, attempted};
@@ -16,89 +17,89 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::RangeInclusive;
 
-/// Limits that would have to give, and the gearbox behind them.
+/// Limits to relax, with the gearbox that is then found.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct WayOut {
-    /// The limits, all together.
+    /// Limits that must be relaxed together.
     pub limits: Vec<RelaxedLimit>,
-    /// The scheme: the source's name, or that of the structure.
+    /// Scheme: its name in the source, or that of its structure.
     pub scheme: String,
-    /// Speeds of its gears, asked for and reached, the slowest first.
+    /// Speeds of the gears, required and reached, the slowest first.
     pub speeds: Vec<ReachedSpeed>,
-    /// Its tooth numbers and mass.
+    /// Tooth numbers and mass of the gearbox.
     pub teeth: TeethTaken,
 }
 
-/// A limit with the value that would do.
+/// Limit with a sufficient value.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct RelaxedLimit {
-    /// Which limit.
+    /// Name of the limit.
     pub limit: Limit,
-    /// The least value, of those that have one.
+    /// Sufficient lower limit; null for limits without one.
     pub least: Option<f64>,
-    /// The greatest value, of those that have one.
+    /// Sufficient upper limit; null for limits without one.
     pub greatest: Option<f64>,
 }
 
-/// A limit of a design.
+/// Limits of a design that can be relaxed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Limit {
-    /// Deviation of ratios and speeds, as a share.
+    /// Relative deviation of ratios and speeds.
     Tolerance,
     /// Ring-to-sun ratios.
     RingToSunRatio,
     /// Efficiency of a gear.
     Efficiency,
-    /// Speed of a link over the input's.
+    /// Speed of a link relative to the input speed.
     LinkSpeed,
-    /// Speed of a planet relative to its carrier over the input's.
+    /// Planet speed relative to its carrier, relative to the input speed.
     PlanetSpeed,
-    /// Slip of the direct-drive clutch over the input's speed.
+    /// Slip of the direct-drive clutch relative to the input speed.
     ClutchSlip,
-    /// Circulating power over what enters.
+    /// Circulating power relative to the entering power.
     Circulation,
-    /// The output turning alike in all gears; lifted.
+    /// Same direction of the output in all gears; removed.
     SameDirection,
-    /// Drawable schemes alone; lifted.
+    /// Restriction to drawable schemes; removed.
     Drawable,
-    /// Schemes of the source alone; all structures.
+    /// Restriction to the schemes of the source; all structures.
     Structures,
-    /// Teeth of the suns.
+    /// Tooth number of the suns.
     SunTeeth,
-    /// Teeth of the planets.
+    /// Tooth number of the planets.
     PlanetTeeth,
-    /// Teeth of the rings.
+    /// Tooth number of the rings.
     RingTeeth,
-    /// Teeth of the rings less those of sun and twice those of planet.
+    /// Ring offset: tooth number of the ring minus that of the sun minus twice that of the planet.
     RingOffset,
     /// Face width over the sun's reference diameter.
     WidthRatio,
-    /// Modules; the standard series.
+    /// Modules; relaxed to the standard series.
     Modules,
-    /// Face widths; those of the default.
+    /// Face widths; relaxed to the default ones.
     FaceWidths,
     /// Number of planets.
     Planets,
 }
 
-/// Factors on a limit that is just enough for exact ratios: tooth numbers come near them and may need a
-/// little more.
+/// Factors on a limit that is just sufficient for exact ratios. Real tooth numbers only come close and may
+/// need slightly more.
 const MARGINS: [f64; 3] = [1.0, 1.05, 1.15];
 
-/// The greatest tolerance that is tried: that of the source.
+/// Largest tolerance that is tried: that of the source.
 const GREATEST_TOLERANCE: f64 = 0.1;
 
-/// Tooth numbers of sun and planet from here on, and of rings up to here, are tried where those wanted give
+/// Least tooth number of sun and planet, and largest of rings, that are tried if the given bounds yield
 /// nothing.
 const TEETH: RangeInclusive<u32> = 12..=200;
 
-/// Ring offsets that are tried where sets without an offset give nothing.
+/// Ring offsets that are tried if sets without an offset yield nothing.
 const OFFSETS: RangeInclusive<i32> = -3..=3;
 
-/// The ways out of a design without a gearbox.
+/// Finds the ways out for a design without a gearbox.
 pub(super) fn of(
     wanted: &Wanted,
     design: &Design,
@@ -127,14 +128,14 @@ pub(super) fn of(
     Ok(ways)
 }
 
-/// Searches for a gearbox with limits relaxed.
+/// Search for a gearbox with relaxed limits.
 struct Search<'a> {
     wanted: &'a Wanted,
     watch: &'a Watch<'a>,
 }
 
 impl Search<'_> {
-    /// The gearbox with these limits, if there is one.
+    /// Gearbox with these limits; `None` if none exists.
     fn with(&self, limits: &[RelaxedLimit]) -> Result<Option<(WayOut, Design)>, Error> {
         let mut wanted = self.wanted.clone();
         limits.iter().for_each(|limit| limit.relax(&mut wanted));
@@ -146,7 +147,7 @@ impl Search<'_> {
         Ok(Some((way, design)))
     }
 
-    /// With limits just enough for a scheme with exact ratios, or a little more.
+    /// Search with limits that just suffice for a scheme with exact ratios, or slightly more.
     fn of_criteria(
         &self,
         criteria: &[RelaxedCriterion],
@@ -164,7 +165,7 @@ impl Search<'_> {
         Ok(None)
     }
 
-    /// With all structures, and where these have none either, with the criteria that keep them out.
+    /// Search among all structures; if these have none either, with relaxed criteria too.
     fn of_all_structures(&self, deeper: bool) -> Result<Vec<WayOut>, Error> {
         let structures = RelaxedLimit::lifted(Limit::Structures);
         if let Some((way, _)) = self.with(&[structures])? {
@@ -181,8 +182,8 @@ impl Search<'_> {
         Ok(ways)
     }
 
-    /// With a wider tolerance: the one that the gearbox found with the widest needs, if it is found with this
-    /// one, too.
+    /// Search with a wider tolerance. The result uses the tolerance that the gearbox found with the widest
+    /// one needs, if a gearbox is found with that, too.
     fn of_tolerance(&self) -> Result<Option<WayOut>, Error> {
         if self.wanted.selection.requirements.tolerance >= GREATEST_TOLERANCE {
             return Ok(None);
@@ -194,7 +195,7 @@ impl Search<'_> {
         Ok(Some(self.with(&[tolerance(needed)])?.map_or(widest, |(way, _)| way)))
     }
 
-    /// With more tooth numbers: each bound by itself, then offsets of the ring.
+    /// Search with more tooth numbers: each bound relaxed separately, then offsets of the ring.
     fn of_tooth_bounds(&self) -> Result<Vec<WayOut>, Error> {
         let bounds = &self.wanted.bounds;
         let least =
@@ -219,7 +220,7 @@ impl Search<'_> {
         Ok(ways)
     }
 
-    /// With more sizes, where there are tooth numbers.
+    /// Search with more sizes, if there are tooth numbers.
     fn of_sizes(&self, has_teeth: bool) -> Result<Vec<WayOut>, Error> {
         let (own, usual) = (&self.wanted.size, size::Wanted::default());
         let most = MOST_SHARING;
@@ -249,12 +250,12 @@ impl Search<'_> {
 }
 
 impl RelaxedLimit {
-    /// A limit without a value.
+    /// Limit that is removed, without a value.
     const fn lifted(limit: Limit) -> Self {
         Self { limit, least: None, greatest: None }
     }
 
-    /// That of a criterion, a little farther, to three digits on the safe side.
+    /// Limit of a criterion, relaxed by a margin and rounded to three digits on the safe side.
     fn of(one: RelaxedCriterion, margin: f64, k: &RangeInclusive<f64>) -> Self {
         let value = one.limit.unwrap_or_default();
         let greatest =
@@ -263,7 +264,7 @@ impl RelaxedLimit {
             Criterion::RatioError => greatest(Limit::Tolerance),
             Criterion::RingToSunRatio => {
                 let (least, most) = (*k.start(), *k.end());
-                // Ring-to-sun ratios are above 1.
+                // Ring-to-sun ratios are above 1, so the margin acts on the part above 1.
                 let low = rounded(1.0 + (value - 1.0) / margin, f64::floor);
                 let high = rounded(margin * value, f64::ceil);
                 let [least, most] = if value < least { [low, most] } else { [least, high] };
@@ -316,7 +317,7 @@ impl RelaxedLimit {
     }
 }
 
-/// Three significant digits, the last by `round`.
+/// Rounds to three significant digits; `round` acts on the last.
 fn rounded(value: f64, round: fn(f64) -> f64) -> f64 {
     if value == 0.0 {
         return 0.0;

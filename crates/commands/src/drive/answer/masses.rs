@@ -8,49 +8,50 @@ use epicyclic_gears::mass::{FormulaEight, published_gear_inertia};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Masses and inertias of the parts.
+/// Masses and inertias of the parts of a drive.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Masses {
-    /// The sun.
+    /// Mass and inertia of the sun.
     pub sun: GearMass,
-    /// One planet.
+    /// Mass and inertia of one planet.
     pub planet: GearMass,
-    /// The carrier without planets.
+    /// Mass and inertia of the carrier without planets.
     pub carrier: CarrierMass,
 }
 
-/// Mass of a gear.
+/// Mass and inertia of a gear.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct GearMass {
-    /// Diameter of its bore; 0 for none.
+    /// Diameter of the bore in m; 0 for none.
     pub bore_m: f64,
-    /// Volume of the teeth, half the ring between root and tip circle.
+    /// Volume of the teeth in m³, half of the annulus between root and tip circle.
     pub teeth_volume_m3: f64,
-    /// Volume of the body within the root circle, less its bore.
+    /// Volume of the body within the root circle minus its bore, in m³.
     pub body_volume_m3: f64,
-    /// Mass of the gear, as given or of the shape.
+    /// Mass of the gear in kg, as given or from its shape.
     pub mass_kg: f64,
-    /// Inertia of the gear about its own axis, as given or of the shape.
+    /// Inertia of the gear about its own axis in kg·m², as given or from its shape.
     pub inertia_kg_m2: f64,
-    /// Mass of its shape.
+    /// Mass from the shape, in kg.
     pub shape_mass_kg: f64,
-    /// Inertia of its shape.
+    /// Inertia from the shape, in kg·m².
     pub shape_inertia_kg_m2: f64,
-    /// Inertia by the source's formula, which takes the bore off twice; null where that formula has no value.
+    /// Inertia by the source's formula, which subtracts the bore twice, in kg·m²; null if that formula has no
+    /// value.
     pub source_inertia_kg_m2: Option<f64>,
 }
 
-/// Mass of the carrier.
+/// Mass and inertia of the carrier.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct CarrierMass {
-    /// Mass of the carrier; null if neither the mass nor the shape is given.
+    /// Mass of the carrier in kg; null if neither the mass nor the shape is given.
     pub mass_kg: Option<f64>,
-    /// Inertia of the carrier about the gearbox axis.
+    /// Inertia of the carrier about the gearbox axis, in kg·m².
     pub inertia_kg_m2: f64,
-    /// The calculation from the shape, step by step; null if no shape is given.
+    /// Steps of the calculation from the shape; null if no shape is given.
     pub shape: Option<CarrierShape>,
 }
 
@@ -58,31 +59,31 @@ pub struct CarrierMass {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct CarrierShape {
-    /// Area of an arm, without its hole.
+    /// Area of an arm without its hole, in m².
     pub plate_area_m2: f64,
-    /// Area of its hole.
+    /// Area of the hole in an arm, in m².
     pub hole_area_m2: f64,
-    /// Volume of an arm.
+    /// Volume of an arm in m³.
     pub arm_volume_m3: f64,
-    /// Mass of an arm.
+    /// Mass of an arm in kg.
     pub arm_mass_kg: f64,
-    /// Distance of an arm's centroid from its outer end.
+    /// Distance of an arm's centroid from its outer end, in m.
     pub arm_centroid_from_outer_end_m: f64,
-    /// Distance of an arm's centroid from the gearbox axis.
+    /// Distance of an arm's centroid from the gearbox axis, in m.
     pub arm_centroid_radius_m: f64,
-    /// Inertia of all arms about the gearbox axis.
+    /// Inertia of all arms about the gearbox axis, in kg·m².
     pub arms_inertia_kg_m2: f64,
-    /// Volume of the hub.
+    /// Volume of the hub in m³.
     pub hub_volume_m3: f64,
-    /// Mass of the hub.
+    /// Mass of the hub in kg.
     pub hub_mass_kg: f64,
-    /// Inertia of the hub.
+    /// Inertia of the hub in kg·m².
     pub hub_inertia_kg_m2: f64,
-    /// Mass of the whole.
+    /// Mass of the carrier in kg.
     pub mass_kg: f64,
-    /// Inertia of the whole.
+    /// Inertia of the carrier in kg·m².
     pub inertia_kg_m2: f64,
-    /// Inertia of the whole as the source counts: arms as thin rods, the hub with ¼·(R² − r²).
+    /// Inertia of the carrier by the source's formula in kg·m²: arms as thin rods, the hub with ¼·(R² − r²).
     pub source_inertia_kg_m2: f64,
 }
 

@@ -5,14 +5,15 @@ use epicyclic_dynamics::drive::{BoredGear, DriveDesign, Shaft, Start, Warning as
 use epicyclic_units::Physical as _;
 use epicyclic_units::format::trimmed;
 
-/// All of a design.
+/// Lists all warnings of a design.
 pub(super) fn all(design: &DriveDesign) -> Vec<Warning> {
     let of_design =
         design.warnings.iter().map(|finding| Warning { name: finding.name(), message: message(finding) });
     of_design.chain(start(design)).collect()
 }
 
-/// In balance is how every drive stands whose load is its nominal one; the outcome says so.
+/// Warning about the start. Balance needs none: any drive whose load is its nominal one is in balance, and
+/// the outcome reports it.
 fn start(design: &DriveDesign) -> Option<Warning> {
     let [least, greatest] = design.with_losses.held.map(|load| trimmed(load.si(), 5));
     match design.with_losses.start {
@@ -135,7 +136,7 @@ fn message(finding: &Finding) -> String {
         Finding::CarrierNeglected => {
             "the carrier was taken as massless: give its shape or its inertia".to_owned()
         }
-        // A finding that is not in words here yet is told by its name.
+        // A finding without a text here is shown by its name.
         ref other => other.name().replace('-', " "),
     }
 }

@@ -1,16 +1,17 @@
-//! The balance of heat of a gearbox at work: what it loses, a cooler and the housing take.
+//! Heat balance of a gearbox at an operating point: the loss equals the heat taken by the cooler and the
+//! housing.
 //!
 //! ```text
 //! P_V = P_K + G·Δθ
 //! ```
 //!
-//! `P_V` is the loss, `P_K` what a cooler takes, `G` the conductance of the housing to the air about it, its
-//! area times a coefficient of heat transfer, and `Δθ` by how much the oil is warmer than the air once
-//! nothing changes any more. `G` and `P_K` are given: measured, or by a maker's catalogue. Of a cooler that
-//! could take more than is lost the rest is left.
+//! `P_V` is the loss, `P_K` the heat flow to the cooler and `Δθ` the steady temperature rise of the oil above
+//! ambient. `G` is the conductance from the housing to the ambient air: its area times a heat transfer
+//! coefficient. `G` and the capacity of the cooler are given, from measurement or a maker's catalogue. A
+//! cooler with more capacity than the loss takes only the loss.
 //!
-//! With an allowed `Δθ` the greatest torque on the input follows, at the same speed and in the same
-//! direction: the thermal limit.
+//! With an allowed `Δθ` the thermal limit follows: the largest input torque at the same speed and in the same
+//! direction.
 
 use super::{GearLosses, GivenLoad, Wanted, at};
 use crate::analyze::answer as analyze;
@@ -25,23 +26,23 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Power, TemperatureInterval, ThermalConductance, Torque};
 
-/// Doublings and halvings of a torque on the way to its limit: from any torque to none, or to what no gear
-/// bears.
+/// Maximum number of doublings or halvings of a torque to bracket its limit: enough to get from any torque to
+/// zero, or to more than any gear can bear.
 const DOUBLINGS: u32 = 60;
 
-/// What takes the heat.
+/// Heat transfer of housing and cooler.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cooling {
-    /// Conductance of the housing to the air.
+    /// Conductance from the housing to the ambient air.
     pub conductance: ThermalConductance,
-    /// What a cooler takes at most.
+    /// Maximum heat flow that the cooler takes.
     pub cooler: Power,
-    /// By how much the oil may be warmer than the air.
+    /// Allowed oil temperature above ambient.
     pub allowed_rise: Option<TemperatureInterval>,
 }
 
 impl Cooling {
-    /// Checks the numbers.
+    /// Checks that the conductance and the allowed rise are positive, and the cooler is not negative.
     pub(super) fn check(&self) -> Result<(), Error> {
         let refused = |quantity, given: f64, unit, allowed| {
             Err(Error::Cooling { quantity, given: crate::shared::number::short(given), unit, allowed })
@@ -59,7 +60,7 @@ impl Cooling {
         }
     }
 
-    /// What the cooler and the housing take of a loss, and by how much the oil is warmer.
+    /// Heat flows in W to the cooler and from the housing, and the oil temperature rise in K, for a loss.
     fn balance(&self, loss_w: f64) -> [f64; 3] {
         let cooler = loss_w.min(self.cooler.si());
         let housing = loss_w - cooler;
@@ -67,40 +68,40 @@ impl Cooling {
     }
 }
 
-/// The balance of heat.
+/// Heat balance of a gearbox.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Heat {
-    /// Conductance of the housing to the air.
+    /// Conductance from the housing to the ambient air, in W/K.
     pub conductance_w_k: f64,
-    /// What the cooler takes at most.
+    /// Maximum heat flow that the cooler takes, in W.
     pub cooler_w: f64,
-    /// By how much the oil may be warmer than the air; `null` where it is not asked.
+    /// Allowed oil temperature above ambient, in K; null if none is given.
     pub allowed_rise_k: Option<f64>,
-    /// The gears.
+    /// Heat balances of the gears.
     pub gears: Vec<GearHeat>,
 }
 
-/// The balance of heat of a gear.
+/// Heat balance of a gear.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct GearHeat {
-    /// The gear.
+    /// Name of the gear.
     pub gear: String,
-    /// What is lost.
+    /// Total power loss of the gear, in W.
     pub loss_w: f64,
-    /// What the cooler takes.
+    /// Heat flow to the cooler in W.
     pub cooler_w: f64,
-    /// What the housing gives to the air.
+    /// Heat flow from the housing to the ambient air, in W.
     pub housing_w: f64,
-    /// By how much the oil is warmer than the air once nothing changes any more.
+    /// Steady oil temperature above ambient, in K.
     pub rise_k: f64,
-    /// The greatest torque on the input with the allowed rise, at this speed; 0 where drags alone heat more,
-    /// `null` where none is asked or no torque heats so much.
+    /// Largest input torque for the allowed temperature rise at this speed, in N·m; 0 if drags alone heat the
+    /// oil more. Null if no rise is given or no torque heats the oil so much.
     pub thermal_torque_n_m: Option<f64>,
 }
 
-/// The balance of the gears that are calculated.
+/// Computes the heat balances of the gears with known losses.
 pub(super) fn of(
     subject: &Subject<'_>,
     wanted: &Wanted,
@@ -127,8 +128,8 @@ pub(super) fn of(
     })
 }
 
-/// The torque on the input at which the gear loses what cooler and housing take at the allowed rise. What is
-/// lost grows with it.
+/// Input torque in N·m at which the loss equals the heat that cooler and housing take at the allowed rise.
+/// The bisection relies on a loss that grows with the torque.
 fn thermal_torque(
     subject: &Subject<'_>,
     wanted: &Wanted,
@@ -138,7 +139,8 @@ fn thermal_torque(
 ) -> Result<Option<f64>, Error> {
     let analysis = analyze::analysis(&subject.gearbox, &gear.gear)?;
     let limit = cooling.cooler.si() + cooling.conductance.si() * rise.si();
-    // Where drags hold the gear it is driven from both sides, and loses less than any drive does.
+    // If drags hold the gear, it is driven from both sides and loses less than in any drive, so it counts as
+    // cool.
     let is_cool = |torque: f64| {
         let load = GivenLoad::Input(InputLoad::Torque(Torque::from_si(torque)));
         at(subject, &analysis, wanted.speed, load)

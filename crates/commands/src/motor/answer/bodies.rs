@@ -9,63 +9,66 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::Pressure;
 
-/// A chamber at an angle of the rotor.
+/// Chamber at an angle of the rotor.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Chamber {
-    /// Its number, that of the satellite behind it, counter-clockwise from 0.
+    /// Number of the chamber, equal to that of the satellite behind it; counter-clockwise from 0.
     pub chamber: u32,
-    /// Its area.
+    /// Area of the chamber in m².
     pub area_m2: f64,
-    /// How its area grows with the rotor's angle, a radian.
+    /// Derivative of the area with respect to the rotor angle, in m² per rad.
     pub growth_per_radian_m2: f64,
-    /// What it does as the rotor runs counter-clockwise.
+    /// State of the chamber while the rotor runs counter-clockwise.
     pub state: ChamberState,
 }
 
-/// What a chamber does.
+/// States of a chamber.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ChamberState {
-    /// It grows, and fills from the high pressure.
+    /// Grows, and fills from the high pressure.
     Filling,
-    /// It shrinks, and empties into the low pressure.
+    /// Shrinks, and empties into the low pressure.
     Emptying,
-    /// It changes over at its greatest or least area.
+    /// Changes over at its greatest or least area.
     ChangingOver,
 }
 
-/// A satellite at an angle of the rotor.
+/// Satellite at an angle of the rotor.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Satellite {
-    /// Its number, counter-clockwise from 0.
+    /// Number of the satellite, counter-clockwise from 0.
     pub satellite: u32,
-    /// Its centre.
+    /// Coordinate x of the satellite's centre, in m.
     pub x_m: f64,
-    /// Its centre.
+    /// Coordinate y of the satellite's centre, in m.
     pub y_m: f64,
-    /// How far it has turned.
+    /// Rotation of the satellite in rad.
     pub rotation_rad: f64,
-    /// Pressure in the chamber behind it; null, as the force, without width and pressure.
+    /// Pressure in the chamber behind the satellite, in Pa; null without width and pressure.
     pub pressure_behind_pa: Option<f64>,
-    /// Pressure in the chamber in front of it; the low pressure counts as 0.
+    /// Pressure in the chamber in front of the satellite, in Pa, with the low pressure as 0; null without
+    /// width and pressure.
     pub pressure_in_front_pa: Option<f64>,
-    /// Force of the pressures on it, positive counter-clockwise across the ray from the axis.
+    /// Pressure force on the satellite in N, positive counter-clockwise, across the ray from the axis; null
+    /// without width and pressure.
     pub force_n: Option<f64>,
-    /// Which way the pressure pushes it; null while it is idle.
+    /// Direction in which the pressure pushes the satellite; null while it is idle.
     pub push: Option<Push>,
-    /// Force on each of its two flanks that carry, with contacts at the pitch points.
+    /// Force on each of the two loaded flanks in N, with contacts at the pitch points; null without width and
+    /// pressure.
     pub flank_force_n: Option<f64>,
 }
 
-/// Which way the pressure pushes a satellite.
+/// Directions in which the pressure pushes a satellite.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Push {
-    /// Counter-clockwise: it is by a crest.
+    /// Counter-clockwise: the satellite is near a crest.
     Crest,
-    /// Clockwise: it is by a trough.
+    /// Clockwise: the satellite is near a trough.
     Trough,
 }
 
@@ -110,7 +113,7 @@ pub(crate) fn satellites(designed: &Designed) -> Result<Vec<Satellite>, Error> {
     };
     let alpha = designed.form.pressure_angle;
     let on_flanks = match (designed.width, designed.pressure, &designed.profile) {
-        // What the flanks cannot hold is told of the motor.
+        // The motor itself carries the warning about a force that the flanks cannot hold.
         (Some(width), Some(pressure), Ok(_)) => {
             motor.flank_forces(alpha, designed.angle, width, pressure).unwrap_or_default()
         }

@@ -7,7 +7,7 @@ use epicyclic_hydromotor::{Motor, centrode};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// The most points of a half-lobe.
+/// Maximum number of points of a half-lobe.
 pub const MOST_POINTS: u32 = 100_000;
 
 /// Points of both centrodes, evenly spaced along each half-lobe, counter-clockwise from a crest on the x
@@ -15,36 +15,36 @@ pub const MOST_POINTS: u32 = 100_000;
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Centrodes {
-    /// The points of the stator, then those of the rotor.
+    /// Points of the stator, then those of the rotor.
     pub points: Vec<CentrodePoint>,
 }
 
-/// A point of a centrode.
+/// Point of a centrode.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct CentrodePoint {
-    /// Whose centrode.
+    /// Wheel to which the centrode belongs.
     pub wheel: Wheel,
-    /// Arc length from the crest.
+    /// Arc length from the crest, in m.
     pub arc_length_m: f64,
-    /// Its place.
+    /// Coordinate x of the point, in m.
     pub x_m: f64,
-    /// Its place.
+    /// Coordinate y of the point, in m.
     pub y_m: f64,
-    /// Distance from the axis.
+    /// Distance from the axis, in m.
     pub polar_radius_m: f64,
-    /// Angle about the axis.
+    /// Angle about the axis, in rad.
     pub polar_angle_rad: f64,
-    /// Direction of the tangent.
+    /// Direction of the tangent, in rad.
     pub tangent_rad: f64,
-    /// Curvature, the reciprocal of the radius in metres.
+    /// Curvature in 1/m, the reciprocal of the radius.
     pub curvature_per_m: f64,
 }
 
-/// So many points of each half-lobe.
+/// Computes so many points of each half-lobe.
 ///
 /// # Errors
-/// [`Error::CentrodePoints`] unless they are from 1 to [`MOST_POINTS`].
+/// [`Error::CentrodePoints`] unless the number is from 1 to [`MOST_POINTS`].
 pub fn centrodes(motor: &Motor, points: u32) -> Result<Centrodes, Error> {
     if !(1..=MOST_POINTS).contains(&points) {
         return Err(Error::CentrodePoints { points, most: MOST_POINTS });

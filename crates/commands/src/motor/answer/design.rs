@@ -1,4 +1,4 @@
-//! Which motor is meant.
+//! Choice of a motor from its family.
 
 use super::made::{Groups, Made, Point};
 use crate::error::Error;
@@ -12,86 +12,86 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
 
-/// A motor and what is wanted of it.
+/// Motor to be designed, with its operating data.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Question {
-    /// Lobes and teeth.
+    /// Numbers of lobes and teeth.
     pub numbers: MotorNumbers,
     /// Module.
     pub module: Length,
-    /// Which motor of these numbers.
+    /// Choice among the motors of these numbers.
     pub place: Place,
     /// Form of the teeth.
     pub form: ToothForm,
     /// Width of the wheels.
     pub width: Option<Length>,
-    /// Pressure drop, high less low.
+    /// Pressure drop, high minus low.
     pub pressure: Option<Pressure>,
     /// Speed of the rotor.
     pub speed: Option<AngularVelocity>,
-    /// Angle of the rotor from where one of its crests faces one of the stator's.
+    /// Rotor angle from the position in which a crest of the rotor faces a crest of the stator.
     pub angle: Angle,
-    /// Material, oil, gaps, friction, ports.
+    /// Material, oil, gaps, friction and ports.
     pub made: Groups,
 }
 
-/// Which motor of its numbers.
+/// Ways to choose a motor of given numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Place {
-    /// Of two arcs, in the middle of the family.
+    /// Stator of two arcs, in the middle of the family.
     Middle,
-    /// By the distance `l` of the centres of the stator's arcs at the troughs.
+    /// Distance `l` of the centres of the stator's arcs at the troughs.
     TroughDistance(Length),
-    /// By the distance `a` of the centres of its arcs at the crests.
+    /// Distance `a` of the centres of the stator's arcs at the crests.
     CrestDistance(Length),
-    /// By the part of the family, from 0 to 1.
+    /// Part of the family, from 0 to 1.
     Part(f64),
-    /// A rotor by the cosine law: one motor, no family.
+    /// Rotor by the cosine law: one motor, no family.
     CosineLaw,
-    /// A rotor by the cosine law with a second harmonic of this relative amplitude `ε₂`.
+    /// Rotor by the cosine law with a second harmonic of this relative amplitude `ε₂`.
     SecondHarmonic(f64),
 }
 
-/// How a motor was chosen from its family.
+/// Reasons for the choice of a motor from its family.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Chosen {
-    /// By the distance of an arc's centre, or by a part of the family.
+    /// Given by the distance of an arc's centre, or by a part of the family.
     Given,
-    /// The middle of the family, as nothing was said.
+    /// Middle of the family, because nothing was given.
     Middle,
 }
 
-/// A motor, found, with what is wanted of it.
+/// Designed motor with its operating data.
 #[derive(Debug, Clone)]
 pub struct Designed {
     /// The motor.
     pub motor: Motor,
-    /// The family that it is of; a rotor by the cosine law has none.
+    /// Family of the motor; `None` for a rotor by the cosine law.
     pub family: Option<Family>,
-    /// How it was chosen from it.
+    /// Reason for the choice from the family.
     pub chosen: Chosen,
     /// Form of the teeth.
     pub form: ToothForm,
-    /// The teeth, or why there are none.
+    /// Tooth profile, or the reason why none exists.
     pub profile: Result<Profile, MotorError>,
     /// Width of the wheels.
     pub width: Option<Length>,
-    /// Pressure drop, high less low.
+    /// Pressure drop, high minus low.
     pub pressure: Option<Pressure>,
     /// Speed of the rotor.
     pub speed: Option<AngularVelocity>,
     /// Angle of the rotor.
     pub angle: Angle,
-    /// What a maker adds, and what follows from it.
+    /// Manufacturing data, and the results that follow from them.
     pub made: Made,
 }
 
-/// The motor that a question means.
+/// Designs the motor that the question describes.
 ///
 /// # Errors
-/// [`Error::Motor`] for numbers with which no motor closes, a place outside its family, a form that no teeth
-/// have; [`Error::PressureDrop`], [`Error::RotorSpeed`] unless these are above 0.
+/// [`Error::Motor`] for numbers with which no motor closes, a place outside its family, or an impossible
+/// tooth form; [`Error::PressureDrop`], [`Error::RotorSpeed`] unless these are above 0.
 pub fn design(question: &Question) -> Result<Designed, Error> {
     let &Question { numbers, module, place, form, width, pressure, speed, angle, ref made } = question;
     let (motor, family) = match (place, closed_arcs(numbers, module, place)?) {
@@ -108,8 +108,7 @@ pub fn design(question: &Question) -> Result<Designed, Error> {
     Ok(Designed { motor, family, chosen, form, profile, width, pressure, speed, angle, made })
 }
 
-/// The family of motors with these numbers, and the arcs at a place of it; none for a rotor by the cosine
-/// law.
+/// Family of motors with these numbers, and the arcs at a place of it; `None` for a rotor by the cosine law.
 pub(crate) fn closed_arcs(
     numbers: MotorNumbers,
     module: Length,
@@ -138,7 +137,8 @@ fn check(pressure: Option<Pressure>, speed: Option<AngularVelocity>) -> Result<(
     Ok(())
 }
 
-/// The teeth, or why this motor has none; a number that no teeth have is a fault whatever the motor.
+/// Tooth profile, or the reason why this motor has none; a number that is impossible for any motor is an
+/// error.
 pub(crate) fn profile(motor: &Motor, form: ToothForm) -> Result<Result<Profile, MotorError>, MotorError> {
     match Profile::new(motor, form) {
         Err(
@@ -150,11 +150,11 @@ pub(crate) fn profile(motor: &Motor, form: ToothForm) -> Result<Result<Profile, 
     }
 }
 
-/// The title and the motor of a file.
+/// Reads title and motor from a file.
 ///
 /// # Errors
-/// [`Error::Document`] with the place of a fault; [`Error::Placed`] with that of the key that a refusal is
-/// about.
+/// [`Error::Document`] with the place of a fault; [`Error::Placed`] with the place of the key that caused a
+/// refusal.
 pub fn of_file(document: &Document) -> Result<(Option<String>, Designed), Error> {
     let (file, motor, family) = file::read(document)?;
     let (pressure, speed) = (file.pressure.map(|drop| drop.0), file.speed.map(|speed| speed.0));

@@ -1,4 +1,4 @@
-//! The flanks of a motor under load: sealing, forces, stresses.
+//! Flanks of a motor under load: sealing, forces, stresses.
 
 use super::teeth::Wheel;
 use super::{Designed, Push};
@@ -15,30 +15,31 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Length, Pressure};
 
-/// Flanks under load, by contacts that seal and carry where the teeth touch.
+/// Flanks under load: contacts seal and carry where the teeth touch.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Flanks {
-    /// Satellites that part high from low pressure, `2n`; the others are idle.
+    /// Number of satellites that separate high from low pressure, `2n`; the others are idle.
     pub loaded_satellites: u32,
-    /// Ripple of flow and torque, satellites sealing at the flanks; that at the pitch points is
-    /// `work.ripple`.
+    /// Ripple of flow and torque if satellites seal at the flanks; `work.ripple` is the ripple at the pitch
+    /// points.
     pub ripple: f64,
-    /// Least over mean flow, which is that of the torque.
+    /// Least over mean flow, equal to least over mean torque.
     pub least_over_mean: f64,
-    /// Angle of the rotor with the least, from where one of its crests faces one of the stator's.
+    /// Rotor angle of the least flow in rad, from the position in which a crest of the rotor faces a crest of
+    /// the stator.
     pub least_at_rad: f64,
-    /// Least torque; null without width and pressure.
+    /// Least torque in N·m; null without width and pressure.
     pub least_torque_n_m: Option<f64>,
-    /// Forces; null without width and pressure.
+    /// Forces on flanks and bearing; null without width and pressure.
     pub forces: Option<FlankForces>,
-    /// Effective modulus of the teeth, `1/E* = 2(1 − ν²)/E`.
+    /// Effective modulus of the teeth in Pa, `1/E* = 2(1 − ν²)/E`.
     pub effective_modulus_pa: f64,
-    /// Contact stresses of Hertz, of stator and rotor, by crests and by troughs; empty without a pressure.
+    /// Hertzian contact stresses in both meshes, at crests and at troughs; empty without a pressure.
     pub contact: Vec<ContactStresses>,
-    /// Bending at the roots; empty without a pressure.
+    /// Bending stresses at the tooth roots; empty without a pressure.
     pub roots: Vec<RootStresses>,
-    /// The pressure drop that the shape allows; null without limits of the material.
+    /// Pressure drop that the teeth allow; null without limits of the material.
     pub allowed: Option<AllowedPressure>,
 }
 
@@ -46,52 +47,52 @@ pub struct Flanks {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct FlankForces {
-    /// The greatest on each flank of a satellite by a crest, with contacts at the pitch points.
+    /// Greatest force on each flank of a satellite near a crest, with contacts at the pitch points.
     pub by_crest: ForceAt,
-    /// The greatest of one by a trough.
+    /// Greatest force on each flank of a satellite near a trough, with contacts at the pitch points.
     pub by_trough: ForceAt,
-    /// A bound of the force on the stator's flanks with the contacts where they are and a third flank that
-    /// holds the satellite.
+    /// Upper bound of the force on the stator's flanks, with the contacts at their real places and a third
+    /// flank that holds the satellite.
     pub stator_bound: ForceAt,
-    /// The same on the rotor's flanks.
+    /// Upper bound of the force on the rotor's flanks, with a third flank that holds the satellite.
     pub rotor_bound: ForceAt,
-    /// The same on the back flanks of the stator; null where they never hold.
+    /// Upper bound of the force on the stator's back flanks; null if they never carry.
     pub stator_back_bound: Option<ForceAt>,
-    /// The same on the back flanks of the rotor.
+    /// Upper bound of the force on the rotor's back flanks; null if they never carry.
     pub rotor_back_bound: Option<ForceAt>,
-    /// The greatest load of the rotor's bearing; 0 where lobes have a common divisor.
+    /// Greatest load of the rotor's bearing; 0 if the numbers of lobes have a common divisor.
     pub bearing_load: ForceAt,
 }
 
-/// A force, and the angle of the rotor at which it is so.
+/// Force, and the rotor angle at which it occurs.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ForceAt {
-    /// The force.
+    /// Force in N.
     pub force_n: f64,
-    /// Angle of the rotor; of forces on satellites, of satellite 0.
+    /// Rotor angle in rad; for forces on satellites that of satellite 0.
     pub at_rad: f64,
 }
 
-/// Stresses of Hertz of the satellites that are pushed one way in one mesh.
+/// Hertzian stresses of the satellites that are pushed in one direction, in one mesh.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ContactStresses {
-    /// The wheel.
+    /// Wheel in mesh with the satellite.
     pub wheel: Wheel,
-    /// By a crest or by a trough.
+    /// Place of the satellites: near a crest or near a trough.
     pub by: Push,
-    /// The greatest with the contact at the pitch point.
+    /// Greatest stress with the contact at the pitch point, in Pa.
     pub at_pitch_point_pa: f64,
-    /// The greatest where one pair of flanks alone is in mesh; null where there always are two.
+    /// Greatest stress while a single pair of flanks is in mesh, in Pa; null if there are always two.
     pub alone_pa: Option<f64>,
-    /// Where that is, along the line of action from the pitch point, positive towards the satellite's base
-    /// circle.
+    /// Place of that stress in m: along the line of action from the pitch point, positive towards the
+    /// satellite's base circle.
     pub alone_offset_m: Option<f64>,
-    /// The greatest on the whole path with all load on one pair, a bound; null where a loaded satellite has
-    /// no path.
+    /// Upper bound of the stress on the whole path of contact with all load on one pair, in Pa; null if a
+    /// loaded satellite has no path.
     pub on_path_pa: Option<f64>,
-    /// Where that is.
+    /// Place of that bound in m, along the line of action from the pitch point.
     pub on_path_offset_m: Option<f64>,
 }
 
@@ -99,43 +100,44 @@ pub struct ContactStresses {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct RootStresses {
-    /// The wheel.
+    /// Wheel whose roots are rated.
     pub wheel: Wheel,
-    /// Loaded where one pair of flanks alone is in mesh; null where there always are two.
+    /// Stress for a load while a single pair of flanks is in mesh, in Pa; null if there are always two.
     pub alone_pa: Option<f64>,
-    /// Loaded anywhere on its path by all load, a bound.
+    /// Upper bound of the stress in Pa: all load anywhere on the path of contact.
     pub on_path_pa: Option<f64>,
-    /// Thickness of the section with the bound.
+    /// Thickness of the critical section in m, for the upper bound.
     pub thickness_m: Option<f64>,
 }
 
-/// The pressure drop that limits of the material allow.
+/// Pressure drop that the limits of the material allow.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct AllowedPressure {
-    /// The least of both, where one pair of flanks alone is in mesh.
+    /// Allowed pressure drop in Pa: the least by contact and root stress, while a single pair of flanks is in
+    /// mesh.
     pub pressure_pa: f64,
-    /// By contact there.
+    /// Pressure drop allowed by contact stress in Pa, while a single pair of flanks is in mesh.
     pub by_contact_pa: f64,
-    /// By bending there.
+    /// Pressure drop allowed by root bending in Pa, while a single pair of flanks is in mesh.
     pub by_root_pa: f64,
-    /// What limits it.
+    /// Limit that governs the allowed pressure drop.
     pub governing: GoverningLimit,
-    /// The least of both with all load on one pair on the whole path, a bound.
+    /// Lower bound of the allowed pressure drop in Pa, with all load on one pair on the whole path.
     pub on_path_pa: f64,
 }
 
-/// What limits the pressure.
+/// Limits of the pressure drop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum GoverningLimit {
-    /// Contact stress.
+    /// Contact stress of the flanks.
     Contact,
-    /// Bending at the stator's roots.
+    /// Bending at the roots of the stator.
     StatorRoot,
-    /// Bending at the rotor's roots.
+    /// Bending at the roots of the rotor.
     RotorRoot,
-    /// Bending at the satellites' roots.
+    /// Bending at the roots of the satellites.
     SatelliteRoot,
 }
 
@@ -153,10 +155,11 @@ impl GoverningLimit {
 }
 
 impl Flanks {
-    /// Of a motor with teeth.
+    /// Computes the flanks of a motor with teeth.
     pub(crate) fn of(designed: &Designed, profile: &Profile) -> Result<Self, Error> {
         let motor = &designed.motor;
-        // Where the flanks hold no satellite nothing else is told of them.
+        // The check at unit width and pressure ends here if the flanks cannot hold a satellite, because no
+        // other result is then valid.
         let held = (Length::from_si(1.0), Pressure::from_si(1.0));
         motor.greatest_flank_forces(profile.form().pressure_angle, held.0, held.1)?;
         let ripple = profile.flank_ripple(SealingContact::default());
@@ -167,7 +170,7 @@ impl Flanks {
         let mean = motor.ripple().mean;
         let torque = designed.width.zip(designed.pressure);
         let torque = torque.map(|(width, drop)| motor.theoretical_torque(width, drop)).transpose()?;
-        // The mean at the flanks is a little more than that of the volumes.
+        // The mean flow at the flanks is slightly larger than that of the volumes.
         let least = ripple.at_flanks.least / mean;
         Ok(Self {
             loaded_satellites: 2 * motor.numbers().rotor_lobes(),
@@ -205,7 +208,7 @@ impl FlankForces {
             rotor_bound: ForceAt::of(bounds.rotor),
             stator_back_bound: bounds.stator_back.map(ForceAt::of),
             rotor_back_bound: bounds.rotor_back.map(ForceAt::of),
-            // What rounding leaves of forces that balance is none.
+            // Forces that balance leave a rounding error, which must not appear as a load.
             bearing_load: ForceAt {
                 force_n: si(by_crest.force) * rounded(si(bearing.force) / si(by_crest.force)),
                 at_rad: beside_zero(bearing.rotation),
@@ -220,7 +223,7 @@ impl ForceAt {
     }
 }
 
-/// Stresses of Hertz in both meshes.
+/// Hertzian stresses in both meshes.
 pub(crate) fn contact_stresses(
     profile: &Profile,
     modulus: Pressure,

@@ -1,4 +1,5 @@
-//! What a maker adds to a motor's geometry, checked: material, oil, gaps, friction, ports; and what follows.
+//! Manufacturing data of a motor, checked (material, oil, gaps, friction, ports), and the results that
+//! follow.
 
 pub(crate) mod losses;
 pub(crate) mod ports;
@@ -22,22 +23,22 @@ use uom::si::f64::{
     TemperatureInterval,
 };
 
-/// Young's modulus of steels, where none is given.
+/// Young's modulus of steel in GPa, the default.
 const STEEL_GPA: f64 = 206.0;
-/// Poisson's ratio, where none is given.
+/// Poisson's ratio of steel, the default.
 const POISSON: f64 = 0.3;
 
-/// What a maker says of a motor, in a file or in options; the keys of both are the same.
+/// Manufacturing data of a motor, in a file or in options; both use the same keys.
 pub type Groups = Keys;
 
-/// What follows from it.
+/// Results that follow from the manufacturing data.
 #[derive(Debug, Clone)]
 pub struct Made {
     /// Effective modulus of the teeth.
     pub(crate) modulus: Pressure,
-    /// What the material bears.
+    /// Limits of the material.
     pub(crate) limits: Option<MaterialLimits>,
-    /// Ports as made, and when they open and close.
+    /// Ports as manufactured, with the angles at which they open and close.
     pub ports: Option<(PortPlate, Timing)>,
     pub(crate) port_figures: Option<MadePorts>,
     pub(crate) most_trapped: Option<Pressure>,
@@ -46,7 +47,7 @@ pub struct Made {
     pub(crate) losses: Option<Losses>,
 }
 
-/// At what a motor works.
+/// Operating point of a motor with its tooth form.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Point {
     pub(crate) form: ToothForm,
@@ -55,7 +56,7 @@ pub(crate) struct Point {
     pub(crate) speed: Option<AngularVelocity>,
 }
 
-/// Quantities of the groups, checked, as far as they are given.
+/// Checked quantities of the groups, as far as they are given.
 pub(crate) struct Inputs {
     viscosity: Option<DynamicViscosity>,
     density: Option<MassDensity>,
@@ -90,13 +91,13 @@ impl Made {
         Ok(Self { modulus, limits, ports, port_figures, most_trapped, bulk_modulus, dead_area, losses })
     }
 
-    /// Leaks, friction, efficiencies.
+    /// Leakage, friction, efficiencies.
     #[must_use]
     pub fn losses(&self) -> Option<&Losses> {
         self.losses.as_ref()
     }
 
-    /// What the ports as made have against them.
+    /// Warnings about the ports as manufactured.
     pub(crate) fn port_warnings(&self) -> Vec<Warning> {
         self.port_figures.as_ref().map(|ports| ports.warnings(self.most_trapped)).unwrap_or_default()
     }
@@ -107,7 +108,7 @@ pub(crate) fn steel() -> Result<Pressure, Error> {
     material(&Groups::default()).map(|(modulus, _)| modulus)
 }
 
-/// Effective modulus and limits.
+/// Effective modulus and limits of the material.
 fn material(groups: &Groups) -> Result<(Pressure, Option<MaterialLimits>), Error> {
     let group = groups.material.as_ref();
     let youngs =
@@ -156,7 +157,7 @@ fn plate(motor: &Motor, group: &epicyclic_formats::motor::PortsGroup) -> Result<
     }
 }
 
-/// A hole or a kidney.
+/// Shape of a port: a hole or a kidney.
 fn shape(group: &PortGroup, key: &'static str) -> Result<PortShape, Error> {
     let PortGroup { angle, diameter, pitch_radius, inner_radius, outer_radius, span, corner_radius } = group;
     let is_kidney =
@@ -229,7 +230,7 @@ impl Inputs {
         })
     }
 
-    /// The oil in the gaps, or what of it is not known.
+    /// Oil in the gaps, or the missing keys of its data.
     fn fluid(&self) -> Result<GapFluid, Vec<&'static str>> {
         match (self.viscosity, self.density) {
             (Some(viscosity), Some(density)) => {
@@ -242,7 +243,7 @@ impl Inputs {
     }
 }
 
-/// What heat leaves of the gaps.
+/// Axial gaps at the operating temperature, reduced by thermal expansion.
 fn warm_gaps(gaps: &epicyclic_formats::motor::GapsGroup, width: Option<Length>) -> Result<EndGaps, Error> {
     let cold =
         EndGaps { satellite: gaps.satellites.0, rotor: gaps.rotor.map_or(gaps.satellites.0, |gap| gap.0) };
@@ -257,7 +258,7 @@ fn warm_gaps(gaps: &epicyclic_formats::motor::GapsGroup, width: Option<Length>) 
         return Err(refused("gaps.temperature_rise", "it needs the width of the wheels, too"));
     };
     let warm = |gap: Length| -> Result<Length, MotorError> {
-        // A play of two faces.
+        // A given gap is half of the play between two faces.
         if gap == Length::default() {
             Ok(gap)
         } else {

@@ -1,8 +1,8 @@
-//! A motor as it turns: its outlines once, then where everything stands at each angle of the rotor.
+//! Animation of a turning motor: outlines, and the places of all parts at each angle of the rotor.
 //!
-//! While the rotor turns by one of its lobes, `2π/n`, each satellite comes where the next one stood,
-//! `2π/(N + n)` on, and each chamber too. So the frames over one lobe, repeated, are the motion of the whole
-//! motor.
+//! While the rotor turns by one of its lobes, `2π/n`, each satellite moves to the place of the next one,
+//! `2π/(N + n)` ahead; so does each chamber. The frames over one lobe, repeated, therefore show the motion of
+//! the whole motor.
 
 use super::Designed;
 use crate::answer::Answer;
@@ -17,29 +17,29 @@ use serde::Serialize;
 use std::f64::consts::TAU;
 use uom::si::f64::Angle;
 
-/// Straight sides of each tooth, and of each wall of a chamber.
+/// Number of straight sides of each tooth, and of each wall of a chamber.
 const SIDES: u32 = 24;
 
-/// A motor as it turns.
+/// Animation of a turning motor.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Moving {
     /// Whether the outlines have teeth; otherwise they are the pitch curves.
     pub has_teeth: bool,
-    /// Outline of the stator.
+    /// Outline of the stator in m.
     pub stator_m: Vec<[f64; 2]>,
-    /// Outline of the rotor at 0.
+    /// Outline of the rotor at angle 0, in m.
     pub rotor_m: Vec<[f64; 2]>,
-    /// Outline of a satellite about its centre.
+    /// Outline of a satellite about its centre, in m.
     pub satellite_m: Vec<[f64; 2]>,
-    /// Greatest diameter of the stator's pitch curve.
+    /// Greatest diameter of the stator's pitch curve, in m.
     pub stator_diameter_m: f64,
-    /// Angle of the rotor between two frames.
+    /// Rotor angle between two frames, in rad.
     pub step_rad: f64,
-    /// What a satellite has turned about itself more when it comes to the same place after a round: what its
-    /// rotation jumps by where the last of the frames' satellites goes on as the first.
+    /// Additional rotation of a satellite about its own axis after one round of the stator, in rad. The
+    /// rotation jumps by this angle where the last satellite of a frame continues as the first.
     pub round_turn_rad: f64,
-    /// Frames over one lobe of the rotor, its end left out.
+    /// Frames over one lobe of the rotor, without its end.
     pub frames: Vec<MovingFrame>,
 }
 
@@ -47,41 +47,41 @@ impl Answer for Moving {
     const NAME: &'static str = "motor-moving";
 }
 
-/// A motor at one angle.
+/// Motor at one rotor angle.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct MovingFrame {
-    /// Angle of the rotor, counter-clockwise.
+    /// Rotor angle in rad, counter-clockwise.
     pub rotor_rad: f64,
-    /// The satellites.
+    /// Satellites at this angle.
     pub satellites: Vec<MovingSatellite>,
-    /// The chambers.
+    /// Chambers at this angle.
     pub chambers: Vec<MovingChamber>,
 }
 
-/// Where a satellite stands.
+/// Satellite at one rotor angle.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct MovingSatellite {
-    /// Its centre.
+    /// Centre of the satellite in m.
     pub centre_m: [f64; 2],
-    /// Its rotation about itself.
+    /// Rotation of the satellite about its own axis, in rad.
     pub turn_rad: f64,
 }
 
-/// A chamber at an angle.
+/// Chamber at one rotor angle.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct MovingChamber {
-    /// Whether it fills, empties, or changes over.
+    /// State of the chamber: filling, emptying, or changing over.
     pub state: super::ChamberState,
-    /// Its area.
+    /// Area of the chamber in m².
     pub area_m2: f64,
-    /// Its outline.
+    /// Outline of the chamber in m.
     pub outline_m: Vec<[f64; 2]>,
 }
 
-/// A motor over one lobe of its rotor, in so many frames.
+/// Computes so many frames of a motor over one lobe of its rotor.
 ///
 /// # Errors
 /// [`Error::Motor`].
@@ -128,7 +128,7 @@ pub fn moving(designed: &Designed, frames: u32) -> Result<Moving, Error> {
     })
 }
 
-/// The last satellite a lobe on stands where the first one stood.
+/// Additional rotation after one round: one lobe on, the last satellite is at the place of the first one.
 fn round_turn_rad(motor: &Motor) -> Result<f64, Error> {
     let lobe = Angle::from_si(TAU / f64::from(motor.numbers().rotor_lobes()));
     let (after, before) = (motor.satellites(lobe)?, motor.satellites(Angle::from_si(0.0))?);
@@ -136,7 +136,7 @@ fn round_turn_rad(motor: &Motor) -> Result<f64, Error> {
     Ok(turn(after.last()) - turn(before.first()))
 }
 
-/// Points of a centrode, of a satellite its circle.
+/// Points of a centrode; for a satellite those of its circle.
 fn pitch_curve(motor: &Motor, wheel: Wheel, count: u32) -> Result<Vec<[f64; 2]>, Error> {
     let angles = (0..count).map(|index| TAU * f64::from(index) / f64::from(count));
     if wheel == Wheel::Satellite {
@@ -178,7 +178,7 @@ mod tests {
         for chamber in moving.frames.iter().flat_map(|frame| &frame.chambers) {
             let next = chamber.outline_m.iter().cycle().skip(1);
             let twice: f64 = chamber.outline_m.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum();
-            // Straight sides: 24 a wall.
+            // The outline has 24 straight sides per wall.
             assert!((0.5 * twice.abs() / chamber.area_m2 - 1.0).abs() < 5e-3, "{twice} {}", chamber.area_m2);
         }
     }
@@ -198,7 +198,7 @@ mod tests {
             let jump = if place + 1 == count { round } else { 0.0 };
             assert!((si(now.rotation) - next.turn_rad - jump).abs() < 1e-9, "{place}");
         }
-        // Rolling once round in the ring of 55 teeth, and the turn of the round itself.
+        // Rolling once around in the ring of 55 teeth, plus the turn of the round itself.
         assert!((round + TAU * (55.0 / 10.0 - 1.0)).abs() < 1e-9, "{round}");
     }
 

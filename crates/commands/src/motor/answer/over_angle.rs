@@ -1,4 +1,4 @@
-//! Flow and chambers over the angle of the rotor.
+//! Flow and chambers over the rotor angle.
 
 use super::Designed;
 use crate::error::Error;
@@ -9,26 +9,26 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Angle, Length};
 
-/// Steps through a lobe of the rotor.
+/// Number of steps over a lobe of the rotor.
 const STEPS: u32 = 720;
 
-/// Flow and chambers through one lobe of the rotor, both ends included.
+/// Flow and chambers over one lobe of the rotor, both ends included.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct OverAngle {
-    /// Angles of the rotor.
+    /// Rotor angles in rad.
     pub angles_rad: Vec<f64>,
-    /// Flow of ideal ports over width, a radian, at each angle; torque over width and pressure is the same.
+    /// Flow of ideal ports per width and radian, in m²; equal to the torque per width and pressure.
     pub flow_per_width_m2: Vec<f64>,
-    /// The same with the flanks as seals; null without teeth.
+    /// Flow per width and radian with the flanks as seals, in m²; null without teeth.
     pub flank_flow_per_width_m2: Option<Vec<f64>>,
-    /// Mean at the pitch points, that of the volumes.
+    /// Mean flow per width and radian at the pitch points, equal to that of the volumes, in m².
     pub mean_flow_per_width_m2: f64,
-    /// Area of each chamber at each angle.
+    /// Area of each chamber at each angle, in m².
     pub chamber_areas_m2: Vec<Vec<f64>>,
 }
 
-/// Flow and chambers of a motor.
+/// Computes flow and chambers of a motor over the rotor angle.
 ///
 /// # Errors
 /// [`Error::Motor`].
@@ -62,24 +62,25 @@ pub fn over_angle(designed: &Designed) -> Result<OverAngle, Error> {
     })
 }
 
-/// A chamber and a satellite over a cycle, in which they come to the same state.
+/// Chamber and satellite over a cycle, after which they are in the same state again.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct OverCycle {
-    /// Phases, from half a cycle before to half a cycle after the chamber is greatest, and the satellite at a
-    /// crest.
+    /// Phases in rad, from half a cycle before to half a cycle after 0, where the chamber is greatest and the
+    /// satellite at a crest.
     pub phases_rad: Vec<f64>,
-    /// Pressure in the chamber, which is greatest at 0, with the ports as made; empty without ports, bulk
-    /// modulus or pressure, null in a short circuit.
+    /// Pressure in the chamber in Pa, with the ports as manufactured; null in a short circuit. Empty without
+    /// ports, bulk modulus or pressure.
     pub chamber_pressures_pa: Vec<Option<f64>>,
-    /// Contact stress of a satellite, which stands at a crest at 0, at the pitch point with the stator; null
-    /// while it is idle, empty without a pressure or teeth.
+    /// Contact stress of the satellite in Pa, at its pitch point with the stator; null while it is idle.
+    /// Empty without pressure or teeth.
     pub stator_contact_pa: Vec<Option<f64>>,
-    /// The same with the rotor.
+    /// Contact stress of the satellite in Pa, at its pitch point with the rotor; null while it is idle. Empty
+    /// without pressure or teeth.
     pub rotor_contact_pa: Vec<Option<f64>>,
 }
 
-/// A chamber and a satellite of a motor over their cycle.
+/// Computes a chamber and a satellite of a motor over their cycle.
 ///
 /// # Errors
 /// [`Error::Motor`].
@@ -106,7 +107,7 @@ pub fn over_cycle(designed: &Designed) -> Result<OverCycle, Error> {
                 let (phase, at_pitch_point) = (Angle::from_si(*phase), Length::default());
                 let pressure =
                     motor.contact_pressure(alpha, mesh, phase, at_pitch_point, drop, designed.made.modulus);
-                // What the flanks cannot hold is told of the motor.
+                // The motor itself carries the warning about a force that the flanks cannot hold.
                 let pressure = pressure.ok().map(si).filter(|pressure| *pressure > 0.0);
                 all.push(pressure);
             }

@@ -1,16 +1,16 @@
-//! Limits of practice for a hydromotor: what is beyond them is a warning, never a refusal.
+//! Practical limits for a hydromotor. A value beyond them leads to a warning, never to a refusal.
 //!
-//! | quantity | limit | why |
-//! |---|---|---|
-//! | pressure drop | what the material's limits allow, where they are given | the contact and root stress of the teeth |
-//! | pressure drop | 25 MPa | usual with oil |
-//! | contact stress, where no limit of it is given | 1600 MPa | case-hardened steel |
-//! | ripple of flow and torque | 10 % | the drive feels it |
-//! | change of the pressure in a closed chamber, where no limit of it is given | the pressure drop | more than the ports ever set |
-//! | gap at an end face | 5 to 15 µm | jams below, leaks above |
-//! | volumetric efficiency | 0.85 | leaks take too much |
+//! - pressure drop: the value that the material's limits allow, if they are given, for the contact and root
+//!   stress of the teeth
+//! - pressure drop: 25 MPa, usual with oil
+//! - contact stress without a given limit: 1600 MPa, case-hardened steel
+//! - ripple of flow and torque: 10 %, which the drive feels
+//! - change of the pressure in a closed chamber without a given limit: the pressure drop, more than the ports
+//!   ever apply
+//! - gap at an end face: 5 to 15 µm; below it jams, above it leaks
+//! - volumetric efficiency: 0.85; below it too much oil leaks
 //!
-//! Values of practice, without a source of their own.
+//! The values are those of practice, without a source of their own.
 
 use super::made::Made;
 use super::made::ports::MadePorts;
@@ -35,7 +35,7 @@ fn warning(name: &'static str, message: String) -> Warning {
     Warning { name, message }
 }
 
-/// The pressure drop against what the material allows and what is usual.
+/// Warnings about a pressure drop above the allowed or the usual value.
 pub(crate) fn of_pressure(drop_pa: Option<f64>, flanks: Option<&Flanks>) -> Vec<Warning> {
     let Some(drop) = drop_pa else { return vec![] };
     let mut found = vec![];
@@ -75,13 +75,13 @@ fn of_contact(stress: f64) -> Warning {
     warning("contact-stress-above-usual", message)
 }
 
-/// The greatest contact stress where one pair of flanks carries alone; at the pitch point where there always
-/// are two.
+/// Greatest contact stress in Pa while a single pair of flanks carries; at the pitch point if there are
+/// always two.
 pub(crate) fn greatest_contact(stresses: &[ContactStresses]) -> Option<f64> {
     stresses.iter().map(|one| one.alone_pa.unwrap_or(one.at_pitch_point_pa)).reduce(f64::max)
 }
 
-/// Ripple, gaps, trapped pressure and efficiency.
+/// Warnings about ripple, gaps, trapped pressure and efficiency.
 pub(crate) fn of_work(drop_pa: Option<f64>, ripple: f64, made: &Made) -> Vec<Warning> {
     let percent = |share: f64| format!("{:.1} %", 100.0 * share);
     let mut found = vec![];
@@ -103,7 +103,7 @@ pub(crate) fn of_work(drop_pa: Option<f64>, ripple: f64, made: &Made) -> Vec<War
     let Some(Losses { leakage, at_point, .. }) = &made.losses else { return found };
     let gaps =
         leakage.as_ref().map(|leaks| [("satellite", leaks.satellite_gap_m), ("rotor", leaks.rotor_gap_m)]);
-    // A rounding of the unit is no gap beyond.
+    // A rounding error of the unit must not put a gap beyond the limit.
     let is_usual = |gap: f64| (GAP_M[0] * (1.0 - SAME_GAP)..=GAP_M[1] * (1.0 + SAME_GAP)).contains(&gap);
     for (wheel, gap) in gaps.into_iter().flatten().filter(|(_, gap)| *gap > 0.0 && !is_usual(*gap)) {
         let [gap, least, most] =
@@ -118,16 +118,16 @@ pub(crate) fn of_work(drop_pa: Option<f64>, ripple: f64, made: &Made) -> Vec<War
     found
 }
 
-/// What a design of a search bears.
+/// Load capacity of a design in a search.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Borne {
-    /// The pressure drop that limits of the material allow.
+    /// Pressure drop in Pa that the limits of the material allow.
     Allowed(f64),
-    /// The greatest contact stress, without such limits.
+    /// Greatest contact stress in Pa, without such limits.
     Contact(f64),
 }
 
-/// The pressure drop of a search against what its designs bear, and against what is usual.
+/// Warnings about a pressure drop above what the designs of a search can bear, or above the usual value.
 pub(crate) fn of_designs(drop_pa: Option<f64>, designs: &[Borne]) -> Vec<Warning> {
     let Some(drop) = drop_pa else { return vec![] };
     let count = |is_beyond: &dyn Fn(&Borne) -> bool| designs.iter().filter(|one| is_beyond(one)).count();

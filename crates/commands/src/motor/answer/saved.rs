@@ -9,10 +9,10 @@ use epicyclic_units::format::trimmed;
 use epicyclic_units::{Physical, Quantity};
 use uom::si::f64::Pressure;
 
-/// Digits that a quantity keeps: those of its rounding in binary fractions are left out.
+/// Significant digits of a quantity; more would show only the rounding of binary fractions.
 const DIGITS: usize = 14;
 
-/// The file of a motor below a line of comment, with the material of its teeth where one is given.
+/// Motor file below a line of comment, with the material of its teeth if given.
 ///
 /// # Errors
 /// [`Error::Json`] for a file that cannot be written.
@@ -36,7 +36,7 @@ pub(crate) fn file(
         keys.push(("l", quantity(arcs.trough_distance())));
     } else {
         keys.push(("law", Value::from("cosine")));
-        // A motor of the cosine law alone has no second harmonic, not one of amplitude 0.
+        // A motor by the pure cosine law has no second harmonic, which differs from one of amplitude 0.
         if let (None, Some(law)) = (motor.cosine_law(), motor.harmonic_law()) {
             keys.push(("second_harmonic", number(law.second_amplitude)));
         }
@@ -88,7 +88,7 @@ fn number(value: f64) -> Value {
     Value::from(trimmed(value, DIGITS).parse().unwrap_or(value))
 }
 
-/// In the usual unit of its kind.
+/// Formats a quantity in the usual unit of its kind.
 fn quantity<T: Physical>(quantity: T) -> Value {
     let unit = T::DIMENSION.usual_unit();
     Value::from(format!("{} {}", trimmed(quantity.si() / unit.factor, DIGITS), unit.symbol))

@@ -1,4 +1,4 @@
-//! The shape of a motor: the stator's arcs and their family, or the law of the rotor.
+//! Shape of a motor: the stator's arcs and their family, or the law of the rotor.
 
 use super::Chosen;
 use crate::error::Error;
@@ -11,47 +11,47 @@ use epicyclic_hydromotor::second_harmonic::{self, HarmonicLaw};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// A stator of two arcs, and the family of motors that it is of.
+/// Stator of two arcs, and the family of motors to which it belongs.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Arcs {
-    /// How the motor was chosen from its family.
+    /// Reason for the choice of the motor from its family.
     pub chosen: Chosen,
-    /// Distance of the centre of arc 1, at the troughs, from the axis.
+    /// Distance `l` of the centre of arc 1, at the troughs, from the axis, in m.
     pub l_m: f64,
-    /// Distance of the centre of arc 2, at the crests, from the axis.
+    /// Distance `a` of the centre of arc 2, at the crests, from the axis, in m.
     pub a_m: f64,
-    /// Radius of arc 1.
+    /// Radius of arc 1 in m.
     pub r1_m: f64,
-    /// Radius of arc 2.
+    /// Radius of arc 2 in m.
     pub r2_m: f64,
-    /// Angle of arc 1 at its centre.
+    /// Angle of arc 1 at its centre, in rad.
     pub gamma_rad: f64,
-    /// Angle of arc 2 at its centre.
+    /// Angle of arc 2 at its centre, in rad.
     pub beta_rad: f64,
-    /// Distances `l` for which a motor of these numbers closes: nearly always one interval, of few lobes two.
+    /// Ranges of the distance `l` for which a motor of these numbers closes: usually one, for few lobes two.
     pub family: Vec<Interval>,
-    /// What quadrature of the rolling leaves open in a half-lobe, rounded up to a power of ten.
+    /// Closure error of a half-lobe by quadrature of the rolling, in rad, rounded up to a power of ten.
     pub closes_by_quadrature_within_rad: f64,
-    /// What an error of 0.01 modules in `a` opens in a half-lobe.
+    /// Closure error of a half-lobe in rad caused by an error of 0.01 modules in `a`.
     pub opened_by_a_hundredth_module_rad: f64,
 }
 
-/// An interval of a family.
+/// Interval of a family.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Interval {
-    /// Its least `l`.
+    /// Least `l` of the interval, in m.
     pub from_m: f64,
-    /// What ends it there.
+    /// Limit at the least `l`.
     pub from_limit: FamilyLimit,
-    /// Its greatest `l`; null where rounding leaves none at a cusp.
+    /// Greatest `l` of the interval in m; null if rounding leaves none at a cusp.
     pub to_m: Option<f64>,
-    /// What ends it there.
+    /// Limit at the greatest `l`.
     pub to_limit: FamilyLimit,
 }
 
-/// What ends an interval of a family.
+/// Limits of an interval of a family.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum FamilyLimit {
@@ -61,33 +61,34 @@ pub enum FamilyLimit {
     RotorCusp,
     /// The stator's flanks become radial.
     RadialFlank,
-    /// The arcs at the troughs reach 100 times the stator's nominal radius, the most that a machine has.
+    /// The arcs at the troughs reach 100 times the stator's nominal radius, the greatest that a machine can
+    /// have.
     GreatestRadius,
 }
 
-/// A rotor by the cosine law.
+/// Rotor by the cosine law.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct CosineLaw {
-    /// Mean radius of the rotor, `c`.
+    /// Mean radius of the rotor, `c`, in m.
     pub mean_radius_m: f64,
-    /// Relative amplitude, `ε`.
+    /// Relative amplitude `ε`.
     pub amplitude: f64,
     /// Relative amplitude of the second harmonic, `ε₂`; 0 without one.
     pub second_amplitude: f64,
-    /// The relative amplitude at which the stator gets cusps; null with a second harmonic.
+    /// Relative amplitude at which the stator gets cusps; null with a second harmonic.
     pub cusp_amplitude: Option<f64>,
-    /// The values of `ε₂` with which motors of these numbers close without cusps; null where there are none.
+    /// Range of `ε₂` in which motors of these numbers close without cusps; null if none exists.
     pub second_harmonics: Option<HarmonicRange>,
 }
 
-/// Values of `ε₂`, both ends excluded.
+/// Range of `ε₂`, both ends excluded.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct HarmonicRange {
-    /// Above this.
+    /// Lower end of the range, excluded.
     pub from: f64,
-    /// Below this.
+    /// Upper end of the range, excluded.
     pub to: f64,
 }
 
@@ -107,15 +108,15 @@ impl CosineLaw {
     }
 }
 
-/// How near arcs come to the rotor's exact curve.
+/// Deviation of arcs from the rotor's exact curve.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Rotor {
-    /// By how much the best pair of tangent arcs misses it.
+    /// Deviation of the best pair of tangent arcs, in m.
     pub best_arcs_deviation_m: f64,
-    /// By how much the circles that the source gives miss it; null where it gives none.
+    /// Deviation of the circles that the source gives, in m; null if it gives none.
     pub published_circles_deviation_m: Option<f64>,
-    /// The angle at which these circles meet.
+    /// Angle at which these circles meet, in rad; null if the source gives none.
     pub published_circles_kink_rad: Option<f64>,
 }
 
@@ -138,14 +139,14 @@ impl Arcs {
             beta_rad: si(arcs.crest_angle()),
             family: Interval::all(family),
             closes_by_quadrature_within_rad: within,
-            // What a hundredth of a module in a, at the same l, opens.
+            // Closure error for a hundredth of a module in a, at the same l.
             opened_by_a_hundredth_module_rad: plain(0.01 * closed.by_crest_distance),
         })
     }
 }
 
 impl Interval {
-    /// Those of a family.
+    /// Lists the intervals of a family.
     pub(crate) fn all(family: &Family) -> Vec<Self> {
         family.intervals().iter().filter_map(Self::of).collect()
     }

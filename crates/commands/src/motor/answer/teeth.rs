@@ -1,4 +1,4 @@
-//! The teeth of a motor: their limits, and how near they come over a revolution.
+//! Teeth of a motor: their limits, and their clearances over a revolution.
 
 use super::Verdict;
 use crate::answer::Warning;
@@ -14,18 +14,18 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::Length;
 
-/// Rotations of half a period at which clearances are looked for, besides the refined one.
+/// Rotations of half a period at which clearances are computed, besides the refined minimum.
 const STEPS: u32 = 180;
 
-/// A wheel of a motor.
+/// Wheels of a motor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Wheel {
-    /// The ring with arches.
+    /// Ring with arches.
     Stator,
-    /// The sun with lobes.
+    /// Sun with lobes.
     Rotor,
-    /// The round wheels between them.
+    /// Round gears between stator and rotor.
     Satellite,
 }
 
@@ -38,7 +38,7 @@ impl Wheel {
         }
     }
 
-    /// In words.
+    /// Name of the wheel in words.
     #[must_use]
     pub const fn words(self) -> &'static str {
         match self {
@@ -49,49 +49,49 @@ impl Wheel {
     }
 }
 
-/// A limit of the teeth, at the place where value and bound are nearest or the bound is most exceeded.
+/// Limit of the teeth, at the place of the least margin or the largest excess.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ToothLimit {
-    /// Whose teeth.
+    /// Wheel whose teeth are limited.
     pub wheel: Wheel,
-    /// Which limit.
+    /// Kind of the limit.
     pub limit: LimitKind,
-    /// The value.
+    /// Value in m.
     pub value_m: f64,
-    /// On which side of its bound it must lie.
+    /// Side of the bound on which the value must lie.
     pub side: Side,
-    /// The bound.
+    /// Bound in m.
     pub bound_m: f64,
-    /// Whether it does.
+    /// Result of the comparison.
     pub verdict: Verdict,
-    /// Arc length of that place from the crest of the wheel; null where it is the same everywhere.
+    /// Arc length of the place from the crest of the wheel, in m; null if the value is equal everywhere.
     pub at_arc_m: Option<f64>,
 }
 
-/// What is limited.
+/// Kinds of limits of the teeth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum LimitKind {
-    /// The cutter's tip removes a part of the flank.
+    /// Undercut: the cutter's tip removes a part of the flank.
     Undercut,
-    /// The flank has a cusp before the tip.
+    /// Cusp of the flank before the tip.
     TipCusp,
-    /// The wheel's tip reaches below the satellite's involute.
+    /// Interference: the wheel's tip reaches below the satellite's involute.
     SatelliteRoot,
-    /// The satellite's tip reaches below the wheel's flank.
+    /// Interference: the satellite's tip reaches below the wheel's flank.
     WheelRoot,
     /// Thickness of the tip.
     TipThickness,
-    /// Length of the path of contact: a new pair of flanks meets before the last one parts.
+    /// Length of the path of contact: a new pair of flanks meets before the previous one separates.
     ContactPath,
-    /// The root's parallel of the centrode has cusps.
+    /// Cusps of the root curve, a parallel of the centrode.
     RootCurve,
-    /// The tip's parallel of the centrode has cusps.
+    /// Cusps of the tip curve, a parallel of the centrode.
     TipCurve,
-    /// Tip circles of neighbouring satellites.
+    /// Distance between the tip circles of neighbouring satellites.
     Neighbours,
-    /// The rotor's crest passes the stator's trough.
+    /// Distance by which the rotor's crest passes the stator's trough.
     Wheels,
 }
 
@@ -111,7 +111,7 @@ impl LimitKind {
         }
     }
 
-    /// In words.
+    /// Name of the limit in words.
     #[must_use]
     pub const fn words(self) -> &'static str {
         match self {
@@ -128,7 +128,7 @@ impl LimitKind {
         }
     }
 
-    /// As a name: that of its warning.
+    /// Name of the limit, which is also that of its warning.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -146,18 +146,18 @@ impl LimitKind {
     }
 }
 
-/// On which side of its bound a value must lie.
+/// Sides of a bound on which a value must lie.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Side {
-    /// At it or above.
+    /// Equal to the bound or above.
     AtLeast,
-    /// At it or below.
+    /// Equal to the bound or below.
     AtMost,
 }
 
 impl Side {
-    /// In words.
+    /// Side in words.
     #[must_use]
     pub const fn words(self) -> &'static str {
         match self {
@@ -167,28 +167,28 @@ impl Side {
     }
 }
 
-/// How near two parts come over a revolution.
+/// Least distance between two parts over a revolution.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Clearance {
-    /// What comes near.
+    /// Parts whose distance is measured.
     pub between: Between,
-    /// The least distance; negative where they overlap.
+    /// Least distance in m; negative if the parts overlap.
     pub clearance_m: f64,
-    /// The same over the module.
+    /// Least distance over the module.
     pub clearance_in_modules: f64,
-    /// Part of the wheel's tooth where it is.
+    /// Part of the wheel's tooth at the least distance; null if none exists.
     pub part: Option<ToothPart>,
-    /// Rotation of the rotor at which it is; null for flanks in mesh, which are equally near all along, and
-    /// where it is the same at every angle.
+    /// Rotor angle of the least distance, in rad. Null for flanks in mesh, which are equally close
+    /// everywhere, and if the distance is equal at every angle.
     pub rotation_rad: Option<f64>,
-    /// Where it is, of satellites and a wheel; null for flanks in mesh.
+    /// Coordinate x of the least distance in m, for satellites and a wheel; null for flanks in mesh.
     pub x_m: Option<f64>,
-    /// Where it is.
+    /// Coordinate y of the least distance in m, for satellites and a wheel; null for flanks in mesh.
     pub y_m: Option<f64>,
 }
 
-/// What comes near each other.
+/// Pairs of parts whose distance is measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Between {
@@ -203,7 +203,7 @@ pub enum Between {
 }
 
 impl Between {
-    /// In words.
+    /// Name of the pair in words.
     #[must_use]
     pub const fn words(self) -> &'static str {
         match self {
@@ -215,17 +215,17 @@ impl Between {
     }
 }
 
-/// A part of a tooth.
+/// Parts of a tooth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ToothPart {
-    /// The land at the tip.
+    /// Land at the tip.
     Tip,
-    /// What meshes.
+    /// Flank, the part in mesh.
     Flank,
-    /// The curve from the flank to the root.
+    /// Curve from the flank to the root.
     Fillet,
-    /// The bottom of a space.
+    /// Bottom of a tooth space.
     Root,
 }
 
@@ -284,7 +284,7 @@ pub(crate) fn clearances(profile: &Profile, warnings: &mut Vec<Warning>) -> Resu
         y_m: None,
     };
     let of_wheel = |between, nearest: &Nearest| {
-        // Flanks in mesh are equally near all along: where rounding finds them nearest says nothing.
+        // Flanks in mesh are equally close everywhere; the place of the minimum would be set by rounding.
         let in_mesh = nearest.part == Part::Flank && nearest.clearance >= Length::default();
         let told = |value: f64| (!in_mesh).then_some(value);
         Clearance {

@@ -1,5 +1,5 @@
-//! The construction of a stator of two arcs and of the point where its rotor's arcs meet: the document's
-//! algorithm, (1)–(8).
+//! Construction of a stator of two arcs, and of the point where its rotor's arcs meet, by the document's
+//! algorithm (1)–(8).
 
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
@@ -18,108 +18,106 @@ use serde::Serialize;
 use std::f64::consts::PI;
 use uom::si::f64::{Angle, Length};
 
-/// The stator's arcs by system (1), how nearly their rotor closes, and the junction of the rotor's arcs by
-/// (2)–(8).
+/// Arcs of the stator by system (1), closure of their rotor, and junction of the rotor's arcs by (2)–(8).
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct MotorConstruction {
-    /// Lobes, teeth, module.
+    /// Numbers of lobes and teeth, and the module.
     pub numbers: Numbers,
-    /// The stator's arcs.
+    /// Arcs of the stator.
     pub arcs: ConstructedArcs,
-    /// How nearly the rotor closes.
+    /// Closure of the rotor.
     pub closure: Misfit,
-    /// The junction of the arcs on stator and rotor.
+    /// Junction of the arcs on stator and rotor.
     pub junction: Junction,
-    /// Where the equations used here are not those of the document as it is printed.
+    /// Equations used here that differ from those printed in the document.
     pub departures: Vec<Departure>,
-    /// A rotor that does not close, has a cusp, or reaches into the stator.
+    /// Warnings: a rotor that does not close, has a cusp, or reaches into the stator.
     pub warnings: Vec<Warning>,
 }
 
-/// The stator's two arcs by system (1). Angles are at the centres of the arcs.
+/// Arcs of the stator by system (1). Angles are at the centres of the arcs.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ConstructedArcs {
-    /// Distance of `O₁`, the centre of arc 1, from the axis.
+    /// Distance of `O₁`, the centre of arc 1, from the axis, in m.
     pub l_m: f64,
-    /// Distance of `O₂`, the centre of arc 2, from the axis.
+    /// Distance of `O₂`, the centre of arc 2, from the axis, in m.
     pub a_m: f64,
-    /// Angle `θ₃ = π/N` of one of the `2N` congruent pieces of the stator.
+    /// Angle `θ₃ = π/N` of one of the `2N` congruent pieces of the stator, in rad.
     pub theta3_rad: f64,
-    /// Length `L/(2N)` of such a piece.
+    /// Length `L/(2N)` of a piece of the stator, in m.
     pub piece_length_m: f64,
-    /// Radius of arc 1.
+    /// Radius of arc 1 in m.
     pub r1_m: f64,
-    /// Radius of arc 2.
+    /// Radius of arc 2 in m.
     pub r2_m: f64,
-    /// Angle of arc 1.
+    /// Angle of arc 1 in rad.
     pub gamma_rad: f64,
-    /// Angle of arc 2.
+    /// Angle of arc 2 in rad.
     pub beta_rad: f64,
-    /// The greatest difference of both sides of the four equations, over the right side, rounded up to a
-    /// power of ten.
+    /// Greatest relative residual of the four equations, rounded up to a power of ten.
     pub holds_within: f64,
 }
 
-/// How nearly a rotor closes.
+/// Closure of a rotor.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Misfit {
-    /// Angle that a half-lobe of a closed rotor spans, `π/n`.
+    /// Angle that a half-lobe of a closed rotor spans, `π/n`, in rad.
     pub due_rad: f64,
-    /// Angle that this half-lobe spans.
+    /// Angle that this half-lobe spans, in rad.
     pub span_rad: f64,
-    /// How far a half-lobe stays open: what it must span less what it spans; negative where neighbouring
-    /// half-lobes overlap.
+    /// Closure error of a half-lobe in rad: the angle of a closed rotor minus its own; negative if
+    /// neighbouring half-lobes overlap.
     pub open_rad: f64,
-    /// The opening again, by quadrature of the rolling.
+    /// Closure error by quadrature of the rolling, in rad.
     pub open_by_quadrature_rad: f64,
-    /// Whether it closes: is open by no more than the digits of `l` and `a` leave, 10⁻⁵ rad.
+    /// Whether the rotor closes: its error is at most what the digits of `l` and `a` leave, 10⁻⁵ rad.
     pub closes: bool,
-    /// Opening of a half-lobe by an error of 0.01 modules in `a`.
+    /// Closure error of a half-lobe in rad caused by an error of 0.01 modules in `a`.
     pub opened_by_a_hundredth_module_rad: f64,
-    /// The `a` with which the rotor closes at this `l`; null if no `a` closes it.
+    /// Distance `a` in m with which the rotor closes at this `l`; null if none exists.
     pub a_that_closes_m: Option<f64>,
-    /// The `l` with which the rotor closes at this `a`; null if no `l` closes it.
+    /// Distance `l` in m with which the rotor closes at this `a`; null if none exists.
     pub l_that_closes_m: Option<f64>,
-    /// Distances `l` for which a motor of these numbers closes; empty where none does.
+    /// Ranges of the distance `l` for which a motor of these numbers closes; empty if none exists.
     pub family: Vec<Interval>,
 }
 
-/// The junction `P` of the stator's arcs and its image `P₁` on the rotor. Polar angles are from the troughs.
+/// Junction `P` of the stator's arcs and its image `P₁` on the rotor. Polar angles are from the troughs.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Junction {
-    /// Helper `b` of (3).
+    /// Auxiliary quantity `b` of (3).
     pub b: f64,
-    /// Helper `h` of (6).
+    /// Auxiliary quantity `h` of (6).
     pub h: f64,
-    /// Helper `k` of (7).
+    /// Auxiliary quantity `k` of (7).
     pub k: f64,
-    /// Distance `OP` of (4): of `P` from the axis.
+    /// Distance `OP` of (4): of `P` from the axis, in m.
     pub op_m: f64,
-    /// Angle `T` of (8): polar angle of `P` on the stator.
+    /// Angle `T` of (8): polar angle of `P` on the stator, in rad.
     pub t_rad: f64,
-    /// Distance `OP₁` of (2): of `P₁` from the axis.
+    /// Distance `OP₁` of (2): of `P₁` from the axis, in m.
     pub op1_m: f64,
-    /// Angle `Π` of (5): polar angle of `P₁` on the rotor.
+    /// Angle `Π` of (5): polar angle of `P₁` on the rotor, in rad.
     pub pi_rad: f64,
 }
 
-/// An equation that is used here and printed otherwise, or not at all, in the document.
+/// Equation used here that the document prints differently, or not at all.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Departure {
-    /// Which equation or statement.
+    /// Number of the equation, or the statement.
     pub equation: &'static str,
-    /// The equation as the document prints it.
+    /// Equation as the document prints it.
     pub printed: &'static str,
-    /// The equation as it is used here.
+    /// Equation as it is used here.
     pub used: &'static str,
 }
 
-/// The departures, in the order of the document; the cases of `rotary-hydromotor` have their reasons.
+/// Departures in the order of the document; the cases of `rotary-hydromotor` give their reasons.
 const DEPARTURES: [Departure; 7] = [
     Departure { equation: "(1)", printed: "R₁·Γ + R₂·B = L/(2n)", used: "L/(2N), as in θ₃ = π/N" },
     Departure {
@@ -150,21 +148,21 @@ impl Answer for MotorConstruction {
     const NAME: &'static str = "motor-construction";
 }
 
-/// A stator of two arcs, which need not close.
+/// Stator of two arcs, which need not close.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Constructed {
-    /// Lobes and teeth.
+    /// Numbers of lobes and teeth.
     pub numbers: MotorNumbers,
-    /// The arcs.
+    /// Arcs of the stator.
     pub arcs: StatorArcs,
 }
 
 impl Constructed {
-    /// The stator whose arcs have both distances `l` and `a`.
+    /// Stator whose arcs have the distances `l` and `a`.
     ///
     /// # Errors
-    /// [`Error::Motor`] for a module or distance that cannot be; [`Error::NoConstruction`] where no arcs
-    /// have both distances.
+    /// [`Error::Motor`] for an impossible module or distance; [`Error::NoConstruction`] if no arcs have both
+    /// distances.
     pub fn of_distances(numbers: MotorNumbers, module: Length, l: Length, a: Length) -> Result<Self, Error> {
         let known = [Known::TroughDistance(l), Known::CrestDistance(a)];
         match StatorArcs::with(numbers, module, known) {
@@ -177,7 +175,7 @@ impl Constructed {
         }
     }
 
-    /// The stator of the motor at a place of its family.
+    /// Stator of the motor at a place of its family.
     ///
     /// # Errors
     /// [`Error::Motor`] for numbers with which no motor closes and a place outside the family;
@@ -187,7 +185,7 @@ impl Constructed {
         Ok(Self { numbers, arcs })
     }
 
-    /// The stator of a motor.
+    /// Stator of a motor.
     ///
     /// # Errors
     /// [`Error::NoArcs`] for a rotor by the cosine law.
@@ -197,7 +195,8 @@ impl Constructed {
     }
 }
 
-/// Why arcs with these distances are none, or no satellite rolls on them, with what would do.
+/// Error for distances that give no arcs, or arcs on which no satellite rolls, with the values that would
+/// work.
 fn refusal(numbers: MotorNumbers, module: Length, l: Length, why: hydromotor::Error) -> Error {
     let closing = match Family::new(numbers, module).and_then(|family| family.at(l)) {
         Ok(arcs) => {
@@ -208,7 +207,7 @@ fn refusal(numbers: MotorNumbers, module: Length, l: Length, why: hydromotor::Er
     Error::NoConstruction { why, closing }
 }
 
-/// The construction of a stator.
+/// Computes the construction of a stator.
 ///
 /// # Errors
 /// [`Error::NoConstruction`] for arcs on which no satellite rolls.
@@ -287,7 +286,7 @@ fn warnings(numbers: MotorNumbers, arcs: &StatorArcs, misfit: &Misfit) -> Vec<Wa
         let message = format!("the rotor does not close: a half-lobe {how} by {open}");
         warnings.push(Warning { name: "open", message });
     }
-    // A motor of a curve with cusps is refused for reasons that follow from these.
+    // With cusps the motor would be refused for reasons that only follow from the cusps.
     if !closure::is_smooth(numbers, arcs) {
         let message = "the rotor gets cusps, or the flanks become radial".to_owned();
         warnings.push(Warning { name: "not-smooth", message });

@@ -1,4 +1,4 @@
-//! What both searches for hydromotors share: designs listed, a design as a motor in its size.
+//! Common parts of both searches for hydromotors: listed designs, and a design as a motor of a given size.
 
 use crate::error::Error;
 use crate::motor::answer::{Chosen, Designed, Groups, Made, Point, saved};
@@ -11,14 +11,14 @@ use epicyclic_hydromotor::{Motor, MotorNumbers};
 use std::collections::HashSet;
 use uom::si::f64::{Angle, Length};
 
-/// The designs that are shown, with their places, and how many are not.
+/// Designs that are shown, with their places, and the number that is hidden.
 pub(crate) struct Listed<'d, Design> {
     pub(crate) shown: Vec<(usize, &'d Design)>,
     pub(crate) hidden: usize,
 }
 
 impl<'d, Design> Listed<'d, Design> {
-    /// Of designs in their order: all, or the first of each set of numbers, and of these so many at most.
+    /// Lists all designs in their order, or the first of each set of numbers, up to a maximum number.
     pub(crate) fn of(
         designs: &'d [Design],
         first_of_each_set: bool,
@@ -34,7 +34,7 @@ impl<'d, Design> Listed<'d, Design> {
     }
 }
 
-/// A design by its number, from 1, and the size that is shown of it.
+/// Design by its number, from 1, and the size that is shown for it.
 pub(crate) fn nth<Design, Size>(
     designs: &[Design],
     number: usize,
@@ -45,7 +45,7 @@ pub(crate) fn nth<Design, Size>(
     found.ok_or(Error::NoSuchDesign { design: number, designs: designs.len() })
 }
 
-/// The motor of a design, for drawings.
+/// Motor of a design, for drawings.
 pub(crate) struct Drawn<'a> {
     pub(crate) motor: Motor,
     pub(crate) form: ToothForm,
@@ -55,7 +55,7 @@ pub(crate) struct Drawn<'a> {
 }
 
 impl Drawn<'_> {
-    /// With what is wanted of it.
+    /// Designs the motor at the pressure and speed of the requirements.
     pub(crate) fn designed(self, requirements: &Requirements) -> Result<Designed, Error> {
         let Self { motor, form, angle, made, .. } = self;
         let (width, pressure, speed) = (Some(self.width), requirements.pressure_drop, requirements.speed);
@@ -75,18 +75,18 @@ impl Drawn<'_> {
     }
 }
 
-/// Which design of a search a motor is.
+/// Origin of a motor: a design of a search.
 pub(crate) struct Origin {
-    /// From 1.
+    /// Number of the design, from 1.
     pub(crate) design: usize,
-    /// How many there are.
+    /// Number of designs found.
     pub(crate) of: usize,
-    /// The command that found it.
+    /// Command that found the design.
     pub(crate) by: &'static str,
 }
 
 impl Origin {
-    /// Its file, with the material of its teeth where one is given.
+    /// Motor file with its origin, and with the material of its teeth if given.
     pub(crate) fn saved(
         &self,
         designed: &Designed,
@@ -99,7 +99,7 @@ impl Origin {
     }
 }
 
-/// Of sizes with their width and diameter the one whose width is nearest to half its diameter.
+/// Finds the size whose width is closest to half its diameter; `of` returns both.
 pub(crate) fn nearest_half<T>(sizes: &[T], of: impl Fn(&T) -> [Length; 2]) -> Option<&T> {
     let off = |size: &&T| {
         let [width, diameter] = of(size).map(si);

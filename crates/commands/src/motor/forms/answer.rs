@@ -1,5 +1,5 @@
-//! The search for hydromotors with the tooth form free: families, forms and flanks under load, for a
-//! displacement or torque.
+//! Search for hydromotors with free tooth form: families, forms and flanks under load, for a displacement or
+//! torque.
 
 mod choices;
 pub(crate) mod funnel;
@@ -21,25 +21,25 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Angle, Pressure};
 
-/// What is wanted.
+/// Requirements of a search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wanted {
-    /// What is searched.
+    /// Space, requirements and objectives of the search.
     pub search: FormSearch,
-    /// Whether its material has limits; without them no allowed pressure is told.
+    /// Whether limits of the material are given; otherwise no allowed pressure is listed.
     pub has_limits: bool,
-    /// What the designs are ordered by.
+    /// Objective by which the designs are ordered.
     pub order: Objective,
-    /// Whether only the first design of each set of lobes and teeth is told.
+    /// Whether only the first design of each set of lobes and teeth is listed.
     pub first_of_each_set: bool,
-    /// How many designs are told, at most.
+    /// Maximum number of designs listed.
     pub most: usize,
-    /// What a maker says of the motor that is drawn: its material.
+    /// Material of the motor that is drawn, as given by the manufacturer.
     pub made: Groups,
 }
 
-/// Satellites and wheels of one material, with its limits of contact and root stress. Without limits any do:
-/// stresses do not depend on them, and what they would allow is not told.
+/// Material of satellites and wheels with its limits of contact and root stress. Without given limits any
+/// will do: stresses do not depend on them, and allowed pressures are not listed.
 ///
 /// # Errors
 /// [`Error::Motor`] for a modulus that is not above 0, or a Poisson's ratio outside 0 to 0.5.
@@ -53,110 +53,110 @@ pub fn material(
     Ok(MaterialLimits { contact, root, modulus })
 }
 
-/// Hydromotors with their tooth forms for a displacement: designs that no other surpasses in all objectives
-/// together.
+/// Hydromotors with their tooth forms for a displacement: the non-dominated (Pareto) designs.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct MotorForms {
-    /// The displacement wanted, a revolution.
+    /// Required displacement per revolution in m³.
     pub displacement_m3: f64,
-    /// What the designs are held against each other by.
+    /// Objectives by which designs are compared.
     pub objectives: Vec<Objective>,
-    /// What they are ordered by.
+    /// Objective by which the designs are ordered.
     pub order: Objective,
-    /// Every admissible point of the space, tried or not, is in no objective better than some design by more
-    /// than this, relative; null where the designs are the exact front of all admissible points.
+    /// Resolution of the front: no admissible point of the space is better than every design by more than
+    /// this, relative, in any objective. Null if the designs are the exact front.
     pub resolution: Option<f64>,
-    /// How many non-dominated designs there are.
+    /// Number of non-dominated designs.
     pub found: usize,
-    /// Whether only the first of each set of lobes and teeth is told.
+    /// Whether only the first design of each set of lobes and teeth is listed.
     pub first_of_each_set: bool,
-    /// How many more designs could be told so.
+    /// Number of further designs that are not listed.
     pub hidden: usize,
-    /// The designs.
+    /// Listed designs.
     pub designs: Vec<Design>,
-    /// The space of motors and tooth forms, and what became of its points.
+    /// Space of motors and tooth forms, with the numbers of points refused and accepted.
     pub funnel: Funnel,
-    /// Contact stress and pressure beyond what the material allows or limits of practice.
+    /// Warnings about contact stress and pressure beyond the material's limits or practical limits.
     pub warnings: Vec<Warning>,
 }
 
-/// A design: a motor with a tooth form, and the size shown of it.
+/// Design: a motor with a tooth form, and the size shown for it.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Design {
-    /// Its number in the order.
+    /// Number of the design in the order.
     pub design: usize,
-    /// How many designs have the same lobes and teeth.
+    /// Number of designs with the same lobes and teeth.
     pub designs_of_the_set: usize,
-    /// Lobes of the stator, `N`.
+    /// Number of lobes of the stator, `N`.
     pub stator_lobes: u32,
-    /// Lobes of the rotor, `n`.
+    /// Number of lobes of the rotor, `n`.
     pub rotor_lobes: u32,
-    /// Teeth of the stator, `Z₃`.
+    /// Tooth number of the stator, `Z₃`.
     pub stator_teeth: u32,
-    /// Teeth of the rotor, `Z₁`.
+    /// Tooth number of the rotor, `Z₁`.
     pub rotor_teeth: u32,
-    /// Teeth of a satellite, `Z_s`.
+    /// Tooth number of a satellite, `Z_s`.
     pub satellite_teeth: u32,
-    /// The family.
+    /// Family of the motor.
     pub family: Family,
-    /// The place in the family of two arcs: distance of the centres of the arcs at the troughs over the
-    /// module; null elsewhere.
+    /// Place in the family of two arcs: distance of the centres of the arcs at the troughs over the module;
+    /// null in other families.
     pub l_over_module: Option<f64>,
-    /// The relative amplitude of the rotor's second harmonic, `ε₂`: 0 by the cosine law; null for two arcs.
+    /// Relative amplitude of the rotor's second harmonic, `ε₂`: 0 by the cosine law; null for two arcs.
     pub second_amplitude: Option<f64>,
-    /// The tooth form.
+    /// Tooth form of the design.
     pub form: Form,
-    /// Displacement over the volume of the cylinder about the stator's centrode.
+    /// Displacement per volume of the cylinder around the stator's centrode.
     pub displacement_by_volume: f64,
-    /// Ripple of flow and torque, satellites sealing at the pitch points.
+    /// Ripple of flow and torque if satellites seal at the pitch points.
     pub ripple: f64,
-    /// Least curvature radius of both centrodes over the module.
+    /// Least curvature radius of both centrodes, in modules.
     pub least_radius_in_modules: f64,
-    /// The shortest path of contact of any flank over the base pitch.
+    /// Contact ratio: the shortest path of contact of any flank over the base pitch.
     pub contact_ratio: f64,
-    /// The flanks under load; null where they cannot hold a satellite.
+    /// Flanks under load; null if they cannot hold a satellite.
     pub flanks: Option<Flanks>,
-    /// The modules that serve.
+    /// Modules that meet the requirements, in m.
     pub modules_m: Vec<f64>,
-    /// Of the sizes with these modules the one whose width is nearest to half its diameter.
+    /// Size of the design: among these modules, the one whose width is closest to half its diameter.
     pub size: Size,
 }
 
-/// A tooth form; lengths in modules.
+/// Tooth form; lengths in modules.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Form {
-    /// Pressure angle of the satellites, `α`.
+    /// Pressure angle of the satellites, `α`, in rad.
     pub pressure_angle_rad: f64,
-    /// Addendum `h_a*`.
+    /// Addendum `h_a*`, in modules.
     pub addendum: f64,
-    /// Profile shift `x` of the satellites; the wheels have `−x`.
+    /// Profile shift `x` of the satellites, in modules; the wheels have `−x`.
     pub shift: f64,
-    /// Clearance `c*` of tips over roots.
+    /// Clearance `c*` between tips and roots, in modules.
     pub clearance: f64,
-    /// Radius `ρ*` of the rounded tips of the cutters.
+    /// Tip radius `ρ*` of the cutters, in modules.
     pub fillet: f64,
-    /// Backlash `j*` along the pitch curves.
+    /// Backlash `j*` along the pitch curves, in modules.
     pub backlash: f64,
-    /// What lies in the middle of the stator's crests.
+    /// Tooth or space in the middle of the stator's crests.
     pub crest: Crest,
 }
 
-/// Flanks under load, of rigid teeth with all load on one pair on its whole path: bounds, for comparison.
+/// Flanks under load, for rigid teeth with all load on one pair on its whole path. The values are bounds, for
+/// comparison.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Flanks {
-    /// Ripple of flow and torque, satellites sealing at the flanks.
+    /// Ripple of flow and torque if satellites seal at the flanks.
     pub ripple: f64,
-    /// Least over mean flow, which is that of the torque.
+    /// Least over mean flow, equal to least over mean torque.
     pub least_over_mean: f64,
-    /// Greatest contact stress of Hertz; null without a pressure.
+    /// Greatest Hertzian contact stress in Pa; null without a pressure.
     pub contact_on_path_pa: Option<f64>,
-    /// Greatest bending stress at a root; null without a pressure.
+    /// Greatest bending stress at a root, in Pa; null without a pressure.
     pub root_on_path_pa: Option<f64>,
-    /// The pressure drop that the material allows; null without limits of it.
+    /// Pressure drop that the material allows; null without limits of the material.
     pub allowed: Option<Allowed>,
 }
 
@@ -167,42 +167,42 @@ impl Flanks {
     }
 }
 
-/// The pressure drop that limits of the material allow.
+/// Pressure drop that the limits of the material allow.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Allowed {
-    /// The least of both.
+    /// Allowed pressure drop in Pa: the least by contact and root stress.
     pub on_path_pa: f64,
-    /// By contact.
+    /// Pressure drop allowed by contact stress, in Pa.
     pub by_contact_pa: f64,
-    /// By bending.
+    /// Pressure drop allowed by root bending, in Pa.
     pub by_root_pa: f64,
-    /// What limits it.
+    /// Limit that governs the allowed pressure drop.
     pub governing: GoverningLimit,
 }
 
-/// A size of a design; torque and power without losses, satellites sealing at the pitch points.
+/// Size of a design. Torque and power are without losses, for satellites that seal at the pitch points.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Size {
-    /// Module.
+    /// Module in m.
     pub module_m: f64,
-    /// Width.
+    /// Width in m.
     pub width_m: f64,
-    /// Greatest diameter of the stator's centrode; teeth and housing come on top.
+    /// Greatest diameter of the stator's centrode in m, without teeth and housing.
     pub outer_diameter_m: f64,
-    /// The place in the family of two arcs: distance of the centres of the arcs at the troughs from the axis;
-    /// null elsewhere.
+    /// Place in the family of two arcs: distance of the centres of the arcs at the troughs from the axis, in
+    /// m; null in other families.
     pub l_m: Option<f64>,
-    /// Displacement a revolution.
+    /// Displacement per revolution in m³.
     pub displacement_m3: f64,
-    /// Mean torque; null without a pressure.
+    /// Mean torque in N·m; null without a pressure.
     pub torque_n_m: Option<f64>,
-    /// Least torque.
+    /// Least torque in N·m; null without a pressure.
     pub least_torque_n_m: Option<f64>,
-    /// Mean flow; null without a speed.
+    /// Mean flow in m³/s; null without a speed.
     pub flow_m3_s: Option<f64>,
-    /// Power; null without both.
+    /// Power in W; null without pressure and speed.
     pub power_w: Option<f64>,
 }
 
@@ -210,39 +210,40 @@ impl Answer for MotorForms {
     const NAME: &'static str = "motor-forms";
 }
 
-/// A search that is done: its answer, and the motor of each design.
+/// Finished search: its answer, and the motor of each design.
 #[derive(Debug, Clone)]
 pub struct Searched {
     wanted: Wanted,
-    /// With the designs in the order that is wanted.
+    /// Results with the designs in the requested order.
     found: FormFound,
 }
 
-/// Searches; `watch` is told how far it is, from any thread, and may end it.
+/// Searches for designs; `watch` receives the progress from any thread, and may end the search.
 ///
 /// # Errors
-/// [`Error::Motor`] for bounds that cannot be, or where the watch ended it; [`Error::NoMotorForm`] where no
-/// point is admissible.
+/// [`Error::Motor`] for impossible bounds, or if `watch` ended the search; [`Error::NoMotorForm`] if no point
+/// is admissible.
 pub fn search(wanted: &Wanted, watch: &Watch) -> Result<Searched, Error> {
     let mut found = wanted.search.front_watched(watch)?;
     if found.designs.is_empty() {
         return Err(Error::NoMotorForm(Box::new(Funnel::of(&found))));
     }
     let order = wanted.order;
+    // The sort is stable, so equal designs keep the order of the search and their numbers are reproducible.
     found.designs.sort_by(|one, other| order.cost(one).total_cmp(&order.cost(other)));
     Ok(Searched { wanted: wanted.clone(), found })
 }
 
-/// The answer of a search.
+/// Searches for designs, and returns the answer.
 ///
 /// # Errors
-/// As [`search()`].
+/// Errors of [`search()`].
 pub fn answer(wanted: &Wanted) -> Result<MotorForms, Error> {
     Ok(search(wanted, &|_: Progress| std::ops::ControlFlow::Continue(()))?.answer())
 }
 
 impl Searched {
-    /// The answer.
+    /// Record of the results.
     #[must_use]
     pub fn answer(&self) -> MotorForms {
         let Self { wanted, found } = self;
@@ -265,7 +266,7 @@ impl Searched {
         }
     }
 
-    /// The motor of a design, in the size shown of it; the first is 1.
+    /// Motor of a design in the size shown for it; designs are numbered from 1.
     ///
     /// # Errors
     /// [`Error::NoSuchDesign`].
@@ -276,7 +277,7 @@ impl Searched {
             .designed(&self.wanted.search.requirements)
     }
 
-    /// The file of a design, in the size shown of it; the first is 1.
+    /// Motor file of a design in the size shown for it; designs are numbered from 1.
     ///
     /// # Errors
     /// [`Error::NoSuchDesign`].
@@ -286,7 +287,7 @@ impl Searched {
         found.saved(&designed, self.wanted.made.material.as_ref())
     }
 
-    /// `None` of a design without a size, of which a search finds none.
+    /// Record of a design; `None` if it has no size, which a search never returns.
     fn design(&self, place: usize, design: &FormDesign) -> Option<Design> {
         let numbers = design.numbers;
         let size = shown_size(design)?;
@@ -315,7 +316,7 @@ impl Searched {
     }
 }
 
-/// The size that is shown of a design.
+/// Size that is shown for a design.
 fn shown_size(design: &FormDesign) -> Option<&FormSize> {
     nearest_half(&design.sizes, |size| [size.width, size.outer_diameter])
 }
@@ -336,6 +337,7 @@ impl Form {
 
 impl Flanks {
     fn of(flanks: &FlankFigures, has_limits: bool) -> Self {
+        // A loaded satellite without a path of contact has an infinite stress, which JSON cannot hold.
         let finite = |stress: &f64| stress.is_finite();
         let allowed = &flanks.allowed;
         let of_limits = || Allowed {

@@ -1,5 +1,5 @@
-//! The satellites that lobes, teeth of the stator and a module admit, each with the motor in the middle of
-//! its family.
+//! Satellites that fit given lobes, stator teeth and a module, each with the motor in the middle of its
+//! family.
 
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
@@ -18,96 +18,95 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::Length;
 
-/// The most teeth of a stator whose satellites are listed: every satellite takes a motor with all its teeth.
+/// Maximum tooth number of a stator for this list, because each satellite needs a motor with all its teeth.
 const MOST_STATOR_TEETH: u32 = 240;
 
-/// The satellites that a stator and a rotor admit, each with the motor of two arcs in the middle of its
-/// family.
+/// Satellites that fit a stator and a rotor, each with the motor of two arcs in the middle of its family.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct MotorSatellites {
-    /// Lobes of the stator, `N`.
+    /// Number of lobes of the stator, `N`.
     pub stator_lobes: u32,
-    /// Lobes of the rotor, `n`.
+    /// Number of lobes of the rotor, `n`.
     pub rotor_lobes: u32,
-    /// Teeth of the stator, `Z₃`.
+    /// Tooth number of the stator, `Z₃`.
     pub stator_teeth: u32,
-    /// Teeth of the rotor, `Z₁`.
+    /// Tooth number of the rotor, `Z₁`.
     pub rotor_teeth: u32,
-    /// Satellites, and chambers, `N + n`.
+    /// Number of satellites and of chambers, `N + n`.
     pub satellites: u32,
-    /// Module `m`.
+    /// Module `m`, in m.
     pub module_m: f64,
-    /// Upper bound of the teeth of a satellite, `(Z₃ − Z₁)/2`.
+    /// Exclusive upper limit for the tooth number of a satellite, `(Z₃ − Z₁)/2`.
     pub satellite_teeth_below: f64,
-    /// Form of the teeth whose limits are judged.
+    /// Tooth form for which limits are checked.
     pub form: Form,
-    /// The motors, by rising teeth of a satellite.
+    /// Motors by increasing tooth number of a satellite.
     pub motors: Vec<SatelliteMotor>,
-    /// Teeth of a satellite below that bound with which there is no such motor.
+    /// Tooth numbers of satellites below the upper limit with which there is no such motor.
     pub without: Vec<SatellitesWithout>,
-    /// The teeth of a satellite to take next: of the motors whose teeth keep their limits those of the
-    /// greatest displacement; null where there is none.
+    /// Recommended tooth number of a satellite: of the motors whose teeth are within their limits, the one of
+    /// greatest displacement. Null if none exists.
     pub next_satellite_teeth: Option<u32>,
-    /// A warning if no motor is found, or none whose teeth keep their limits.
+    /// Warning if no motor is found, or none whose teeth are within their limits.
     pub warnings: Vec<Warning>,
 }
 
-/// The motor in the middle of the family of a satellite.
+/// Motor in the middle of the family of a satellite.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SatelliteMotor {
-    /// Teeth of a satellite, `Z_s`.
+    /// Tooth number of a satellite, `Z_s`.
     pub satellite_teeth: u32,
-    /// Distances `l` for which a motor closes.
+    /// Ranges of the distance `l` for which a motor closes.
     pub family: Vec<Interval>,
-    /// Distance of the centre of arc 1 from the axis.
+    /// Distance of the centre of arc 1 from the axis, in m.
     pub l_m: f64,
-    /// Distance of the centre of arc 2 from the axis.
+    /// Distance of the centre of arc 2 from the axis, in m.
     pub a_m: f64,
-    /// Least area of a chamber.
+    /// Least area of a chamber in m².
     pub least_chamber_m2: f64,
-    /// Displacement a revolution over the width.
+    /// Displacement per revolution and width, in m².
     pub displacement_per_width_m2: f64,
-    /// Ripple of flow and torque, satellites sealing at the pitch points.
+    /// Ripple of flow and torque if satellites seal at the pitch points.
     pub ripple: f64,
-    /// Limits that the teeth break; null if no teeth can be made.
+    /// Limits that the teeth exceed; null if no teeth can be made.
     pub broken_limits: Option<Vec<BrokenLimit>>,
-    /// Why there are no teeth.
+    /// Reason why there are no teeth; null if there are teeth.
     pub without_teeth: Option<String>,
 }
 
-/// A limit that teeth break.
+/// Limit that teeth exceed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct BrokenLimit {
-    /// Whose teeth.
+    /// Wheel whose teeth exceed the limit.
     pub wheel: Wheel,
-    /// Which limit.
+    /// Kind of the limit.
     pub limit: LimitKind,
 }
 
-/// Satellites with which there is no motor, for one reason.
+/// Range of tooth numbers of satellites with which there is no motor, for one reason.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SatellitesWithout {
-    /// Fewest teeth.
+    /// Least tooth number of the range.
     pub from: u32,
-    /// Most teeth.
+    /// Greatest tooth number of the range.
     pub to: u32,
-    /// Why.
+    /// Reason why there is no motor.
     pub reason: NoMotor,
 }
 
-/// Why there is no motor with a satellite.
+/// Reasons why there is no motor with a satellite.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum NoMotor {
-    /// None closes: where the arcs at the troughs vanish, the satellite does not fit into the crests.
+    /// No motor closes: where the arcs at the troughs vanish, the satellite does not fit into the crests.
     CrestRadius,
-    /// None closes: where the arcs at the troughs vanish, the rotor already has cusps.
+    /// No motor closes: where the arcs at the troughs vanish, the rotor already has cusps.
     RotorCusp,
-    /// None closes: the stator's flank is more than radial for every `l`.
+    /// No motor closes: the stator's flank is more than radial for every `l`.
     RadialFlank,
     /// In the middle of the family the rotor reaches into the stator.
     RotorInStator,
@@ -116,7 +115,7 @@ pub enum NoMotor {
 }
 
 impl NoMotor {
-    /// Of what a motor is refused for; other refusals are not about the satellite.
+    /// Reason for the refusal of a motor; refusals that are not about the satellite remain errors.
     fn of(refusal: MotorError) -> Result<Self, MotorError> {
         match refusal {
             MotorError::NoFamily { why: FamilyFault::CrestRadius } => Ok(Self::CrestRadius),
@@ -128,7 +127,7 @@ impl NoMotor {
         }
     }
 
-    /// In words.
+    /// Reason in words.
     #[must_use]
     pub const fn words(self) -> &'static str {
         match self {
@@ -145,11 +144,11 @@ impl Answer for MotorSatellites {
     const NAME: &'static str = "motor-satellites";
 }
 
-/// Every satellite of a stator and a rotor; `numbers` has the smallest satellite.
+/// Lists the satellites that fit a stator and a rotor; `numbers` has the smallest satellite.
 ///
 /// # Errors
-/// [`Error::TooManyToList`] for a stator of many teeth, [`Error::Motor`] for a module or a form of the teeth
-/// that cannot be.
+/// [`Error::TooManyToList`] for a stator with too many teeth; [`Error::Motor`] for an impossible module or
+/// tooth form.
 pub fn satellites_of(
     numbers: MotorNumbers,
     module: Length,
@@ -167,7 +166,7 @@ pub fn satellites_of(
     let (mut motors, mut without) = (vec![], Vec::<SatellitesWithout>::new());
     let all = bounds.all()?.into_iter();
     for numbers in all.filter(|one| one.rotor_lobes() == numbers.rotor_lobes()) {
-        // The family ends at limits of arcs and curvatures: the middle is away from both.
+        // The family ends at limits of arcs and curvatures; its middle is far from both ends.
         let motor = Family::new(numbers, module).and_then(|family| {
             let l = family.at_part(0.5)?.trough_distance();
             Ok((Motor::of_two_arcs(numbers, module, l)?, family))

@@ -1,4 +1,4 @@
-//! The search for hydromotors: non-dominated designs for a displacement or torque.
+//! Search for hydromotors: non-dominated designs for a displacement or torque.
 
 pub(crate) mod funnel;
 mod objective;
@@ -21,144 +21,144 @@ use serde::Serialize;
 use teeth::Teeth;
 use uom::si::f64::Angle;
 
-/// What is wanted.
+/// Requirements of a search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wanted {
-    /// What is searched; the teeth of its flanks are also those of limits and drawings.
+    /// Space, requirements and objectives of the search; its tooth form is also that of limits and drawings.
     pub search: Search,
-    /// What the designs are ordered by.
+    /// Objective by which the designs are ordered.
     pub order: Objective,
-    /// Whether only the first design of each set of lobes and teeth is told.
+    /// Whether only the first design of each set of lobes and teeth is listed.
     pub first_of_each_set: bool,
-    /// How many designs are told, at most.
+    /// Maximum number of designs listed.
     pub most: usize,
 }
 
-/// Hydromotors for a displacement: designs that no other surpasses in all objectives together.
+/// Hydromotors for a displacement: the non-dominated (Pareto) designs.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct MotorSearch {
-    /// The displacement wanted, a revolution.
+    /// Required displacement per revolution in m³.
     pub displacement_m3: f64,
-    /// What the designs are held against each other by.
+    /// Objectives by which designs are compared.
     pub objectives: Vec<Objective>,
-    /// What they are ordered by.
+    /// Objective by which the designs are ordered.
     pub order: Objective,
-    /// The tooth form.
+    /// Tooth form of the designs.
     pub form: Form,
-    /// Whether every design has teeth that keep their limits and ideal ports; else teeth and ports were not
-    /// judged.
+    /// Whether every design has teeth within their limits and ideal ports; otherwise teeth and ports were not
+    /// checked.
     pub made: bool,
-    /// How many non-dominated designs there are.
+    /// Number of non-dominated designs.
     pub found: usize,
-    /// Whether only the first of each set of lobes and teeth is told.
+    /// Whether only the first design of each set of lobes and teeth is listed.
     pub first_of_each_set: bool,
-    /// How many more designs could be told so.
+    /// Number of further designs that are not listed.
     pub hidden: usize,
-    /// The designs.
+    /// Listed designs.
     pub designs: Vec<Design>,
-    /// Motors tried, and why the others were refused.
+    /// Number of motors computed, and the reasons why others were refused.
     pub funnel: Funnel,
-    /// By how much an admissible motor between the places tried may be better than every design, by estimate.
+    /// Estimated relative improvement of an admissible motor between the computed places over every design.
     pub spacing_error: SpacingError,
-    /// By how much refinement found better motors than there are at even places.
+    /// Relative improvement by refinement over motors at even places.
     pub refinement_gain: SpacingError,
-    /// Contact stress and pressure beyond limits of practice.
+    /// Warnings about contact stress and pressure beyond practical limits.
     pub warnings: Vec<Warning>,
 }
 
-/// A design: a shape, and the size shown of it.
+/// Design: a shape, and the size shown for it.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Design {
-    /// Its number in the order.
+    /// Number of the design in the order.
     pub design: usize,
-    /// How many designs have the same lobes and teeth.
+    /// Number of designs with the same lobes and teeth.
     pub designs_of_the_set: usize,
-    /// Lobes of the stator, `N`.
+    /// Number of lobes of the stator, `N`.
     pub stator_lobes: u32,
-    /// Lobes of the rotor, `n`.
+    /// Number of lobes of the rotor, `n`.
     pub rotor_lobes: u32,
-    /// Teeth of the stator, `Z₃`.
+    /// Tooth number of the stator, `Z₃`.
     pub stator_teeth: u32,
-    /// Teeth of the rotor, `Z₁`.
+    /// Tooth number of the rotor, `Z₁`.
     pub rotor_teeth: u32,
-    /// Teeth of a satellite, `Z_s`.
+    /// Tooth number of a satellite, `Z_s`.
     pub satellite_teeth: u32,
-    /// The place in the family: distance of the centres of the arcs at the troughs over the module.
+    /// Place in the family: distance of the centres of the arcs at the troughs over the module.
     pub l_over_module: f64,
-    /// Displacement over the volume of the cylinder about the stator's centrode.
+    /// Displacement per volume of the cylinder around the stator's centrode.
     pub displacement_by_volume: f64,
-    /// Ripple of flow and torque, satellites sealing at the pitch points.
+    /// Ripple of flow and torque if satellites seal at the pitch points.
     pub ripple: f64,
-    /// Least over mean flow, which is that of the torque, satellites sealing at the pitch points.
+    /// Least over mean flow, equal to least over mean torque, if satellites seal at the pitch points.
     pub least_over_mean: f64,
-    /// Both, satellites sealing at the flanks; null where there are none.
+    /// Ripple and least over mean flow if satellites seal at the flanks; null if there are no such values.
     pub at_flanks: Option<AtFlanks>,
-    /// Why there are none.
+    /// Reason why there are no values at the flanks; null if there are.
     pub without_flanks: Option<String>,
-    /// Least curvature radius of both centrodes over the module.
+    /// Least curvature radius of both centrodes, in modules.
     pub least_radius_in_modules: f64,
-    /// Whether the teeth keep their limits.
+    /// Whether the teeth are within their limits.
     pub teeth_limits: TeethLimits,
-    /// The greatest contact stress of steel teeth where one pair of flanks carries alone, at the pressure;
-    /// null without it or without teeth.
+    /// Greatest contact stress of steel teeth at the given pressure while a single pair of flanks carries, in
+    /// Pa; null without a pressure or teeth.
     pub contact_stress_pa: Option<f64>,
-    /// The check of the centrodes with least to spare.
+    /// Check of the centrodes with the least margin.
     pub nearest_check: Subject,
-    /// How much that is, relative to the limit.
+    /// Least margin relative to the limit.
     pub nearest_margin: f64,
-    /// By how much a motor between the places tried may be better, by estimate.
+    /// Estimated relative improvement of a motor between the computed places.
     pub spacing_error: SpacingError,
-    /// The modules that serve.
+    /// Modules that meet the requirements, in m.
     pub modules_m: Vec<f64>,
-    /// Of the sizes with these modules the one whose width is nearest to half its diameter.
+    /// Size of the design: among these modules, the one whose width is closest to half its diameter.
     pub size: Size,
 }
 
-/// A size of a design; torque and power without losses, satellites sealing at the pitch points.
+/// Size of a design. Torque and power are without losses, for satellites that seal at the pitch points.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Size {
-    /// Module.
+    /// Module in m.
     pub module_m: f64,
-    /// Width.
+    /// Width in m.
     pub width_m: f64,
-    /// Greatest diameter of the stator's centrode; teeth and housing come on top.
+    /// Greatest diameter of the stator's centrode in m, without teeth and housing.
     pub outer_diameter_m: f64,
-    /// Distance of the centre of arc 1, at the troughs, from the axis.
+    /// Distance of the centre of arc 1, at the troughs, from the axis, in m.
     pub l_m: f64,
-    /// Distance of the centre of arc 2, at the crests, from the axis.
+    /// Distance of the centre of arc 2, at the crests, from the axis, in m.
     pub a_m: f64,
-    /// Radius of arc 1.
+    /// Radius of arc 1 in m.
     pub r1_m: f64,
-    /// Radius of arc 2.
+    /// Radius of arc 2 in m.
     pub r2_m: f64,
-    /// Displacement a revolution.
+    /// Displacement per revolution in m³.
     pub displacement_m3: f64,
-    /// Mean torque; null without a pressure.
+    /// Mean torque in N·m; null without a pressure.
     pub torque_n_m: Option<f64>,
-    /// Least torque.
+    /// Least torque in N·m; null without a pressure.
     pub least_torque_n_m: Option<f64>,
-    /// Mean flow; null without a speed.
+    /// Mean flow in m³/s; null without a speed.
     pub flow_m3_s: Option<f64>,
-    /// Power; null without both.
+    /// Power in W; null without pressure and speed.
     pub power_w: Option<f64>,
 }
 
-/// By how much motors may be better, relative, in each objective; null in what is none.
+/// Relative improvement in each objective; null if it is not an objective of the search.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SpacingError {
-    /// In displacement over volume.
+    /// Improvement of the displacement per volume.
     pub displacement_by_volume: Option<f64>,
-    /// In ripple, satellites sealing at the pitch points.
+    /// Improvement of the ripple, if satellites seal at the pitch points.
     pub ripple: Option<f64>,
-    /// In the least curvature radius.
+    /// Improvement of the least curvature radius.
     pub least_radius: Option<f64>,
-    /// In ripple, satellites sealing at the flanks.
+    /// Improvement of the ripple, if satellites seal at the flanks.
     pub flank_ripple: Option<f64>,
-    /// In the least torque over the mean, satellites sealing at the flanks.
+    /// Improvement of least over mean torque, if satellites seal at the flanks.
     pub least_torque: Option<f64>,
 }
 
@@ -166,19 +166,19 @@ impl Answer for MotorSearch {
     const NAME: &'static str = "motor-search";
 }
 
-/// A search that is done: its answer, and the motor of each design.
+/// Finished search: its answer, and the motor of each design.
 #[derive(Debug, Clone)]
 pub struct Searched {
     wanted: Wanted,
-    /// With the designs in the order that is wanted.
+    /// Results with the designs in the requested order.
     found: Found,
 }
 
-/// Searches; `watch` is told how far it is, from any thread, and may end it.
+/// Searches for designs; `watch` receives the progress from any thread, and may end the search.
 ///
 /// # Errors
-/// [`Error::Motor`] for bounds that cannot be, or where the watch ended it; [`Error::NoMotor`] where no motor
-/// passes.
+/// [`Error::Motor`] for impossible bounds, or if `watch` ended the search; [`Error::NoMotor`] if no motor is
+/// accepted.
 pub fn search(wanted: &Wanted, watch: &search::Watch) -> Result<Searched, Error> {
     let mut found = wanted.search.front_watched(watch)?;
     let form = wanted.search.flanks.form;
@@ -187,6 +187,7 @@ pub fn search(wanted: &Wanted, watch: &search::Watch) -> Result<Searched, Error>
     }
     let order = wanted.order;
     if order.of_search().is_of_flanks() {
+        // The search computes flanks only if they are an objective; the order needs them for all designs.
         for design in &mut found.designs {
             design.at_flanks = design.at_flanks.or_else(|| teeth::at_flanks(design, form));
         }
@@ -195,16 +196,16 @@ pub fn search(wanted: &Wanted, watch: &search::Watch) -> Result<Searched, Error>
     Ok(Searched { wanted: wanted.clone(), found })
 }
 
-/// The answer of a search.
+/// Searches for designs, and returns the answer.
 ///
 /// # Errors
-/// As [`search()`].
+/// Errors of [`search()`].
 pub fn answer(wanted: &Wanted) -> Result<MotorSearch, Error> {
     Ok(search(wanted, &|_| std::ops::ControlFlow::Continue(()))?.answer())
 }
 
 impl Searched {
-    /// The answer.
+    /// Record of the results.
     #[must_use]
     pub fn answer(&self) -> MotorSearch {
         let Self { wanted, found } = self;
@@ -232,7 +233,7 @@ impl Searched {
         }
     }
 
-    /// The motor of a design, in the size shown of it; the first is 1.
+    /// Motor of a design in the size shown for it; designs are numbered from 1.
     ///
     /// # Errors
     /// [`Error::NoSuchDesign`].
@@ -243,7 +244,7 @@ impl Searched {
         Drawn { motor, form, width: size.width, angle, made }.designed(&self.wanted.search.requirements)
     }
 
-    /// The file of a design, in the size shown of it; the first is 1.
+    /// Motor file of a design in the size shown for it; designs are numbered from 1.
     ///
     /// # Errors
     /// [`Error::NoSuchDesign`].
@@ -253,7 +254,7 @@ impl Searched {
         found.saved(&designed, None)
     }
 
-    /// `None` of a design without a size, of which a search finds none.
+    /// Record of a design; `None` if it has no size, which a search never returns.
     fn design(&self, place: usize, design: &search::Design) -> Option<Design> {
         let numbers = design.numbers;
         let size = shown_size(design)?;
@@ -262,6 +263,7 @@ impl Searched {
             Ok(at_flanks) => (Some(at_flanks), None),
             Err(why) => (None, Some(why)),
         };
+        // The ratio of least to mean flow does not depend on the module, so the shown size serves for it.
         let ripple = design.motor(size.module).ok()?.ripple();
         let found = &self.found;
         Some(Design {
@@ -289,8 +291,9 @@ impl Searched {
         })
     }
 
-    /// In the objectives alone.
+    /// Improvements limited to the objectives of the search.
     fn error(&self, error: search::SpacingError) -> SpacingError {
+        // An estimate is meaningless for a value that the search did not optimize.
         let of = |objective, value| self.wanted.search.objectives.contains(&objective).then(|| plain(value));
         SpacingError {
             displacement_by_volume: of(search::Objective::DisplacementByVolume, error.displacement_by_volume),
@@ -302,7 +305,7 @@ impl Searched {
     }
 }
 
-/// The size that is shown of a design.
+/// Size that is shown for a design.
 fn shown_size(design: &search::Design) -> Option<&search::Dimensions> {
     nearest_half(&design.dimensions, |size| [size.width, size.outer_diameter])
 }

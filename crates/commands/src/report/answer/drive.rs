@@ -1,23 +1,23 @@
-//! The chapters of a planetary drive.
+//! Chapters of a planetary drive.
 
 use crate::drive::answer::Drive;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Places of the curve over the ratio, less one.
+/// Number of places of the curve over the ratio, minus one.
 const STEPS: u32 = 100;
-/// Where that curve begins at the latest, and over the drive's own ratio less 1.
+/// Start of the curve: at most this ratio, and at most this multiple of the drive's own ratio minus 1.
 const LEAST_RATIO: [f64; 2] = [2.2, 0.8];
-/// Where it ends at the earliest, and over the drive's own ratio.
+/// End of the curve: at least this ratio, and at least this multiple of the drive's own ratio.
 const GREATEST_RATIO: [f64; 2] = [10.0, 1.5];
 
-/// A planetary drive, and what another ratio would change.
+/// Planetary drive, and its efficiency at other ratios.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct DriveReport {
-    /// The drive.
+    /// Design of the drive.
     pub drive: Drive,
-    /// Its efficiency if its ratio were another, the efficiencies of its meshes the same.
+    /// Efficiency of the drive at other ratios, with equal mesh efficiencies.
     pub efficiency_over_ratio: EfficiencyOverRatio,
 }
 
@@ -25,14 +25,15 @@ pub struct DriveReport {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct EfficiencyOverRatio {
-    /// Ratios, sun to carrier with the ring fixed, the drive's own among them, from the least.
+    /// Ratios in increasing order, sun speed over carrier speed with the ring fixed; the drive's own ratio is
+    /// included.
     pub ratios: Vec<f64>,
-    /// The efficiency at each.
+    /// Efficiency at each ratio.
     pub efficiencies: Vec<f64>,
 }
 
 impl DriveReport {
-    /// The chapters of a drive.
+    /// Chapters of a drive.
     #[must_use]
     pub fn of(drive: Drive) -> Self {
         let efficiency_over_ratio = EfficiencyOverRatio::of(&drive);
@@ -41,7 +42,7 @@ impl DriveReport {
 }
 
 impl EfficiencyOverRatio {
-    /// `η = (1 + k·η₀)/(1 + k)` over `U = 1 + k`.
+    /// Efficiency `η = (1 + k·η₀)/(1 + k)` over `U = 1 + k`.
     fn of(drive: &Drive) -> Self {
         let basic = drive.efficiencies.basic;
         let [greatest, over_own] = GREATEST_RATIO;
@@ -51,7 +52,7 @@ impl EfficiencyOverRatio {
         let least = (1.0 + over_own * (own - 1.0)).min(least);
         let ratio = |i| least + (greatest - least) * f64::from(i) / f64::from(STEPS);
         let mut ratios: Vec<f64> = (0..=STEPS).map(ratio).collect();
-        // The drive itself is on its curve.
+        // The drive's own ratio is inserted, so that the drive lies on its curve.
         let place = ratios.partition_point(|ratio| *ratio < own);
         if ratios.get(place) != Some(&own) {
             ratios.insert(place, own);

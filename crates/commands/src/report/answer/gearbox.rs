@@ -1,4 +1,4 @@
-//! The chapters of a gearbox: all gears, each gear in full, and what another `k` would change.
+//! Chapters of a gearbox: all gears, each gear in full, and the effect of another `k`.
 
 use crate::analyze::answer::gear::OneGear;
 use crate::analyze::answer::overview::Overview;
@@ -19,91 +19,91 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::ControlFlow;
 
-/// Places in a range of `k`, at most and at least.
+/// Maximum and minimum number of places in a range of `k`.
 const PLACES: [u32; 2] = [60, 12];
-/// Analyses of gears for all ranges of `k` together: beyond it the places are fewer, so that a page takes
-/// seconds.
+/// Limit of gear analyses for all ranges of `k` together. Beyond it, places are fewer, so that a page takes
+/// only seconds.
 const ANALYSES: usize = 6000;
-/// The `k` usual for a set with one sun, one ring and one kind of planet.
+/// Usual range of `k` for a set with one sun, one ring and one kind of planet.
 const USUAL_K: [f64; 2] = [1.5, 4.5];
-/// How far the range goes beyond the set's own `k` where that is at the end of the usual ones: over `k − 1`
-/// below, over `k` above.
+/// Extension of the range beyond a set's own `k` at the end of the usual range: a factor on `k − 1` below, on
+/// `k` above.
 const BEYOND_K: [f64; 2] = [0.6, 1.3];
-/// The range of `k` of other sets over their own.
+/// Range of `k` for other sets, relative to their own.
 const OVER_OWN_K: [f64; 2] = [0.6, 1.6];
 
-/// A gearbox: all gears, each gear in full, and what another `k` would change.
+/// Gearbox with the analysis of all gears, each gear in full, and the effect of another `k`.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct GearboxReport {
-    /// Names of its planet sets.
+    /// Names of the planetary sets.
     pub sets: Vec<String>,
-    /// All gears.
+    /// Overview of all gears.
     pub overview: Overview,
-    /// Each gear in full, in their order.
+    /// Full analysis of each gear, in the order of the gears.
     pub gears: Vec<OneGear>,
-    /// All shifts; `null` of a gearbox with more gears than they are told of.
+    /// Shifts between gears; null if the gearbox has too many gears for a list of shifts.
     pub shifts: Option<Shifts>,
-    /// The strength of its teeth at the operating point with load and speed, then over the duty of its file;
-    /// empty where the file does not state oil, life and the `strength` of a set.
+    /// Strength of the teeth at the operating point with load and speed, then over the duty of the file.
+    /// Empty if the file lacks oil, life or the `strength` of a set.
     pub strength: Vec<Strength>,
-    /// Its losses by their sources at the operating point; `null` without speed and load, and where nothing
-    /// loses power.
+    /// Losses by their sources at the operating point; null without speed and load, or if nothing loses
+    /// power.
     pub losses: Option<LossChapter>,
-    /// Data sheets of its gears; `null` where the file says enough of no set.
+    /// Data sheets of the gears; null if the file has enough data for no set.
     pub sheets: Option<DataSheets>,
-    /// Natural frequencies, modes and what excites them; `null` where the file has no `vibration` of any set.
+    /// Natural frequencies, modes and their excitation; null if the file has no `vibration` of any set.
     pub vibration: Option<Vibration>,
-    /// Why its scheme cannot be drawn; `null` of a drawable gearbox.
+    /// Reason why the scheme cannot be drawn; null for a drawable gearbox.
     pub conflict: Option<Conflict>,
-    /// What changes with the `k` of one set while the others stay as they are. Sets with more than two
-    /// central gears, which have no one `k`, and pairs on fixed axes are left out.
+    /// Effect of the `k` of one set with the others unchanged. Sets with more than two central gears, which
+    /// have no single `k`, and pairs on fixed axes are left out.
     pub over_k: Vec<OverK>,
 }
 
-/// The gears of a gearbox over the `k` of one set.
+/// Gears of a gearbox over the `k` of one set.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct OverK {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// Its own `k`: the magnitude of its basic ratio.
+    /// Value of `k` in the gearbox: the absolute value of the basic ratio.
     pub own_k: f64,
-    /// Whether it loses power.
+    /// Whether the set loses power.
     pub has_losses: bool,
-    /// Values of its `k`, its own among them, from the least.
+    /// Values of `k` in increasing order, with that of the gearbox among them.
     pub k: Vec<f64>,
-    /// What each gear does at each `k`.
+    /// Results for each gear at each `k`.
     pub gears: Vec<GearOverK>,
 }
 
-/// A gear over the `k` of one set; `null` where nothing follows.
+/// Gear over the `k` of one set; null where a value cannot be computed.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct GearOverK {
-    /// The gear.
+    /// Name of the gear.
     pub gear: String,
     /// Ratio at each `k`, input speed over output speed.
     pub ratios: Vec<Option<f64>>,
-    /// Efficiency at each `k`, driven from the input; `null` where the mesh losses hold the gear too.
+    /// Efficiency at each `k` when driven from the input; null also if the mesh losses hold the gear.
     pub efficiencies: Vec<Option<f64>>,
-    /// Speed of the set's fastest planet relative to its carrier at each `k`.
+    /// Speed of the set's fastest planet relative to its carrier at each `k`, relative to the input speed.
     pub planet_speeds_of_input: Vec<Option<f64>>,
 }
 
-/// The results that a page draws.
+/// Results that a page draws.
 #[derive(Debug)]
 pub struct Shown<'g> {
     /// The gearbox.
     pub gearbox: &'g Gearbox,
-    /// Its gears.
+    /// Analyses of the gears.
     pub gears: Vec<Analysis<'g>>,
-    /// Its layout, if it is drawable.
+    /// Layout of the gearbox; `None` if it is not drawable.
     pub layout: Option<Box<Layout>>,
 }
 
-/// The chapters of a gearbox with the input as asked, and the results that their pictures show, unless
-/// `goes_on`, which is asked now and then, breaks.
+/// Computes the chapters of a gearbox, and the results for their pictures. The closure `goes_on` is called
+/// now and then, and may end the calculation.
 ///
 /// # Errors
 /// Those of [`overview::answer`], [`gear::answer`], [`strength::chapters`], [`losses::chapter`],
@@ -125,6 +125,7 @@ pub fn answer<'g>(
         overview: overview::answer(subject, input, None)?,
         gears: names().map(|gear| gear::answer(subject, gear, input)).collect::<Result<_, Error>>()?,
         shifts: match shifts::answer(subject, input.speed) {
+            // A page without the shifts is better than no page.
             Err(Error::ManyGears { .. }) => None,
             shifts => Some(shifts?),
         },
@@ -141,6 +142,7 @@ pub fn answer<'g>(
 
 fn over_k(gearbox: &Gearbox) -> Vec<OverK> {
     let of_set = |(place, set): (usize, &PlanetSet)| {
+        // Only a set with two central gears has a `k`; a pair on fixed axes has no carrier that turns.
         let kind = set.kind().filter(|_| !set.is_pair())?;
         let own_k = set.basic_ratio().get().abs();
         let k = with_own(values(gearbox, range(kind, own_k)), own_k);
@@ -174,7 +176,8 @@ impl GearOverK {
     }
 }
 
-/// The `k` to look at: those usual for a set with sun and ring, and some on either side of its own.
+/// Range of `k` for the curves: the usual range for a set with sun and ring, and some values on either side
+/// of its own.
 fn range(kind: SetKind, k: f64) -> [f64; 2] {
     match kind {
         SetKind::Simple => {
@@ -191,7 +194,7 @@ fn values(gearbox: &Gearbox, [low, high]: [f64; 2]) -> Vec<f64> {
     (0..=places).map(|i| low + (high - low) * f64::from(i) / f64::from(places)).collect()
 }
 
-/// The same places with the set's own `k` among them, so that each curve has the gearbox itself.
+/// Inserts the set's own `k`, so that each curve contains the gearbox itself.
 fn with_own(mut values: Vec<f64>, own: f64) -> Vec<f64> {
     let place = values.partition_point(|value| *value < own);
     if values.get(place) != Some(&own) {
@@ -200,11 +203,12 @@ fn with_own(mut values: Vec<f64>, own: f64) -> Vec<f64> {
     values
 }
 
-/// The gearbox with another `k` of one set; `None` where that is no set.
+/// Gearbox with another `k` of one set; `None` if that gives no valid set.
 fn with_k(gearbox: &Gearbox, set: usize, k: f64) -> Option<Gearbox> {
     let id = gearbox.sets()[set].id();
     let change = |spec: SetSpec| {
         if spec.id == id {
+            // Tooth numbers of the planets belong to the original `k`, so they are dropped.
             SetSpec { gearing: Gearing::BasicRatio(k), planet: None, second_planet: None, ..spec }
         } else {
             spec

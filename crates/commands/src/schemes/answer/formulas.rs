@@ -1,19 +1,19 @@
-//! Ratios and efficiencies of the schemes as formulas to read; the tests evaluate them against the library.
+//! Ratios and efficiencies of the schemes as readable formulas; the tests evaluate them against the library.
 
 use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_schemes::catalogue::table::ClosedForm;
 
-/// Ratio of the last braked gear.
+/// Formula of the ratio of the last braked gear.
 pub(super) fn ratio(scheme: Scheme) -> String {
     to_read(scheme.ratio_formula())
 }
 
-/// Efficiency of the last braked gear.
+/// Formula of the efficiency of the last braked gear.
 pub(super) fn efficiency(scheme: Scheme) -> String {
     to_read(scheme.efficiency_formula())
 }
 
-/// `(k1+1)*(k2+1)` → `(k₁+1)(k₂+1)`.
+/// Makes a formula readable: `(k1+1)*(k2+1)` → `(k₁+1)(k₂+1)`.
 fn to_read(form: ClosedForm) -> String {
     let text = form.text().replace("k1", "k₁").replace("k2", "k₂").replace("eta0", "η₀");
     text.replace('*', "").replace("η₀η₀", "η₀²")
@@ -25,7 +25,7 @@ mod tests {
     use epicyclic_gears::efficiency::MeshEfficiency;
     use epicyclic_gears::simple_set::RingToSunRatio;
 
-    /// The value of a formula, by a library that knows nothing of gears.
+    /// Value of a formula, by a library that does not know gears.
     fn value(formula: &str, [k1, k2, eta]: [f64; 3]) -> f64 {
         let plain = formula.replace("k₁", "a").replace("k₂", "b").replace("η₀²", "(e*e)").replace("η₀", "e");
         let mut explicit = String::new();

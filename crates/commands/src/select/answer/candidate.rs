@@ -1,4 +1,4 @@
-//! A mechanism with its figures, and what the criteria say of it.
+//! Mechanism with its figures, and the verdicts of the criteria.
 
 use super::duty::Duty;
 use super::required::{Objective, finite};
@@ -17,205 +17,209 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{AngularVelocity, Torque};
 
-/// A mechanism measured and judged; speeds and torques without a unit are multiples of the input's.
+/// Mechanism with its figures and verdicts. Speeds without a unit are relative to the input speed, torques to
+/// the input torque.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Candidate {
-    /// Its place among all candidates, from 1.
+    /// Number of the candidate among all candidates, from 1.
     pub no: u32,
-    /// The source's name of the scheme; `null` where it has none.
+    /// Name of the scheme in the source; null if it has none.
     pub scheme: Option<&'static str>,
     /// Name of the structure, by the links of sun, ring and carrier of each set.
     pub structure: String,
-    /// Why the source has the structure, or lacks it; `null` of a single set.
+    /// Reason why the source has or lacks the structure; null for a single set.
     pub source: Option<InSource>,
-    /// Whether it meets every required criterion.
+    /// Whether the candidate meets every required criterion.
     pub accepted: bool,
-    /// Whether it is non-dominated: no other is better in one objective and worse in none.
+    /// Whether the candidate is non-dominated: no other is better in one objective and worse in none.
     pub non_dominated: bool,
-    /// The objective that puts it behind the first; `null` of the first, of its equals, and of the rejected.
+    /// Objective by which the candidate is behind the first; null for the first, for its equals, and for
+    /// rejected ones.
     pub behind_by: Option<Objective>,
     /// Whether the output turns in mixed directions: backward in a braked gear, forward in direct drive.
     pub mixed_directions: bool,
-    /// Its sets.
+    /// Sets of the candidate.
     pub sets: Vec<Set>,
-    /// What it is compared by.
+    /// Values of the objectives.
     pub objectives: Objectives,
-    /// Its braked gears.
+    /// Braked gears of the candidate.
     pub gears: Vec<BrakedGear>,
-    /// Every option for the direct-drive clutch, the least torque first.
+    /// Options for the direct-drive clutch, the least torque first.
     pub direct_drive_clutches: Vec<DirectDriveClutch>,
-    /// Which shift element is engaged in each gear, the slowest output first.
+    /// Engaged shift element of each gear, the slowest output first.
     pub engagement_table: Vec<Engagement>,
-    /// What the criteria say.
+    /// Verdicts of the criteria.
     pub criteria: Vec<Verdict>,
-    /// Its gears at the speed and load of the input; empty where neither is given.
+    /// Results for each gear at the given speed and load of the input; empty if neither is given.
     pub operation: Vec<GearOperation>,
 }
 
-/// A set of a candidate.
+/// Set of a candidate.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Set {
-    /// Links of its members.
+    /// Links of the members.
     pub links: SetLinks,
-    /// Ring-to-sun ratio.
+    /// Ring-to-sun ratio k.
     pub k: f64,
 }
 
-/// Why the source has a structure, or lacks it.
+/// Reason why the source has or lacks a structure.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct InSource {
-    /// The reason.
+    /// Kind of the reason.
     pub standing: InSourceStanding,
-    /// What gear 1 gives over the range of k, where that is the reason.
+    /// Ratios of gear 1 over the range of k; null unless they are the reason.
     pub ratio_1: Option<Reach>,
-    /// What gear 2 gives over the range of k, where that is the reason.
+    /// Ratios of gear 2 over the range of k; null unless they are the reason.
     pub ratio_2: Option<Reach>,
-    /// The structure that it is with D and B exchanged, where that is the reason.
+    /// Structure that results from exchanging D and B; null unless this is the reason.
     pub reversed_of: Option<String>,
 }
 
-/// A reason for which the source has a structure, or lacks it.
+/// Kinds of reasons why the source has or lacks a structure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum InSourceStanding {
-    /// The source has it.
+    /// The source lists the structure.
     Listed,
-    /// Built by the source's rule, but gear 2 never slows in the direction of gear 1.
+    /// Built by the source's rule, but gear 2 never reduces the speed in the direction of gear 1.
     OutOfReach,
-    /// Built by the source's rule and fit for its purpose, yet not listed.
+    /// Built by the source's rule and suitable, yet not listed.
     Missed,
-    /// Built by the source's rule once D and B change places.
+    /// Built by the source's rule after exchanging D and B.
     Reversed,
-    /// Outside the rule: set 2 ties T2, not T1, to D and B, and works alone.
+    /// Outside the rule: set 2 ties T2, not T1, to D and B, and works independently.
     Parallel,
-    /// Outside the rule: no set has both D and B, the sets work in series.
+    /// Outside the rule: no set has both D and B, so that the sets work in series.
     Serial,
 }
 
-/// The ratios that a gear gives over a range of k.
+/// Ratios that a gear has over a range of k.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Reach {
-    /// How the ratio runs.
+    /// Shape of the range of ratios.
     pub kind: ReachKind,
-    /// The least ratio; through infinity the greatest below the gap.
+    /// Least ratio; for a range through infinity the greatest below the gap.
     pub from: f64,
-    /// The greatest ratio; through infinity the least above the gap.
+    /// Greatest ratio; for a range through infinity the least above the gap.
     pub to: f64,
 }
 
-/// How a ratio runs over a range of k.
+/// Shapes of the range of ratios over a range of k.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ReachKind {
-    /// It takes every value between two of one sign.
+    /// Values between two limits of equal sign.
     Between,
-    /// It takes every value between two, 0 among them.
+    /// Values between two limits, with 0 among them.
     ThroughZero,
-    /// It takes every value outside two.
+    /// Values outside two limits.
     ThroughInfinity,
 }
 
-/// What candidates are compared by.
+/// Objectives by which candidates are compared.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Objectives {
-    /// The least efficiency of a braked gear; 0 where one is self-locking.
+    /// Least efficiency of a braked gear; 0 if one is self-locking.
     pub efficiency: f64,
-    /// The largest speed of a link, or of a planet relative to its carrier.
+    /// Largest speed of a link, or planet speed relative to the carrier; relative to the input speed.
     pub speed_of_input: f64,
     /// Distance of ln k from the preferred range, summed over the sets.
     pub ring_to_sun_distance: f64,
-    /// The largest error of a ratio, as a share of it.
+    /// Largest relative error of a ratio.
     pub ratio_error: f64,
-    /// Circulating power of the gear where it is largest, over what enters.
+    /// Largest circulating power of a gear relative to the entering power.
     pub circulating_of_entering: f64,
-    /// Size of the largest ring, relative.
+    /// Relative size of the largest ring.
     pub size: f64,
-    /// Pitch diameter of the largest ring; `null` without a torque and a load factor.
+    /// Pitch diameter of the largest ring in m; null without a torque and a load factor.
     pub ring_diameter_m: Option<f64>,
 }
 
-/// A braked gear of a candidate.
+/// Braked gear of a candidate.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct BrakedGear {
-    /// Which gear.
+    /// Name of the gear.
     pub gear: GearName,
-    /// The ratio wanted.
+    /// Required ratio.
     pub wanted_ratio: f64,
-    /// The ratio it has, input speed over output speed.
+    /// Ratio of the gear, input speed over output speed.
     pub ratio: f64,
-    /// Its efficiency; `null` where it is self-locking.
+    /// Efficiency of the gear; null if it is self-locking.
     pub efficiency: Option<f64>,
-    /// Circulating power over what enters; `null` where the gear is self-locking.
+    /// Circulating power relative to the entering power; null if the gear is self-locking.
     pub circulating_of_entering: Option<f64>,
-    /// Torque of the brake on its link, with losses; `null` where the gear is self-locking.
+    /// Torque of the brake on its link with losses, relative to the input torque; null if the gear is
+    /// self-locking.
     pub brake_torque_of_input: Option<f64>,
-    /// Speeds in each set.
+    /// Speeds in each set, relative to the input speed.
     pub sets: Vec<SetSpeeds>,
 }
 
-/// An option for the direct-drive clutch.
+/// Option for the direct-drive clutch.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct DirectDriveClutch {
-    /// The two links that it joins.
+    /// Names of the two links that the clutch joins.
     pub links: [Link; 2],
-    /// Its torque in direct drive, on the first link.
+    /// Torque on the first link in direct drive, relative to the input torque.
     pub torque_of_input: f64,
-    /// Slip of the open clutch in each braked gear, first link less second.
+    /// Slip of the open clutch in each braked gear relative to the input speed: first link minus second.
     pub slips_of_input: Vec<f64>,
-    /// Whether it can be drawn with the rest.
+    /// Whether the clutch can be drawn with the rest.
     pub drawable: bool,
-    /// Whether it is the one chosen: the least torque of those that can be drawn and slip within the limit.
+    /// Whether the clutch is chosen: the one of least torque that can be drawn and slips within the limit.
     pub chosen: bool,
 }
 
-/// A line of the engagement table.
+/// Line of the engagement table.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Engagement {
-    /// Which gear.
+    /// Name of the gear.
     pub gear: GearName,
-    /// Its ratio.
+    /// Ratio of the gear, input speed over output speed.
     pub ratio: f64,
-    /// The one shift element engaged in it.
+    /// Shift element that is engaged in the gear.
     pub engaged: ShiftElement,
     /// Whether the output turns backward.
     pub reverses: bool,
 }
 
-/// What a criterion says of a candidate.
+/// Verdict of a criterion on a candidate.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Verdict {
-    /// Which criterion.
+    /// Name of the criterion.
     pub criterion: Criterion,
-    /// Whether it is met.
+    /// Whether the criterion is met.
     pub met: bool,
-    /// Whether a candidate that does not meet it is rejected.
+    /// Whether a candidate that does not meet the criterion is rejected.
     pub required: bool,
-    /// The worst value found; 1 or 0 of a yes or no; `null` where there is none.
+    /// Worst value found; 1 or 0 for yes or no. Null if none exists.
     pub value: Option<f64>,
-    /// The least value that meets it.
+    /// Least value that meets the criterion.
     pub least: f64,
-    /// The greatest value that meets it; `null` where there is no limit.
+    /// Greatest value that meets the criterion; null if there is no limit.
     pub greatest: Option<f64>,
-    /// The gear of the worst value, where it is one of a gear.
+    /// Gear with the worst value; null if the value is not one of a gear.
     pub gear: Option<GearName>,
-    /// The set of the worst value, where it is one of a set or of its planets.
+    /// Number of the set with the worst value; null if the value is not one of a set or its planets.
     pub set: Option<u32>,
-    /// The link of the worst value, where it is one of a link.
+    /// Link with the worst value; null if the value is not one of a link.
     pub link: Option<Link>,
-    /// What cannot be drawn together, for people; `null` where the scheme is drawable, and of other criteria.
+    /// Explanation of the elements that cannot be drawn together; null if the scheme is drawable, and for
+    /// other criteria.
     pub crossing: Option<String>,
 }
 
-/// What a candidate is judged by.
+/// Criteria by which a candidate is judged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Criterion {
@@ -233,37 +237,37 @@ pub enum Criterion {
     ClutchSlip,
     /// Circulating power in the braked gears.
     Circulation,
-    /// The same direction of rotation of the output in all gears.
+    /// Equal direction of rotation of the output in all gears.
     SameDirection,
     /// Drawable with nested shafts, no link across another.
     Drawable,
 }
 
-/// A gear at the speed and load of the input.
+/// Results for a gear at the given speed and load of the input.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct GearOperation {
-    /// Which gear.
+    /// Name of the gear.
     pub gear: GearName,
-    /// Speed of the output; `null` without the input's speed.
+    /// Output speed in rad/s; null without the input speed.
     pub output_speed_rad_s: Option<f64>,
-    /// Torque on the gearbox at the input; `null` without a load.
+    /// Torque on the input in N·m; null without a load.
     pub input_torque_n_m: Option<f64>,
-    /// Torque on the gearbox at the output; `null` without a load.
+    /// Torque on the output in N·m; null without a load.
     pub output_torque_n_m: Option<f64>,
-    /// Torque of K1 on its link; `null` without a load.
+    /// Torque of K1 on its link in N·m; null without a load.
     pub k1_torque_n_m: Option<f64>,
-    /// Torque of K2 on its link; `null` without a load, and of a single set.
+    /// Torque of K2 on its link in N·m; null without a load, and for a single set.
     pub k2_torque_n_m: Option<f64>,
-    /// Torque of the direct-drive clutch on its first link; `null` without a load.
+    /// Torque of the direct-drive clutch on its first link in N·m; null without a load.
     pub direct_drive_clutch_torque_n_m: Option<f64>,
-    /// Power that enters; `null` without a load and the input's speed.
+    /// Entering power in W; null without a load and the input speed.
     pub entering_w: Option<f64>,
-    /// Power that leaves.
+    /// Leaving power in W; null without a load and the input speed.
     pub leaving_w: Option<f64>,
-    /// Power lost in the meshes.
+    /// Power lost in the meshes in W; null without a load and the input speed.
     pub loss_w: Option<f64>,
-    /// Circulating power.
+    /// Circulating power in W; null without a load and the input speed.
     pub circulating_w: Option<f64>,
     /// Torques on the members of each set; empty without a load.
     pub sets: Vec<SetTorques>,
@@ -273,15 +277,15 @@ pub struct GearOperation {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SetTorques {
-    /// On the sun.
+    /// Torque on the sun in N·m; null if the set carries no torque.
     pub sun_torque_n_m: Option<f64>,
-    /// On the ring.
+    /// Torque on the ring in N·m; null if the set carries no torque.
     pub ring_torque_n_m: Option<f64>,
-    /// On the carrier.
+    /// Torque on the carrier in N·m; null if the set carries no torque.
     pub carrier_torque_n_m: Option<f64>,
 }
 
-/// A candidate with its place among all.
+/// Candidate with its number among all candidates.
 pub(super) struct Ranked<'a> {
     pub(super) no: u32,
     pub(super) candidate: &'a selection::Candidate,
@@ -434,13 +438,13 @@ impl Criterion {
             selection::Criterion::ClutchSlip => Self::ClutchSlip,
             selection::Criterion::Circulation => Self::Circulation,
             selection::Criterion::SameDirection => Self::SameDirection,
-            // The criteria are not exhaustive for other crates.
+            // The enum is non-exhaustive in its crate, so a match needs this arm.
             _ => Self::Drawable,
         }
     }
 }
 
-/// Where the worst value of a criterion is.
+/// Place of the worst value of a criterion.
 #[derive(Default)]
 struct Place {
     gear: Option<GearName>,
@@ -474,7 +478,7 @@ impl Place {
     }
 }
 
-/// What cannot be drawn together.
+/// Explanation of the elements that cannot be drawn together.
 fn crossing(mechanism: Mechanism, why: &NotDrawable) -> String {
     match why {
         NotDrawable::Gearbox(error) => error.to_string(),
@@ -500,7 +504,7 @@ fn operation(
     for line in one.engagement_table() {
         let gear = GearName::of(line.gear);
         let analysis = gearbox.analyze(gear.name())?;
-        // Torques do not depend on the speed; powers are told only where it is known.
+        // Torques do not depend on the speed; powers are given only if it is known.
         let turning = speed.unwrap_or(AngularVelocity::from_si(1.0));
         let at = match torque.map(|torque| analysis.at(turning, InputLoad::Torque(torque))) {
             None | Some(Err(epicyclic_train::Error::NotDriven { .. })) => None,
@@ -528,7 +532,7 @@ fn operation(
     Ok(found)
 }
 
-/// Torque of a shift element; none of one that the mechanism lacks.
+/// Torque of a shift element; `None` if the mechanism lacks it or there is no load.
 fn shift_element(gearbox: &Gearbox, at: Option<&Operation>, element: ShiftElement) -> Option<Torque> {
     let place = gearbox.shift_elements().iter().position(|one| one.id() == element.name())?;
     at?.shift_elements[place]

@@ -1,30 +1,30 @@
-//! Speed and load of the input of a gearbox that is chosen.
+//! Speed and load of the input of a gearbox to be chosen.
 
 use crate::error::Error;
 pub use crate::refusal::{DutyProblem, DutyQuantity};
 use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Power, Torque};
 
-/// What is known of the input.
+/// Known speed and load of the input.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Duty {
-    /// Its speed.
+    /// Speed of the input.
     pub input_speed: Option<AngularVelocity>,
-    /// Its load.
+    /// Load of the input.
     pub load: Option<Load>,
 }
 
 /// Load on an input.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Load {
-    /// Its torque.
+    /// Torque on the input.
     Torque(Torque),
-    /// The power into it, which needs a speed.
+    /// Power into the input, which requires a speed.
     Power(Power),
 }
 
 impl Duty {
-    /// The torque on the input, given or from power and speed.
+    /// Computes the torque on the input, as given or from power and speed.
     ///
     /// # Errors
     /// [`Error::Duty`].

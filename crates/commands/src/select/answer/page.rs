@@ -1,4 +1,4 @@
-//! What a page of a choice draws.
+//! Drawing for the page of a choice.
 
 use super::candidate::Candidate;
 use crate::error::Error;
@@ -8,11 +8,11 @@ use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_layout::{Options, Verdict, draw};
 use epicyclic_schemes::structures::{Role, SetRoles, gearbox};
 
-/// A candidate as a gearbox with the direct-drive clutch chosen, laid out; `eta0` is the efficiency of its
-/// sets with their carriers fixed.
+/// Layout of a candidate with its chosen direct-drive clutch; `eta0` is the efficiency of the sets with their
+/// carriers fixed.
 ///
 /// # Errors
-/// [`Error::Design`] of a candidate whose sets are no simple sets; there is none in an answer.
+/// [`Error::Design`] for a candidate with other than simple sets, which an answer never contains.
 pub fn drawn(candidate: &Candidate, eta0: MeshEfficiency) -> Result<Drawn, Error> {
     let sets: Vec<(SetRoles, f64)> = candidate
         .sets

@@ -1,4 +1,4 @@
-//! Speeds asked for and reached, gear by gear.
+//! Speeds required and reached, gear by gear.
 
 use super::candidate::BrakedGear;
 use crate::shared::catalogue::GearName;
@@ -7,53 +7,53 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{AngularVelocity, Velocity};
 
-/// Speed of the output in a gear, asked for and reached.
+/// Output speed in a gear, required and reached.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ReachedSpeed {
-    /// Which gear.
+    /// Name of the gear.
     pub gear: GearName,
-    /// The speed of the machine that is asked for; `null` where ratios are.
+    /// Required speed of the machine in m/s; null if ratios are required.
     pub asked_speed_m_s: Option<f64>,
-    /// The speed of the machine that is reached, below 0 backward; `null` where ratios are asked for.
+    /// Speed of the machine in m/s, negative for backward; null if ratios are required.
     pub speed_m_s: Option<f64>,
-    /// The reached speed over the one asked for, without their signs, less 1.
+    /// Relative deviation of the reached from the required speed, without signs.
     pub speed_deviation: f64,
-    /// The ratio that is asked for.
+    /// Required ratio, input speed over output speed.
     pub asked_ratio: f64,
-    /// The ratio that is reached, input speed over output speed.
+    /// Reached ratio, input speed over output speed.
     pub ratio: f64,
-    /// The reached ratio over the one asked for, without their signs, less 1.
+    /// Relative deviation of the reached from the required ratio, without signs.
     pub ratio_deviation: f64,
-    /// Speed of the output that is asked for; `null` without the input's speed.
+    /// Required output speed in rad/s; null without the input speed.
     pub asked_output_speed_rad_s: Option<f64>,
-    /// Speed of the output that is reached; `null` without the input's speed.
+    /// Reached output speed in rad/s; null without the input speed.
     pub output_speed_rad_s: Option<f64>,
-    /// Whether the output turns against the direction asked for.
+    /// Whether the output turns against the required direction.
     pub reversed: bool,
 }
 
-/// What is asked of the output.
+/// Required speeds or ratios of the output.
 #[derive(Debug, Clone)]
 pub(crate) struct Asked<'a> {
-    /// Speeds of the machine; empty where ratios are asked for.
+    /// Speeds of the machine; empty if ratios are required.
     pub(crate) speeds: &'a [Velocity],
-    /// Ratios of the braked gears with the signs given.
+    /// Ratios of the braked gears with the given signs.
     pub(crate) ratios: Vec<f64>,
     /// Speed of the input.
     pub(crate) input: Option<AngularVelocity>,
 }
 
 impl Asked<'_> {
-    /// The speeds of all gears, the slowest asked for first.
+    /// Speeds in all gears, the slowest required speed first.
     pub(crate) fn reached_by(&self, gears: &[BrakedGear]) -> Vec<ReachedSpeed> {
         self.reached(gears.iter().map(|gear| (gear.gear, gear.wanted_ratio, gear.ratio)))
     }
 
-    /// The speeds of direct drive and of braked gears with the ratios wanted and reached, the slowest asked
-    /// for first.
+    /// Speeds in direct drive and in braked gears with the required and reached ratios, the slowest required
+    /// speed first.
     pub(crate) fn reached(&self, braked: impl Iterator<Item = (GearName, f64, f64)>) -> Vec<ReachedSpeed> {
-        // A scheme may be tried with other signs than those given.
+        // A scheme may be tried with signs other than those given.
         let asked = |wanted: f64| nearest(&self.ratios, wanted).unwrap_or(wanted);
         let mut found: Vec<ReachedSpeed> = braked
             .map(|(gear, wanted, ratio)| (gear, asked(wanted), ratio))
@@ -65,7 +65,7 @@ impl Asked<'_> {
     }
 
     fn of(&self, gear: GearName, asked_ratio: f64, ratio: f64) -> ReachedSpeed {
-        // The greatest speed is that of direct drive.
+        // The greatest speed belongs to direct drive.
         let speeds: Vec<f64> = self.speeds.iter().map(|speed| speed.si()).collect();
         let direct = speeds.last().copied();
         let input = self.input.map(Physical::si);
@@ -84,13 +84,14 @@ impl Asked<'_> {
     }
 }
 
-/// The one of these whose size is nearest to that of a value: given figures differ from it by rounding alone.
+/// Finds the entry whose absolute value is closest to that of a value. Given figures differ from it only by
+/// rounding.
 fn nearest(all: &[f64], value: f64) -> Option<f64> {
     let off = |one: &f64| (one.abs() - value.abs()).abs();
     all.iter().copied().min_by(|one, other| off(one).total_cmp(&off(other)))
 }
 
-/// The largest deviation of a speed or of a ratio, without its sign.
+/// Largest relative deviation of a speed or ratio, without sign.
 #[must_use]
 pub fn largest_deviation(speeds: &[ReachedSpeed]) -> f64 {
     speeds.iter().map(|one| one.speed_deviation.abs().max(one.ratio_deviation.abs())).fold(0.0, f64::max)
@@ -114,7 +115,7 @@ mod tests {
         }
     }
 
-    /// By hand: 1.6 m/s over 2.5 and over −1.6, asked for 0.63 and 1.0 m/s.
+    /// By hand: 1.6 m/s over 2.5 and over −1.6, required 0.63 and 1.0 m/s.
     #[test]
     fn speeds_are_those_asked_for_and_what_the_ratios_give() {
         let speeds = [0.63, 1.0, 1.6].map(Velocity::new::<meter_per_second>);

@@ -1,4 +1,4 @@
-//! What is wanted of a gearbox, as a record.
+//! Requirements of a gearbox as a record.
 
 use super::duty::Duty;
 use crate::error::Error;
@@ -8,99 +8,100 @@ use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// What is wanted.
+/// Requirements of a gearbox.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Required {
-    /// Ratios of the braked gears, one or two.
+    /// Required ratios of the braked gears, one or two.
     pub ratios: Vec<f64>,
-    /// How far a ratio may be off, as a share of it.
+    /// Allowed relative deviation of a ratio.
     pub tolerance: f64,
-    /// Which brake gives which ratio.
+    /// Assignment of brakes to ratios.
     pub brakes: Brakes,
-    /// Which signs the ratios may have.
+    /// Allowed signs of the ratios.
     pub signs: RatioSigns,
-    /// What decides first, and what next where that is equal.
+    /// Objectives in the order in which they decide.
     pub order: Vec<Objective>,
-    /// Ring-to-sun ratios allowed.
+    /// Allowed range of ring-to-sun ratios.
     pub k: KRange,
-    /// Ring-to-sun ratios preferred.
+    /// Preferred range of ring-to-sun ratios.
     pub preferred_k: KRange,
     /// Efficiency of each set with its carrier fixed.
     pub set_efficiency: f64,
-    /// Least efficiency of a gear.
+    /// Minimum efficiency of a gear.
     pub least_efficiency: f64,
-    /// Greatest speed of a link; `null` where there is no limit.
+    /// Maximum speed of a link relative to the input speed; null without limit.
     pub greatest_link_speed_of_input: Option<f64>,
-    /// Greatest speed of a planet relative to its carrier; `null` where there is no limit.
+    /// Maximum planet speed relative to the carrier, relative to the input speed; null without limit.
     pub greatest_planet_speed_of_input: Option<f64>,
-    /// Greatest slip of the open direct-drive clutch; `null` where there is no limit.
+    /// Maximum slip of the open direct-drive clutch relative to the input speed; null without limit.
     pub greatest_clutch_slip_of_input: Option<f64>,
-    /// Greatest circulating power of a gear over what enters; `null` where there is no limit.
+    /// Maximum circulating power of a gear relative to the entering power; null without limit.
     pub greatest_circulating_of_entering: Option<f64>,
     /// Whether all gears must turn the output in the same direction.
     pub same_direction: bool,
     /// Whether the scheme must be drawable: realizable with nested shafts, no link across another.
     pub drawable: bool,
-    /// Number of planets of each set, where no tooth numbers say.
+    /// Number of planets of each set, used if no tooth numbers determine it.
     pub planets: u32,
-    /// Mesh load factors K_γ with 2, 3, … 8 planets.
+    /// Mesh load factors K_γ for 2, 3, … 8 planets.
     pub mesh_load_factors: Vec<f64>,
     /// Face width over the pitch diameter of the smaller of sun and planet.
     pub face_width_ratio: f64,
-    /// Load factor K of the sun's teeth; with it and a torque sizes are lengths.
+    /// Load factor K of the sun's teeth in Pa; together with a torque it gives sizes as lengths. Null if not
+    /// given.
     pub load_factor_pa: Option<f64>,
-    /// Speed of the input.
+    /// Input speed in rad/s; null if not given.
     pub input_speed_rad_s: Option<f64>,
-    /// Torque on the input.
+    /// Torque on the input in N·m; null if not given.
     pub input_torque_n_m: Option<f64>,
 }
 
-/// Which brake gives which ratio.
+/// Assignments of brakes to ratios.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Brakes {
-    /// Either brake gives either ratio.
+    /// Either brake may give either ratio.
     Either,
     /// The first brake gives the first ratio.
     AsGiven,
 }
 
-/// Which signs the ratios may have; direct drive is positive.
+/// Allowed signs of the ratios; direct drive is positive.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum RatioSigns {
-    /// All positive, or all negative.
+    /// Ratios of equal sign: positive or negative.
     Alike,
-    /// Each by itself.
+    /// Ratios of any sign, independent of each other.
     Any,
-    /// Those given.
+    /// Signs as given.
     AsGiven,
 }
 
-/// What designs are compared by.
+/// Objectives by which designs are compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Objective {
-    /// The direction of the output, alike in all gears or not: before all others, and none that an order
-    /// names.
+    /// Direction of the output: equal in all gears or mixed. This objective precedes all others, and no order
+    /// names it.
     Direction,
-    /// The least efficiency of a braked gear; more is better.
+    /// Least efficiency of a braked gear; more is better.
     Efficiency,
-    /// The largest speed of a link, or of a planet relative to its carrier; less is better.
+    /// Largest speed of a link, or planet speed relative to the carrier; less is better.
     Speed,
-    /// The distance of ln k from the preferred range, summed over the sets; less is better.
+    /// Distance of ln k from the preferred range, summed over the sets; less is better.
     RingToSunRatio,
-    /// The largest error of a ratio; less is better.
+    /// Largest error of a ratio; less is better.
     RatioError,
-    /// The largest ring at the same load of the teeth; less is better.
+    /// Size of the largest ring at equal tooth load; less is better.
     Size,
-    /// The largest circulating power of a braked gear; less is better.
+    /// Largest circulating power of a braked gear; less is better.
     Circulation,
 }
 
 impl Objective {
-    /// The objective as a record.
+    /// Converts the objective into a record.
     #[must_use]
     pub fn of(objective: selection::Objective) -> Self {
         match objective {

@@ -1,4 +1,4 @@
-//! A design as a gearbox, to be written as a file that `analyze`, `draw` and `report` read.
+//! Design as a gearbox, for a file that `analyze`, `draw` and `report` read.
 
 use crate::error::Error;
 use crate::shared::number::short;
@@ -10,20 +10,21 @@ use epicyclic_selection::{Candidate, Requirements};
 use epicyclic_train::set::{Gearing, SetSpec};
 use epicyclic_train::{GearSpec, Gearbox};
 
-/// A design as a gearbox.
+/// Design as a gearbox.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Saved {
-    /// The scheme by the source's name, or the structure.
+    /// Name of the scheme in the source, or that of the structure.
     pub scheme: String,
-    /// The gearbox with its brakes K1 and K2, the direct-drive clutch that was chosen, and its gears: forward
-    /// gears `1`, `2`, … and reverse `R`, the slowest first.
+    /// Gearbox with its brakes K1 and K2, the chosen direct-drive clutch, and its gears, the slowest first:
+    /// forward gears `1`, `2`, … and reverse `R`.
     pub gearbox: Gearbox,
-    /// Module and face width of each set at the load factor; empty where they are not known.
+    /// Module and face width of each set at the load factor; empty if unknown.
     pub sizes: Vec<WrittenSize>,
 }
 
 impl Saved {
-    /// A candidate; of one with teeth the tooth numbers of each set, with its profile shifts if it has any.
+    /// Converts a candidate. If it has teeth, `teeth` holds the tooth numbers of each set, with its profile
+    /// shifts if any.
     pub(super) fn of(
         candidate: &Candidate,
         requirements: &Requirements,
@@ -36,11 +37,11 @@ impl Saved {
             .map_or_else(|| candidate.mechanism.to_string(), |scheme| scheme.name().to_owned());
         let mut of_sets = teeth.iter();
         let gearbox = candidate.gearbox(requirements)?;
-        // Ratios in the order of the gears: braked, then direct.
+        // Ratios follow the order of the gears: braked, then direct.
         let ratios: Vec<f64> = candidate.gears.iter().map(|gear| gear.ratio).chain([1.0]).collect();
         let names = names(&ratios);
         let mut falling: Vec<usize> = (0..ratios.len()).collect();
-        // Forward gears, the slowest first, then reverse gears in the same way.
+        // Forward gears come first, then reverse gears, each from the slowest.
         falling.sort_by(|one, other| {
             let of = |gear: &usize| (ratios[*gear] < 0.0, -ratios[*gear].abs());
             let ((one, slow), (other, slower)) = (of(one), of(other));
@@ -76,10 +77,10 @@ impl Saved {
         Ok(Self { scheme, gearbox, sizes })
     }
 
-    /// The file of the gearbox, below these lines of comment.
+    /// Gearbox file below these lines of comment.
     ///
     /// # Errors
-    /// None are known: every set of a design has a short form.
+    /// No error is known, because every set of a design has a short form.
     pub fn file(&self, comment: &[String]) -> Result<String, NotWritable> {
         written_with_sizes(&self.gearbox, &self.sizes, comment)
     }

@@ -1,4 +1,4 @@
-//! The choice of a gearbox over all tooth numbers of its one set, or of both.
+//! Choice of a gearbox over all tooth numbers of its one or two sets.
 
 mod searched;
 mod streamed;
@@ -33,30 +33,30 @@ use streamed::Designs;
 pub use streamed::Streamed;
 use uom::si::f64::{Length, Velocity};
 
-/// The most designs that an answer holds, some 35 kB each; of more each is made when it is written
-/// ([`Streamed`]).
+/// Maximum number of designs that an answer holds, at about 35 kB each; beyond it each design is computed
+/// while it is written ([`Streamed`]).
 pub const MOST_DESIGNS: usize = 10_000;
 
-/// What is wanted.
+/// Requirements for the choice over tooth numbers.
 #[derive(Debug, Clone)]
 pub struct Wanted {
     /// Ratios, tolerance and limits; one ratio or two.
     pub requirements: Requirements,
-    /// Which objective decides first, and which next.
+    /// Objectives in the order in which they decide.
     pub order: Order,
-    /// The mechanisms to choose among.
+    /// Mechanisms to choose among.
     pub space: Space,
     /// Bounds of tooth numbers and of planets.
     pub bounds: Bounds,
-    /// Sets with profile shift in place of those without.
+    /// Profile shifts of the sets; `None` for sets without profile shift.
     pub shifts: Option<WantedShifts>,
-    /// Limits of what a set may need at the load factor.
+    /// Limits of the size that a set may need at the load factor.
     pub limits: SizeLimits,
-    /// How many designs are told.
+    /// Maximum number of designs listed.
     pub most: usize,
     /// Number of the design that is shown in full, from 1.
     pub nth: usize,
-    /// Speeds of the machine, the slowest first, where these give the ratios.
+    /// Speeds of the machine, the slowest first, if they determine the ratios.
     pub speeds: Vec<Velocity>,
     /// Speed and load of the input.
     pub duty: Duty,
@@ -73,14 +73,14 @@ impl Wanted {
     }
 }
 
-/// Limits of the size of a set at the load factor; one that is `None` allows whatever a gear could have.
+/// Limits of the size of a set at the load factor; `None` sets no limit.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct SizeLimits {
-    /// Greatest pitch diameter of a ring.
+    /// Maximum pitch diameter of a ring.
     pub ring_diameter: Option<Length>,
-    /// Least module.
+    /// Minimum module.
     pub least_module: Option<Length>,
-    /// Greatest module.
+    /// Maximum module.
     pub greatest_module: Option<Length>,
 }
 
@@ -98,71 +98,71 @@ impl SizeLimits {
     }
 }
 
-/// Designs of one set or two with tooth numbers: the first of all non-dominated designs, the best first.
+/// Designs of one set or two with tooth numbers: the first non-dominated designs, the best first.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SelectTeeth {
-    /// Number of the design that tables show in full; `null` if no design has that number.
+    /// Number of the design that tables show in full; null if no design has that number.
     pub shown_in_full: Option<u32>,
-    /// Speeds of that design, asked for and reached, the slowest first; empty without such a design.
+    /// Speeds of that design, required and reached, the slowest first; empty without such a design.
     pub speeds: Vec<ReachedSpeed>,
-    /// What is wanted.
+    /// Requirements as a record.
     pub required: Required,
     /// Limits of the size of a set.
     pub size_limits: RequiredSize,
-    /// What is wanted of the profile shifts; none of sets without.
+    /// Requirements of the profile shifts; absent for sets without profile shift.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub profile_shift: Option<RequiredShifts>,
-    /// What was searched.
+    /// Extent of the search.
     pub searched: Searched,
-    /// How many designs are told here.
+    /// Number of designs listed.
     pub shown: usize,
-    /// These.
+    /// Listed designs.
     pub designs: Vec<Design>,
-    /// The best design of each structure by itself, the best first; that of another may dominate it. Of one
-    /// set those on the front alone.
+    /// Best design of each structure, the best first; a design of another structure may dominate it. For one
+    /// set only designs on the front are included.
     pub best_of_structures: Vec<BestOfStructure>,
 }
 
-/// The best design of a structure, by the order.
+/// Best design of a structure by the order of objectives.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct BestOfStructure {
-    /// The source's name of the scheme; `null` where it has none.
+    /// Name of the scheme in the source; null if it has none.
     pub scheme: Option<&'static str>,
     /// Name of the structure, by the links of sun, ring and carrier of each set.
     pub structure: String,
     /// Tooth numbers of each set.
     pub tooth_numbers: Vec<SetTeeth>,
-    /// Its braked gears.
+    /// Braked gears of the design.
     pub gears: Vec<BrakedGear>,
-    /// What it is compared by.
+    /// Values of the objectives.
     pub objectives: Objectives,
     /// Whether the output turns in mixed directions: backward in a braked gear, forward in direct drive.
     pub mixed_directions: bool,
 }
 
-/// Limits of the size of a set at the load factor; `null` where there is none.
+/// Limits of the size of a set at the load factor.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct RequiredSize {
-    /// Greatest pitch diameter of a ring.
+    /// Maximum pitch diameter of a ring in m; null without limit.
     pub greatest_ring_diameter_m: Option<f64>,
-    /// Least module.
+    /// Minimum module in m; null without limit.
     pub least_module_m: Option<f64>,
-    /// Greatest module.
+    /// Maximum module in m; null without limit.
     pub greatest_module_m: Option<f64>,
 }
 
-/// A design with tooth numbers.
+/// Design with tooth numbers.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Design {
     /// Tooth numbers of each set.
     pub tooth_numbers: Vec<SetTeeth>,
-    /// How many other tooth numbers have the same objectives.
+    /// Number of other tooth designs with equal objectives.
     pub others: u64,
-    /// The design as a candidate; its ratios are those of the teeth.
+    /// Design as a candidate; its ratios follow from the tooth numbers.
     pub candidate: Candidate,
 }
 
@@ -170,21 +170,21 @@ pub struct Design {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SetTeeth {
-    /// Teeth of the sun.
+    /// Tooth number of the sun.
     pub sun: u32,
-    /// Teeth of a planet.
+    /// Tooth number of a planet.
     pub planet: u32,
-    /// Teeth of the ring.
+    /// Tooth number of the ring.
     pub ring: u32,
     /// Number of planets.
     pub planets: u32,
-    /// Size of the ring, relative.
+    /// Relative size of the ring.
     pub size: f64,
-    /// Pitch diameter that the ring needs at the load factor; `null` without a torque and a load factor.
+    /// Pitch diameter of the ring required by the load factor, in m; null without a torque and a load factor.
     pub ring_diameter_m: Option<f64>,
-    /// Module that this diameter gives; `null` without a torque and a load factor.
+    /// Module that follows from this diameter, in m; null without a torque and a load factor.
     pub module_m: Option<f64>,
-    /// Its profile shifts; none of a set without.
+    /// Profile shifts of the set; absent for a set without profile shift.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shifts: Option<SetShifts>,
 }
@@ -193,8 +193,8 @@ impl Answer for SelectTeeth {
     const NAME: &'static str = "select-teeth";
 }
 
-/// The first of the non-dominated designs over all tooth numbers; `watch` is told how far the search is, from
-/// any thread.
+/// Searches all tooth numbers for the first non-dominated designs; `watch` receives the progress from any
+/// thread.
 ///
 /// # Errors
 /// [`Error::TooManyDesigns`], [`Error::ModuleRange`], [`Error::Selection`], [`Error::Duty`].
@@ -205,30 +205,30 @@ pub fn answer(wanted: &Wanted, watch: &Watch) -> Result<SelectTeeth, Error> {
     search(wanted, watch)?.answer()
 }
 
-/// How far a search is.
+/// Progress of a search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct At {
-    /// The share that is done, from 0 to 1.
+    /// Finished part of the search, from 0 to 1.
     pub share: f64,
-    /// What is searched, of two sets once it is counted and `accepted` still 0; of one set it is counted
-    /// while it is searched.
+    /// Extent of the search. For two sets it is known after the count, while `accepted` is still 0; for one
+    /// set it grows during the search.
     pub searched: Option<Searched>,
 }
 
-/// Told how far a search is, from any thread; a break ends the search.
+/// Closure that receives the progress of a search from any thread, and may end the search.
 pub type Watch<'a> = dyn Fn(At) -> ControlFlow<()> + Sync + 'a;
 
-/// What a search found, before the designs are measured in full.
+/// Results of a search, before the full figures of the designs are computed.
 #[derive(Debug)]
 pub struct Searches<'a> {
     wanted: &'a Wanted,
     searched: Searched,
     found: Vec<First>,
-    /// The first of each structure.
+    /// First design of each structure.
     of_structures: Vec<First>,
 }
 
-/// The search, for as many designs as are wanted, [`MOST_DESIGNS`] and more.
+/// Searches for the requested number of designs, which may exceed [`MOST_DESIGNS`].
 ///
 /// # Errors
 /// [`Error::ModuleRange`], [`Error::Selection`], [`Error::Duty`].
@@ -249,7 +249,7 @@ pub fn search<'a>(wanted: &'a Wanted, watch: &Watch) -> Result<Searches<'a>, Err
         Ok(Searches { wanted, searched, found, of_structures })
     };
     if some(Directions::Same) && some(Directions::Mixed) {
-        // Designs that reverse follow all others.
+        // Designs with mixed directions follow all others.
         let mixed = |same: Searches<'a>| Ok(same.followed_by(part(Directions::Mixed, [0.5, 1.0])?));
         part(Directions::Same, [0.0, 0.5]).and_then(mixed)
     } else {
@@ -258,7 +258,7 @@ pub fn search<'a>(wanted: &'a Wanted, watch: &Watch) -> Result<Searches<'a>, Err
 }
 
 impl<'a> Searches<'a> {
-    /// These designs, then those of another search over the same tooth numbers.
+    /// Appends the designs of another search over the same tooth numbers.
     fn followed_by(mut self, more: Self) -> Self {
         self.found.extend(more.found);
         self.found.truncate(self.wanted.most);
@@ -275,13 +275,13 @@ impl<'a> Searches<'a> {
         self
     }
 
-    /// What was searched.
+    /// Extent of the search.
     #[must_use]
     pub const fn searched(&self) -> &Searched {
         &self.searched
     }
 
-    /// How many designs are told.
+    /// Number of designs listed.
     #[must_use]
     pub fn shown(&self) -> usize {
         self.found.len().min(self.wanted.most)
@@ -292,30 +292,30 @@ impl<'a> Searches<'a> {
         self.wanted.nth.checked_sub(1).filter(|place| *place < self.shown())
     }
 
-    /// The designs, each measured in full when it is asked for.
+    /// Listed designs; the figures of each are computed when it is requested.
     pub fn designs(&self) -> impl Iterator<Item = Result<Design, Error>> + '_ {
         (0..self.shown()).map(|place| Ok(self.design(place)?.0))
     }
 
-    /// The design of a number, from 1; none where there is no such number.
+    /// Design by its number, from 1; `None` if there is no such number.
     ///
     /// # Errors
-    /// None are known of a design that was found.
+    /// No error is known for a design that was found.
     pub fn told(&self, no: usize) -> Result<Option<Design>, Error> {
         let place = no.checked_sub(1).filter(|place| *place < self.found.len());
         place.map(|place| Ok(self.design(place)?.0)).transpose()
     }
 
-    /// The design of a number, from 1, as a gearbox; none where there is no such number.
+    /// Design by its number, from 1, as a gearbox; `None` if there is no such number.
     ///
     /// # Errors
-    /// None are known of a design that was found.
+    /// No error is known for a design that was found.
     pub fn saved(&self, no: usize) -> Result<Option<Saved>, Error> {
         let place = no.checked_sub(1).filter(|place| *place < self.found.len());
         place.map(|place| Ok(self.saved_design(place)?.1)).transpose()
     }
 
-    /// Speeds of the design at a place, asked for and reached, the slowest first.
+    /// Speeds of the design at a place, required and reached, the slowest first.
     pub(crate) fn speeds(&self, place: usize) -> Vec<ReachedSpeed> {
         let first = &self.found[place];
         let k: Vec<f64> = first.teeth.iter().map(ToothNumbers::ring_to_sun_ratio).collect();
@@ -324,7 +324,7 @@ impl<'a> Searches<'a> {
         self.wanted.asked().reached(gears.zip(ratios).map(|(gear, (wanted, ratio))| (gear, wanted, ratio)))
     }
 
-    /// The design at a place, measured in full and as a gearbox.
+    /// Design at a place with its full figures, and as a gearbox.
     pub(crate) fn saved_design(&self, place: usize) -> Result<(Design, Saved), Error> {
         let (design, candidate) = self.design(place)?;
         let (requirements, teeth) = (&self.wanted.requirements, &self.found[place].teeth);
@@ -336,19 +336,20 @@ impl<'a> Searches<'a> {
         Ok((design, saved))
     }
 
-    /// The whole answer.
+    /// Answer with all listed designs.
     ///
     /// # Errors
-    /// None are known of designs that were found.
+    /// No error is known for designs that were found.
     pub fn answer(&self) -> Result<SelectTeeth, Error> {
         Ok(SelectTeeth { designs: self.designs().collect::<Result<_, _>>()?, ..self.without_designs()? })
     }
 
-    /// The answer with its designs made while they are written; `told` is told the share of them that is.
+    /// Answer whose designs are computed while they are written; `told` receives the written part, from 0 to
+    /// 1.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] with the key of a number that no double holds; that of a design comes while it is
-    /// written.
+    /// [`Error::NotFinite`] with the key of a number that is infinite or NaN; for a number of a design the
+    /// error occurs during writing.
     pub fn streamed(&'a self, told: &'a dyn Fn(f64)) -> Result<Streamed<'a>, Error> {
         let head = self.without_designs()?;
         finite::check(&head)?;
@@ -421,7 +422,7 @@ impl<'a> Searches<'a> {
             requirements,
             Some(&drawable_direct_clutches),
         )?;
-        // Those by which it was compared, each on its grid.
+        // The values are those of the comparison, each rounded to its grid.
         let circulation = candidate.objectives.circulation;
         candidate.objectives = selection::Objectives { circulation, ..first.objectives };
         let shift = wanted.shift();
@@ -436,7 +437,7 @@ impl<'a> Searches<'a> {
     }
 }
 
-/// The first design of an entry of the front.
+/// First design of an entry of the front.
 #[derive(Debug, Clone)]
 struct First {
     mechanism: Mechanism,
@@ -444,12 +445,12 @@ struct First {
     /// Tooth numbers of each set.
     teeth: Vec<ToothNumbers>,
     objectives: selection::Objectives,
-    /// How many more designs the entry has.
+    /// Number of further designs of the entry.
     others: u64,
 }
 
 impl First {
-    /// Whether it mixes directions of rotation, and its objectives.
+    /// Whether the design mixes directions of rotation, and its objectives.
     fn measured(&self) -> (bool, selection::Objectives) {
         (self.wanted.iter().any(|ratio| *ratio < 0.0), self.objectives)
     }
@@ -517,14 +518,14 @@ fn of_two(
         module: wanted.limits.module()?,
         ..ToothSearch::new(wanted.requirements.clone())
     };
-    // What is tried once for all structures is tried once more for each by itself.
+    // The search runs once for all structures and once more for each structure, so this part counts half.
     let told = |share: f64, progress: Progress| {
         let is_counted = progress.counts.tooth_sets > 0;
         watch(At { share: share.min(1.0), searched: is_counted.then(|| Searched::of(progress.counts, None)) })
     };
     let share = |progress: Progress| progress.done as f64 / progress.of.max(1) as f64;
     let watch = |progress: Progress| told(0.5 * share(progress), progress);
-    // Of many the first are not to be had much sooner than all.
+    // For many designs the first ones take nearly as long as the whole front.
     let found = if wanted.most > MOST_DESIGNS {
         search.front_watched(&watch)?
     } else {
@@ -554,15 +555,15 @@ fn of_two(
 }
 
 impl SelectTeeth {
-    /// The design that tables show in full.
+    /// Design that tables show in full.
     #[must_use]
     pub fn in_full(&self) -> Option<&Design> {
         self.designs.get(usize::try_from(self.shown_in_full?).ok()?.checked_sub(1)?)
     }
 }
 
-/// Module and face width of a set whose ring has the diameter that the load factor asks for: the face width
-/// is a multiple of the pitch diameter of the smaller of sun and planet.
+/// Module and face width of a set whose ring has the diameter required by the load factor. The face width is
+/// a multiple of the pitch diameter of the smaller of sun and planet.
 fn size(set: &SetTeeth, face_width_ratio: f64) -> Option<WrittenSize> {
     let module = set.module_m?;
     let width = face_width_ratio * module * f64::from(set.sun.min(set.planet));
@@ -652,7 +653,8 @@ mod tests {
         assert!(matches!(refused, Err(Error::ModuleRange { .. })));
     }
 
-    /// Of both kinds of search, and of the whole front as of the first.
+    /// Streamed answers equal whole ones, for both kinds of search, and for the whole front and its first
+    /// part.
     #[test]
     fn what_is_streamed_is_the_whole_answer() {
         for ratios in [&[3.9375][..], &[1.465, 2.56]] {

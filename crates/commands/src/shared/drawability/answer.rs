@@ -1,40 +1,39 @@
-//! Why a gearbox cannot be drawn in the half-plane without a link across another.
+//! Reasons why a gearbox cannot be drawn in the half-plane without a link across another.
 
 use epicyclic_layout::{Element as Part, Witness};
 use epicyclic_train::{self as train, Gearbox, LinkId};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Elements of a gearbox that cannot be drawn together, though they can as soon as any one of them is left
-/// out.
+/// Elements of a gearbox that cannot be drawn together; without any one of them the others can.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Conflict {
-    /// The elements.
+    /// Elements that cannot be drawn together.
     pub elements: Vec<Element>,
-    /// Links that are shut in; empty where no one link is, but links run through one another.
+    /// Links that are enclosed; empty if no single link is, but links cross one another.
     pub shut_in: Vec<String>,
-    /// What they cannot reach.
+    /// Destination that the enclosed links cannot reach; null if no link is enclosed.
     pub cannot_reach: Option<Reach>,
-    /// The links around them.
+    /// Links that enclose them.
     pub shut_in_by: Vec<String>,
 }
 
-/// An element of a drawing.
+/// Element of a drawing.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Element {
-    /// What it is.
+    /// Kind of the element.
     pub kind: ElementKind,
     /// Name of the set, shift element or link.
     pub name: String,
 }
 
-/// What an element of a drawing is.
+/// Kinds of elements of a drawing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ElementKind {
-    /// A planet set.
+    /// Planetary set.
     Set,
     /// A brake.
     Brake,
@@ -42,32 +41,32 @@ pub enum ElementKind {
     Clutch,
     /// A link.
     Link,
-    /// The shaft of the input's link to the outside.
+    /// Shaft from the input link to the outside.
     Input,
-    /// The shaft of the output's link to the outside.
+    /// Shaft from the output link to the outside.
     Output,
-    /// The way to the housing of a link where power enters or leaves in some gear only.
+    /// Connection to the outside of a link where power enters or leaves in some gears only.
     TakeOff,
 }
 
-/// What a link cannot reach.
+/// Destinations that a link cannot reach.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Reach {
-    /// The housing.
+    /// Housing of the gearbox.
     Housing,
-    /// The outside, on its side of the gearbox.
+    /// Outside, on its own side of the gearbox.
     Outside,
-    /// The other of two links.
+    /// Other one of two links.
     EachOther,
 }
 
 impl Conflict {
-    /// What cannot reach what.
+    /// Explains which links cannot reach which destination.
     ///
-    /// The elements of a witness can be drawn together as soon as one is left out. Left out a brake, say, all
-    /// others are drawn, and in none of these drawings does its link reach the housing: the other links shut
-    /// it in. A direct-drive clutch that the gearbox itself does not have is not named.
+    /// The elements of a witness can be drawn together as soon as one is left out. Without a brake, for
+    /// example, all others can be drawn, but in none of these drawings can its link reach the housing: the
+    /// other links enclose it. A direct-drive clutch that the gearbox itself does not have is not named.
     #[must_use]
     pub fn of(gearbox: &Gearbox, witness: &Witness) -> Self {
         let name = |link: LinkId| gearbox.link_name(link).to_owned();
@@ -89,7 +88,7 @@ impl Conflict {
     }
 }
 
-/// The links that are shut in, and what they cannot reach.
+/// Enclosed links, and the destination that they cannot reach.
 fn shut_in(gearbox: &Gearbox, elements: &[Part]) -> (Vec<LinkId>, Option<Reach>) {
     let shift_element = |place: usize| gearbox.shift_elements().get(place);
     let is_brake = |element: &&Part| matches!(element, Part::ShiftElement(place) if shift_element(*place).is_some_and(train::ShiftElement::is_brake));

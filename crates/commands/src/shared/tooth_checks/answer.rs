@@ -1,5 +1,4 @@
-//! The checks of the teeth of a gearbox: what was checked, what could not be for want of which key, what does
-//! not hold.
+//! Tooth checks of a gearbox: the results, and the keys missing for checks that could not be made.
 
 use crate::answer::Warning;
 use epicyclic_gears::involute::check::Severity as CheckSeverity;
@@ -8,81 +7,81 @@ use epicyclic_train::tooth_checks::{SetCheck, SetChecks, Subject as CheckSubject
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// The checks of the teeth of all sets.
+/// Tooth checks of all sets.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ToothChecks {
-    /// Number of checks that hold.
+    /// Number of checks that are passed.
     pub held: usize,
-    /// Every check.
+    /// Results of the checks.
     pub checks: Vec<ToothCheck>,
-    /// Sets of which some checks could not be made.
+    /// Sets for which some checks could not be made.
     pub not_checked: Vec<NotChecked>,
 }
 
-/// A check of the teeth of a set: `value` against `limit`.
+/// Tooth check of a set: `value` against `limit`.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ToothCheck {
-    /// Its name: the same whatever the message says.
+    /// Name of the check, which does not depend on the message.
     pub name: &'static str,
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The gears that it is about: of a mesh both, of tips theirs first; empty of the set as a whole and of
-    /// planets beside each other.
+    /// Gears concerned: for a mesh both, for tips the gear with the tips first. Empty for a check of the
+    /// whole set or of neighbouring planets.
     pub gears: Vec<String>,
-    /// The value; `null` where it is without end.
+    /// Value of the check; null if it is infinite.
     pub value: Option<f64>,
-    /// The limit.
+    /// Limit of the value.
     pub limit: f64,
-    /// Unit of both: `modules`, `rad`, `teeth`, `positions`; empty of a plain number.
+    /// Unit of value and limit: `modules`, `rad`, `teeth`, `positions`; empty for a plain number.
     pub unit: &'static str,
-    /// How grave a miss is.
+    /// Severity of a failure.
     pub severity: Severity,
-    /// Whether it holds.
+    /// Whether the check is passed.
     pub holds: bool,
-    /// What is missed, for people; `null` where it holds.
+    /// Message about the failure, for people; null if the check is passed.
     pub message: Option<String>,
-    /// What helps; `null` where it holds.
+    /// Remedy for the failure; null if the check is passed.
     pub remedy: Option<&'static str>,
 }
 
-/// How grave it is that a check does not hold.
+/// Severities of a failed check.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Severity {
-    /// Worth knowing.
+    /// Remark that is worth knowing.
     Remark,
-    /// An engineer would send it back, or give a reason for it.
+    /// Warning: an engineer would return the design or justify the value.
     Warning,
-    /// Gears that cannot be cut, put together or turned.
+    /// Error: the gears cannot be cut, assembled or turned.
     Error,
 }
 
-/// A set of which some checks could not be made.
+/// Set for which some checks could not be made.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct NotChecked {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The keys without which they cannot be made.
+    /// Keys that are missing for these checks.
     pub missing: Vec<&'static str>,
 }
 
-/// Sets of teeth that a search leaves out since a check of their teeth does not hold.
+/// Tooth numbers that a search leaves out because a tooth check fails.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct TeethLeftOut {
-    /// How many.
+    /// Number of combinations left out.
     pub count: u64,
-    /// Name of the check that the first of them does not pass.
+    /// Name of the check that the first of them fails.
     pub check: &'static str,
-    /// How many they are, and what the first of them misses, for people.
+    /// Message for people with the number left out, and the failure of the first.
     pub message: String,
 }
 
 impl TeethLeftOut {
-    /// The record of sets that a search leaves out.
+    /// Converts the sets that a search leaves out into a record.
     #[must_use]
     pub fn of(left_out: &LeftOut) -> Self {
         Self { count: left_out.count, check: left_out.rule.name(), message: left_out.to_string() }
@@ -122,7 +121,7 @@ impl ToothCheck {
 }
 
 impl ToothChecks {
-    /// The checks of the sets for which `is_wanted` is true.
+    /// Collects the checks of the sets for which `is_wanted` is true.
     #[must_use]
     pub fn of(SetChecks { checks, not_checked }: SetChecks, is_wanted: impl Fn(&str) -> bool) -> Self {
         let checks: Vec<ToothCheck> =
@@ -135,7 +134,7 @@ impl ToothChecks {
         }
     }
 
-    /// What is missed but for remarks.
+    /// Failed checks as warnings, without mere remarks.
     pub fn warnings(&self) -> impl Iterator<Item = Warning> {
         let missed = self.checks.iter().filter(|check| check.severity != Severity::Remark);
         missed.filter_map(|check| {

@@ -1,4 +1,4 @@
-//! The transmissions of a file, of which none was chosen.
+//! Transmissions of a file from which none was chosen.
 
 use crate::answer::Answer;
 use epicyclic_formats::gearbox;
@@ -9,21 +9,21 @@ use serde::Serialize;
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Transmissions {
-    /// In the order of the file.
+    /// Transmissions in the order of the file.
     pub transmissions: Vec<Transmission>,
 }
 
-/// A transmission, and how many parts it has.
+/// Transmission with the numbers of its parts.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Transmission {
-    /// Its name.
+    /// Name of the transmission.
     pub name: String,
-    /// Planet sets.
+    /// Number of planetary sets.
     pub sets: usize,
-    /// Brakes and clutches, one-way clutches among them.
+    /// Number of brakes and clutches, including one-way clutches.
     pub shift_elements: usize,
-    /// Gears.
+    /// Number of gears.
     pub gears: usize,
 }
 
@@ -31,7 +31,7 @@ impl Answer for Transmissions {
     const NAME: &'static str = "transmissions";
 }
 
-/// What there is to choose from.
+/// Lists the transmissions to choose from.
 #[must_use]
 pub fn answer(transmissions: &[gearbox::Transmission]) -> Transmissions {
     let one = |one: &gearbox::Transmission| Transmission {

@@ -1,4 +1,4 @@
-//! What the output feels of all meshes in a gear while the input is held: backlash and torsional stiffness.
+//! Backlash and torsional stiffness at the output in each gear while the input is held.
 
 use super::records::{Allowed, AtOutput, Limits};
 use crate::analyze::answer::analysis;
@@ -13,18 +13,18 @@ use epicyclic_train::{Analysis, Gear};
 use epicyclic_units::Physical;
 use uom::si::f64::{Length, Torque};
 
-/// A set whose teeth are known.
+/// Set with known tooth numbers.
 pub(super) struct Known {
-    /// Its place in the gearbox.
+    /// Place of the set in the gearbox.
     pub(super) place: usize,
     pub(super) set: ToothedSet,
     pub(super) module: Length,
-    /// Told where the planets are counted: the stiffness follows from both.
+    /// Face width; `None` unless the number of planets is known too, because the stiffness needs both.
     pub(super) face_width: Option<Length>,
     pub(super) allowed: Option<Allowed>,
 }
 
-/// Every gear of a gearbox.
+/// Results for every gear of a gearbox.
 pub(super) fn of_gears(subject: &Subject<'_>, known: &[Known]) -> Result<Vec<AtOutput>, Error> {
     let gears = subject.gearbox.gears().iter().map(Gear::name);
     gears.map(|name| of_gear(subject, known, name, &analysis(&subject.gearbox, name)?)).collect()
@@ -75,7 +75,7 @@ fn of_gear(
 }
 
 impl Known {
-    /// Torsional stiffness at the sun, per radian.
+    /// Torsional stiffness at the sun in N·m per radian.
     fn stiffness(&self, width: Length) -> Result<Torque, Error> {
         let of = |pair| mesh_stiffness(pair, width).map(|stiffness| stiffness / width);
         let both = [of(self.set.sun_mesh())?, of(self.set.ring_mesh())?];

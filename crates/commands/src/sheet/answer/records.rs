@@ -10,13 +10,13 @@ use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// A lower and an upper limit.
+/// Lower and upper limit.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Limits {
-    /// The lower.
+    /// Lower limit.
     pub lower: f64,
-    /// The upper.
+    /// Upper limit.
     pub upper: f64,
 }
 
@@ -32,73 +32,73 @@ pub(super) struct Allowed {
     pub(super) centre_distance: Deviation,
 }
 
-/// What the output feels of all meshes in a gear while the input is held.
+/// Backlash and stiffness at the output in a gear while the input is held.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct AtOutput {
-    /// The gear.
+    /// Name of the gear.
     pub gear: String,
-    /// Angle by which the output turns freely, with the least and the greatest play that the file allows;
-    /// `null` where the teeth of a set with torque are not known.
+    /// Angle by which the output turns freely in rad, with the least and the greatest allowed play; null if
+    /// the tooth numbers of a set with torque are unknown.
     pub backlash_rad: Option<Limits>,
-    /// Torsional stiffness of the meshes per radian; `null` where planets or face width of a set with torque
-    /// are missing, and where no set has torque.
+    /// Torsional stiffness of the meshes in N·m per radian. Null if the number of planets or the face width
+    /// of a set with torque is missing, or if no set has torque.
     pub stiffness_n_m: Option<f64>,
-    /// What is missing.
+    /// Data that are missing.
     pub missing: Vec<String>,
 }
 
-/// A set with its gears and meshes.
+/// Set with its gears and meshes.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SetSheet {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// Normal module `m_n`.
+    /// Normal module `m_n`, in m.
     pub module_m: f64,
-    /// Normal pressure angle `α_n`.
+    /// Normal pressure angle `α_n`, in rad.
     pub pressure_angle_rad: f64,
-    /// Helix angle `β` at the reference cylinders.
+    /// Helix angle `β` at the reference cylinders, in rad.
     pub helix_angle_rad: f64,
-    /// Helix angle at the base cylinders `β_b`.
+    /// Helix angle at the base cylinders `β_b`, in rad.
     pub base_helix_angle_rad: f64,
-    /// Transverse module `m_t`.
+    /// Transverse module `m_t`, in m.
     pub transverse_module_m: f64,
-    /// Transverse pressure angle `α_t`.
+    /// Transverse pressure angle `α_t`, in rad.
     pub transverse_pressure_angle_rad: f64,
     /// Addendum of the basic rack `h_aP*`, in modules.
     pub addendum: f64,
-    /// Its clearance `c_P*`, in modules.
+    /// Clearance of the basic rack `c_P*`, in modules.
     pub clearance: f64,
-    /// Number of planets.
+    /// Number of planets; null if the file does not give it.
     pub planets: Option<u32>,
-    /// Face width.
+    /// Face width in m; null if the file does not give it.
     pub face_width_m: Option<f64>,
-    /// Centre distance `a`.
+    /// Centre distance `a`, in m.
     pub centre_distance_m: f64,
-    /// Its lower and upper deviation; `null` where the file states none.
+    /// Lower and upper deviation of the centre distance in m; null if the file gives none.
     pub centre_distance_deviations_m: Option<Limits>,
-    /// Lower and upper allowance of the normal tooth thickness of sun, planet and ring, `E_sni` and `E_sns`;
-    /// `null` where the file states none.
+    /// Lower and upper allowance of the normal tooth thickness of sun, planet and ring, `E_sni` and `E_sns`,
+    /// in m; null if the file gives none.
     pub thickness_allowances_m: Option<Vec<Limits>>,
-    /// Sun, planet and ring.
+    /// Data of sun, planet and ring.
     pub gears: Vec<GearSheet>,
-    /// Sun and planet, planet and ring.
+    /// Data of the meshes of sun and planet, planet and ring.
     pub meshes: Vec<MeshSheet>,
 }
 
-/// The hand of a helix, beside that of the sun, which the file leaves open.
+/// Hand of a helix relative to that of the sun, which the file leaves open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Hand {
-    /// That of the sun.
+    /// Hand of the sun.
     OfSun,
-    /// The other one.
+    /// Hand opposite to that of the sun.
     Opposite,
 }
 
 impl Hand {
-    /// Gears that mesh outside each other have opposite hands, a ring has that of its planets.
+    /// External gears in mesh have opposite hands; a ring has the hand of its planets.
     const fn of(gear: ToothedGear) -> Self {
         match gear {
             ToothedGear::Sun => Self::OfSun,
@@ -107,112 +107,115 @@ impl Hand {
     }
 }
 
-/// A gear.
+/// Data of a gear.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct GearSheet {
-    /// Which.
+    /// Kind of the gear: sun, planet or ring.
     pub toothed_gear: ToothedGear,
-    /// Teeth `z`.
+    /// Tooth number `z`.
     pub teeth: u32,
-    /// Hand of its helix; `null` of spur teeth.
+    /// Hand of the helix; null for spur teeth.
     pub hand: Option<Hand>,
-    /// Lead of its helix `p_z`; `null` of spur teeth.
+    /// Lead of the helix `p_z`, in m; null for spur teeth.
     pub lead_m: Option<f64>,
-    /// Profile shift coefficient `x`; above 0 it moves the tip circle outwards, of a ring inwards.
+    /// Profile shift coefficient `x`; a positive one moves the tip circle outwards, for a ring inwards.
     pub profile_shift: f64,
-    /// Tip alteration `k·m_n`; below 0 the teeth are shorter.
+    /// Tip alteration `k·m_n` in m; negative for shorter teeth.
     pub tip_alteration_m: f64,
-    /// Reference diameter `d`.
+    /// Reference diameter `d`, in m.
     pub reference_diameter_m: f64,
-    /// Base diameter `d_b`.
+    /// Base diameter `d_b`, in m.
     pub base_diameter_m: f64,
-    /// Tip diameter `d_a`.
+    /// Tip diameter `d_a`, in m.
     pub tip_diameter_m: f64,
-    /// Root diameter `d_f`, as its tool leaves it.
+    /// Root diameter `d_f` as cut by the tool, in m.
     pub root_diameter_m: f64,
-    /// Root form diameter `d_Ff`, where the involute ends at the root, as its tool leaves it.
+    /// Root form diameter `d_Ff` as cut by the tool, in m, where the involute ends at the root.
     pub form_diameter_m: f64,
-    /// Normal tooth thickness at the reference circle `s_n`, without allowances.
+    /// Normal tooth thickness at the reference circle `s_n` without allowances, in m.
     pub thickness_m: f64,
-    /// The same in the transverse section, `s_t`.
+    /// Transverse tooth thickness at the reference circle `s_t` without allowances, in m.
     pub transverse_thickness_m: f64,
-    /// Normal tooth thickness at the tip circle `s_an`, without allowances.
+    /// Normal tooth thickness at the tip circle `s_an` without allowances, in m.
     pub tip_thickness_m: f64,
-    /// Radius of the corners of its tool: of a rack the fillet `ρ_fP*`, of a shaper the tips `ρ_a0*`, of a
-    /// form tool its fillet; in modules.
+    /// Corner radius of the tool in modules: the fillet `ρ_fP*` of a rack, the tips `ρ_a0*` of a shaper, the
+    /// fillet of a form tool.
     pub fillet: f64,
-    /// Least profile shift that a rack cuts without undercut; `null` of a ring.
+    /// Least profile shift coefficient that a rack cuts without undercut; null for a ring.
     pub least_shift: Option<f64>,
-    /// Teeth, of a ring spaces, in the span `k`.
+    /// Number of teeth `k` in the span; for a ring the number of spaces.
     pub spanned_teeth: u32,
-    /// Span `W_k`, without allowances.
+    /// Span `W_k` without allowances, in m.
     pub span_m: f64,
-    /// The same with the allowances; `null` without.
+    /// Span `W_k` with the allowances, in m; null without allowances.
     pub span_limits_m: Option<Limits>,
-    /// Face width that must be exceeded for the span to be measured, `W_k·sin β_b`; `null` of spur teeth and
-    /// of a ring.
+    /// Face width in m that must be exceeded to measure the span, `W_k·sin β_b`; null for spur teeth and for
+    /// a ring.
     pub span_face_width_m: Option<f64>,
-    /// Diameter of the measuring balls or pins `D_M`.
+    /// Diameter of the measuring balls or pins `D_M`, in m.
     pub ball_diameter_m: f64,
-    /// Measure over two balls, of a ring between them, `M_dK`, without allowances; `null` where they fall
-    /// through the spaces.
+    /// Measure over two balls `M_dK` without allowances, in m, for a ring between them; null if the balls
+    /// fall through the spaces.
     pub over_balls_m: Option<f64>,
-    /// The same with the allowances; `null` without.
+    /// Measure over two balls `M_dK` with the allowances, in m; null without allowances.
     pub over_balls_limits_m: Option<Limits>,
-    /// Material; `null` where the file states none.
+    /// Name of the material; null if the file gives none.
     pub material: Option<String>,
-    /// What cuts it.
+    /// Kind of the tool that cuts the gear.
     pub tool: ToolKind,
-    /// Whether the file states the tool, or it is the usual one.
+    /// Whether the file gives the tool; otherwise the usual one is assumed.
     pub tool_stated: bool,
-    /// Teeth of the shaper; `null` of other tools.
+    /// Tooth number of the shaper; null for other tools.
     pub shaper_teeth: Option<u32>,
-    /// Profile shift coefficient of the shaper; `null` of other tools.
+    /// Profile shift coefficient of the shaper; null for other tools.
     pub shaper_shift: Option<f64>,
-    /// Addendum `h_aP0*` of the shaper, in modules; `null` of other tools.
+    /// Addendum `h_aP0*` of the shaper, in modules; null for other tools.
     pub shaper_addendum: Option<f64>,
 }
 
-/// A gear in a mesh.
+/// Gear in a mesh.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct GearInMesh {
-    /// Which.
+    /// Kind of the gear: sun, planet or ring.
     pub toothed_gear: ToothedGear,
-    /// Working diameter `d_w`.
+    /// Working diameter `d_w`, in m.
     pub working_diameter_m: f64,
-    /// Active root diameter `d_Nf`, where contact with the mate ends at the root.
+    /// Active root diameter `d_Nf` in m, where contact with the mate ends at the root.
     pub active_root_diameter_m: f64,
-    /// Tip clearance `c`: from its tip to the root circle of its mate.
+    /// Tip clearance `c` in m: from the tip of the gear to the root circle of its mate.
     pub tip_clearance_m: f64,
-    /// Specific sliding `ζ` at the end of contact at its tip.
+    /// Specific sliding `ζ` at the end of contact at the tip of the gear.
     pub sliding_at_tip: f64,
-    /// The same at its root; `null` where contact begins at the base circle and it is without end.
+    /// Specific sliding `ζ` at the end of contact at the root; null if contact begins at the base circle,
+    /// where it is infinite.
     pub sliding_at_root: Option<f64>,
 }
 
-/// A mesh.
+/// Data of a mesh.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct MeshSheet {
-    /// Which.
+    /// Name of the mesh.
     pub mesh: MeshName,
-    /// Working transverse pressure angle `α_wt`.
+    /// Working transverse pressure angle `α_wt`, in rad.
     pub working_angle_rad: f64,
     /// Transverse contact ratio `ε_α`.
     pub contact_ratio: f64,
-    /// Overlap ratio `ε_β` of the face width, 0 of spur teeth; `null` where the file states no face width.
+    /// Overlap ratio `ε_β` of the face width, 0 for spur teeth; null if the file gives no face width.
     pub overlap_ratio: Option<f64>,
-    /// Total contact ratio `ε_γ`, their sum; `null` without.
+    /// Total contact ratio `ε_γ`, the sum of transverse contact ratio and overlap ratio; null without a face
+    /// width.
     pub total_contact_ratio: Option<f64>,
-    /// Circumferential backlash at the working circles `j_wt`, without allowances: what rounded shifts leave.
+    /// Circumferential backlash at the working circles `j_wt` without allowances, in m, as rounded shifts
+    /// leave it.
     pub backlash_m: f64,
-    /// The same with the allowances; `null` without.
+    /// Circumferential backlash `j_wt` with the allowances, in m; null without allowances.
     pub backlash_limits_m: Option<Limits>,
-    /// Normal backlash `j_bn` with the allowances; `null` without.
+    /// Normal backlash `j_bn` with the allowances, in m; null without allowances.
     pub normal_backlash_limits_m: Option<Limits>,
-    /// Both gears.
+    /// Data of both gears in the mesh.
     pub gears: Vec<GearInMesh>,
 }
 
@@ -280,6 +283,7 @@ impl GearSheet {
         let is_helical = gear.profile().is_helical();
         let lead = std::f64::consts::PI * gear.reference_diameter() / libm::tan(helix_angle);
         let base_helix = gear.profile().base_helix_rad();
+        // Only a helical external gear needs a minimum width for the measurement of its span.
         let has_span_width = is_helical && toothed_gear != ToothedGear::Ring;
         let thinner = |allowance: f64| gear.with_thickness_allowance(allowance);
         let both = match allowance {
@@ -287,6 +291,7 @@ impl GearSheet {
             None => None,
         };
         let over = |gear: &InvoluteGear| gear.over_balls(ball_m / module_m).map(|measure| measure * module_m);
+        // If the balls fall through the spaces at one limit, no range can be given.
         let over_limits = both.and_then(|[lower, upper]| Some([over(&lower)?, over(&upper)?]));
         Ok(Self {
             toothed_gear,
@@ -321,14 +326,14 @@ impl GearSheet {
         })
     }
 
-    /// With what the file says of its material.
+    /// Adds the material that the file gives.
     fn with_entry(self, entry: &SetEntry, place: usize) -> Self {
         let material = entry.strength.as_ref().map(|strength| strength.materials[place].clone());
         Self { material, ..self }
     }
 }
 
-/// Thinner teeth of a ring have the larger measures.
+/// Thinner teeth of a ring give the larger measures, so the limits are sorted.
 fn sorted([one, other]: [f64; 2]) -> Limits {
     Limits { lower: one.min(other), upper: one.max(other) }
 }
@@ -354,6 +359,7 @@ impl MeshSheet {
             active_root_diameter_m: module_m * roots[place],
             tip_clearance_m: module_m * clearances[place],
             sliding_at_tip: sliding[place][0],
+            // Sliding at the base circle is infinite, which JSON cannot hold.
             sliding_at_root: Some(sliding[place][1]).filter(|sliding| sliding.is_finite()),
         });
         Ok(Self {
@@ -370,18 +376,18 @@ impl MeshSheet {
     }
 }
 
-/// A set without data sheet.
+/// Set without data sheet.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct LeftOut {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The keys that its entry lacks; empty of a set that is not simple.
+    /// Keys that the entry of the set lacks; empty for a set that is not simple.
     pub missing: Vec<String>,
 }
 
 impl LeftOut {
-    /// Why, in words.
+    /// Reason in words.
     #[must_use]
     pub fn why(&self) -> String {
         if self.missing.is_empty() {

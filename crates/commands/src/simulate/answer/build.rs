@@ -17,11 +17,11 @@ use epicyclic_units::{Number, Physical, Quantity};
 use std::f64::consts::TAU;
 use uom::si::f64::{Angle, AngularVelocity, Pressure, Time, Torque};
 
-/// How finely a run is sampled.
+/// Sampling of a run.
 pub(super) struct Sampling {
-    /// Interval of the run's samples.
+    /// Interval between the samples of the run.
     pub(super) inner: Time,
-    /// One of so many is told.
+    /// Number of samples of the run per listed sample.
     pub(super) kept: usize,
 }
 
@@ -104,7 +104,7 @@ impl Scenario<'_> {
         Ok(found)
     }
 
-    /// Planets of a set; what is not given, the gearbox says.
+    /// Masses and inertias of a set's planets; values that are not given are taken from the gearbox.
     fn planets(&self, path: &Path, entry: &PlanetsEntry) -> Result<PlanetMasses, Error> {
         let known = self.subject.planet_bearings.iter().filter(|bearing| {
             self.subject.gearbox.sets().get(bearing.set).is_some_and(|set| set.id() == entry.set)
@@ -134,13 +134,13 @@ impl Scenario<'_> {
         Ok(PlanetMasses { count, each })
     }
 
-    /// One-way clutches of the gearbox that the model has.
+    /// One-way clutches of the gearbox that belong to the model.
     fn one_way_clutches(&self, model: &Model) -> Vec<Element> {
         let gearbox = &self.subject.gearbox;
         let engaged = |id: &str| self.file.engaged.iter().any(|one| one == id);
         let all = gearbox.shift_elements().iter().filter(|one| one.is_one_way() && !engaged(one.id()));
         let all = all.map(|one| (one.id(), one.links().map(|link| gearbox.link_name(link).to_owned())));
-        // One whose links are one piece never slips, and is no part of the model.
+        // A one-way clutch between links that are one piece never slips, so the model leaves it out.
         let slips =
             |links: &[String; 2]| !model.mechanism().is_one_piece(&links[0], &links[1]).unwrap_or(true);
         all.filter(|(_, links)| slips(links))
@@ -236,7 +236,7 @@ impl Scenario<'_> {
         }
     }
 
-    /// The brake or clutch that an entry names.
+    /// Brake or clutch with the name in an entry.
     fn shift_element(&self, place: usize, entry: &ElementEntry) -> Result<&ShiftElement, Error> {
         let slips = || self.subject.gearbox.shift_elements().iter().filter(|one| !one.is_one_way());
         slips().find(|one| one.id() == entry.id).ok_or_else(|| {
@@ -332,7 +332,7 @@ impl Scenario<'_> {
         })
     }
 
-    /// A dog clutch; it has no friction.
+    /// Adds a dog clutch, which has no friction.
     fn add_dog(
         &self,
         model: &mut Model,
@@ -369,7 +369,8 @@ impl Scenario<'_> {
         })
     }
 
-    /// The capacity by a pressure: `μ·z·r_m·A·(p − p_kiss)`, kinks where the pressure passes the kiss point.
+    /// Torque capacity from a pressure: `μ·z·r_m·A·(p − p_kiss)`, with kinks where the pressure passes the
+    /// kiss point.
     fn by_pressure(
         &self,
         path: &Path,
@@ -430,8 +431,8 @@ impl Scenario<'_> {
         Ok(Start::speeds(&speeds).together(&self.on_shafts(start)).twisted(&twists))
     }
 
-    /// Bodies without a speed of their own turn with what shafts join them to, each with the other end of its
-    /// first shaft.
+    /// Pairs of a body without a given speed and the other end of its first shaft, which turn together at the
+    /// start.
     fn on_shafts(&self, start: &StartEntry) -> Vec<[&str; 2]> {
         let mut free: Vec<&String> =
             self.file.bodies.keys().filter(|body| !start.speeds.contains_key(*body)).collect();
@@ -449,7 +450,7 @@ impl Scenario<'_> {
         pairs
     }
 
-    /// How finely to sample: as finely as asked for, and at [`INSTANTS`] at least.
+    /// Sampling as fine as requested, and with at least [`INSTANTS`] instants.
     pub(super) fn sampling(&self) -> Result<Sampling, Error> {
         let duration = self.file.duration.0.si();
         if duration <= 0.0 {
@@ -471,7 +472,7 @@ impl Scenario<'_> {
     }
 }
 
-/// The key of an entry that a fault is about.
+/// Path of the key of an entry that caused a fault.
 fn named(path: Path, why: &motion::Error) -> Path {
     match why {
         motion::Error::Unknown { .. } => path.key("link"),
@@ -480,17 +481,18 @@ fn named(path: Path, why: &motion::Error) -> Path {
     }
 }
 
-/// The same, or the key of the law for a fault of its value.
+/// Path of the key that caused a fault: the key of the law if its value is wrong, otherwise that of the
+/// entry.
 fn either(path: Path, law: Path, why: &motion::Error) -> Path {
     if matches!(why, motion::Error::Value { .. }) { law } else { named(path, why) }
 }
 
-/// A capacity that is 0 while the piston fills and below the kiss point, and proportional to the pressure
-/// beyond.
+/// Torque capacity that is 0 while the piston fills and below the kiss point, and above it proportional to
+/// the pressure.
 fn capacity(points: &[(Time, Pressure)], fill: f64, kiss: f64, factor: f64) -> Result<Course, motion::Error> {
     let plain: Vec<[f64; 2]> =
         points.iter().map(|(time, pressure)| [time.si(), pressure.si() - kiss]).collect();
-    // What is not in order is refused with the numbers given.
+    // Points out of order are refused with the numbers as given, before kinks are added.
     Course::table(&points.iter().map(|(time, _)| (*time, Torque::from_si(0.0))).collect::<Vec<_>>())?;
     let mut all: Vec<[f64; 2]> = vec![];
     for &[t, over] in &plain {

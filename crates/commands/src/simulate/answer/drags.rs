@@ -1,4 +1,4 @@
-//! Drags that the gearbox states: into the model, and what they lose.
+//! Drags of the gearbox: their place in the model, and their losses.
 
 #[cfg(test)]
 mod tests;
@@ -15,45 +15,45 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{AngularVelocity, Time};
 
-/// What a drag loses.
+/// Losses of a drag.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct DragResult {
-    /// Its name; that of a brake or clutch is the element's.
+    /// Name of the drag; for a brake or clutch that of the element.
     pub id: String,
-    /// What drags.
+    /// Kind of the drag.
     pub kind: DragKind,
-    /// Its links, the housing as `ground`.
+    /// Names of the two links, the housing as `ground`.
     pub links: [String; 2],
-    /// Speed of its first link less that of its second at the end.
+    /// Slip at the end in rad/s: speed of the first link minus speed of the second.
     pub end_slip_rad_s: f64,
-    /// Torque on its first link at the end.
+    /// Torque on the first link at the end, in N·m.
     pub end_torque_n_m: f64,
-    /// Greatest torque, in size.
+    /// Greatest absolute torque in N·m.
     pub peak_torque_n_m: f64,
-    /// Greatest power that it takes.
+    /// Greatest power lost, in W.
     pub peak_power_w: f64,
-    /// What it loses from start to end.
+    /// Energy lost from start to end, in J.
     pub loss_j: f64,
 }
 
-/// A drag over time.
+/// Drag over time.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct DragSamples {
-    /// Its name.
+    /// Name of the drag; for a brake or clutch that of the element.
     pub id: String,
-    /// Speed of its first link less that of its second.
+    /// Slips in rad/s: speed of the first link minus speed of the second.
     pub slips_rad_s: Vec<f64>,
-    /// Torque on its first link.
+    /// Torques on the first link in N·m.
     pub torques_n_m: Vec<f64>,
-    /// What it lost from the start on.
+    /// Energy lost since the start, in J.
     pub losses_j: Vec<f64>,
 }
 
 impl Scenario<'_> {
-    /// Gives the model the drags of the gearbox, but for those whose links are one piece; which they are, in
-    /// its order.
+    /// Adds the drags of the gearbox to the model, except those between links that are one piece. Returns the
+    /// added drags in their order in the model.
     pub(super) fn add_drags(&self, model: &mut Model) -> Result<Vec<Drag>, Error> {
         let gearbox = &self.subject.gearbox;
         let mut all = vec![];
@@ -74,7 +74,7 @@ impl Scenario<'_> {
         Ok(all)
     }
 
-    /// The refusal of a speed of which the curve of a drag tells nothing, at the curve in its file.
+    /// Error for a speed outside the curve of a drag, with the place of the curve in the file.
     pub(super) fn of_drag(&self, drags: &[Drag], why: motion::Error) -> Error {
         let motion::Error::DragSpeed { place, slip_rad_s, from_rad_s, to_rad_s, time_s, .. } = why else {
             return self.of_run(why);
@@ -94,7 +94,7 @@ impl Scenario<'_> {
     }
 }
 
-/// `ω_1 − ω_2` of a drag.
+/// Slip `ω_1 − ω_2` of a drag in rad/s.
 pub(super) fn slip(run: &Run, drag: &Drag, sample: &Sample) -> f64 {
     let [first, second] =
         drag.links.each_ref().map(|link| run.link(link).map_or(0.0, |place| sample.speeds[place].si()));

@@ -6,46 +6,46 @@ use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// What a shift element or resistance goes through.
+/// Loads and temperatures of a shift element or resistance.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ElementResult {
-    /// Its name.
+    /// Name of the element.
     pub id: String,
-    /// Of what kind it is.
+    /// Kind of the element.
     pub kind: ElementKind,
-    /// Its links, the housing as `ground`.
+    /// Names of the two links, the housing as `ground`.
     pub links: [String; 2],
-    /// What it does at the end.
+    /// State of the element at the end.
     pub at_end: super::State,
-    /// How long it slips and carries; of a one-way clutch: how long it overruns.
+    /// Time in s during which the element slips and carries; for a one-way clutch, during which it overruns.
     pub slip_time_s: f64,
-    /// Heat from start to end, without what drags lose.
+    /// Heat from start to end in J, without the losses of drags.
     pub heat_j: f64,
-    /// Greatest power of friction.
+    /// Greatest friction power in W.
     pub peak_power_w: f64,
-    /// Greatest torque that it carries, holding or slipping, without drags.
+    /// Greatest torque in N·m, holding or slipping, without drags.
     pub peak_torque_n_m: f64,
-    /// Heat over the friction area, where one is given.
+    /// Heat per friction area in J/m²; null if no area is given.
     pub heat_per_area_j_m2: Option<f64>,
-    /// Greatest power over the friction area, where one is given.
+    /// Greatest power per friction area in W/m²; null if no area is given.
     pub peak_power_per_area_w_m2: Option<f64>,
-    /// Greatest temperature over the oil, where a heat capacity is given.
+    /// Greatest temperature above the oil in K; null if no heat capacity is given.
     pub peak_temperature_rise_k: Option<f64>,
-    /// Temperature over the oil at the end.
+    /// Temperature above the oil at the end in K; null if no heat capacity is given.
     pub end_temperature_rise_k: Option<f64>,
 }
 
-/// Samples and what stands right before and after events, in order of time.
+/// Samples, and the states immediately before and after events, in order of time.
 pub(super) fn instants(run: &Run) -> Vec<&Sample> {
     let mut all: Vec<&Sample> =
         run.samples.iter().chain(run.events.iter().flat_map(|event| [&event.before, &event.after])).collect();
-    // What has one time keeps its order: sample, before, after.
+    // Instants of equal time keep their order (stable sort): sample, before, after.
     all.sort_by(|one, other| one.time.si().total_cmp(&other.time.si()));
     all
 }
 
-/// `ω_1 − ω_2` of an element.
+/// Slip `ω_1 − ω_2` of an element in rad/s.
 pub(super) fn slip(run: &Run, element: &Element, sample: &Sample) -> f64 {
     let [first, second] =
         element.links.each_ref().map(|link| run.link(link).map_or(0.0, |place| sample.speeds[place].si()));
@@ -70,7 +70,7 @@ fn of(element: &Element, place: usize, run: &Run, instants: &[&Sample]) -> Eleme
     let rises = temperature_rises(element, place, instants);
     let heat = run.audit.heat[place].si();
     let slips = |sample: &Sample| matches!(sample.states[place], State::Forward | State::Backward);
-    // States change at events alone.
+    // States change only at events.
     let ends = instants.iter().skip(1).map(|next| next.time.si());
     let slip_time = instants.iter().zip(ends).filter(|(sample, _)| slips(sample));
     ElementResult {
@@ -89,7 +89,7 @@ fn of(element: &Element, place: usize, run: &Run, instants: &[&Sample]) -> Eleme
     }
 }
 
-/// Temperature over the oil at each instant, by the heat between two of them; nothing without a heat
+/// Temperature above the oil at each instant, from the heat between two instants; empty without a heat
 /// capacity.
 pub(super) fn temperature_rises(element: &Element, place: usize, instants: &[&Sample]) -> Option<Vec<f64>> {
     let capacity = element.heat_capacity_j_per_k?;
@@ -101,7 +101,7 @@ pub(super) fn temperature_rises(element: &Element, place: usize, instants: &[&Sa
         let time = pair[1].time.si() - pair[0].time.si();
         rise = if conductance > 0.0 && time > 0.0 {
             let left = -conductance * time / capacity;
-            // exp_m1 keeps its digits where little time passes.
+            // The function expm1 keeps its digits for short times.
             rise * libm::exp(left) - heat / (time * conductance) * libm::expm1(left)
         } else {
             rise + heat / capacity

@@ -1,4 +1,4 @@
-//! Shafts and converters: into the model, and what they carried.
+//! Shafts and converters: their place in the model, and their loads.
 
 use super::parts::Scenario;
 use super::{ABOVE_0, placed, refused, root};
@@ -12,67 +12,67 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::Angle;
 
-/// What an elastic shaft carried.
+/// Loads of an elastic shaft.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ShaftResult {
-    /// Its name.
+    /// Name of the shaft.
     pub id: String,
-    /// What it joins.
+    /// Names of the two links that the shaft joins.
     pub links: [String; 2],
-    /// Greatest torque, in size.
+    /// Greatest absolute torque in N·m.
     pub peak_torque_n_m: f64,
-    /// Greatest twist from the middle of its backlash, in size.
+    /// Greatest absolute twist from the middle of the backlash, in rad.
     pub peak_twist_rad: f64,
-    /// Torque at the end, positive where the first link drives the second forward.
+    /// Torque at the end in N·m, positive if the first link drives the second forward.
     pub end_torque_n_m: f64,
-    /// Twist at the end.
+    /// Twist at the end in rad.
     pub end_twist_rad: f64,
-    /// Heat of its damper.
+    /// Heat of the shaft's damper in J.
     pub heat_j: f64,
 }
 
-/// What a converter carried.
+/// Loads of a torque converter.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ConverterResult {
-    /// Its name.
+    /// Name of the converter.
     pub id: String,
-    /// Impeller and turbine.
+    /// Names of the links of impeller and turbine.
     pub links: [String; 2],
-    /// Greatest torque on the turbine, in size.
+    /// Greatest absolute torque on the turbine in N·m.
     pub peak_torque_n_m: f64,
-    /// Greatest power that its oil takes.
+    /// Greatest heat flow into the oil in W.
     pub peak_heat_flow_w: f64,
-    /// Torque on the turbine at the end.
+    /// Torque on the turbine at the end, in N·m.
     pub end_torque_n_m: f64,
-    /// Speed of the turbine over that of the impeller at the end; `null` with the impeller at rest.
+    /// Speed ratio at the end, turbine over impeller; null if the impeller is at rest.
     pub end_speed_ratio: Option<f64>,
-    /// Heat of its oil.
+    /// Heat of the oil in J.
     pub heat_j: f64,
 }
 
-/// A shaft over time.
+/// Shaft over time.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ShaftSamples {
-    /// Its name.
+    /// Name of the shaft.
     pub id: String,
-    /// Torque that it passes on from its first link to its second.
+    /// Torques in N·m transmitted from the first link to the second.
     pub torques_n_m: Vec<f64>,
-    /// Its twist.
+    /// Twists in rad.
     pub twists_rad: Vec<f64>,
 }
 
-/// A converter over time.
+/// Converter over time.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ConverterSamples {
-    /// Its name.
+    /// Name of the converter.
     pub id: String,
-    /// Torque that the impeller takes.
+    /// Torques absorbed by the impeller, in N·m.
     pub impeller_torques_n_m: Vec<f64>,
-    /// Torque that the turbine gives.
+    /// Torques delivered by the turbine, in N·m.
     pub turbine_torques_n_m: Vec<f64>,
 }
 
@@ -158,7 +158,7 @@ pub(super) fn converters(
         entry.links.each_ref().map(|link| run.link(link).map_or(0.0, |place| sample.speeds[place].si()))
     };
     let of = |(place, entry): (usize, &ConverterEntry)| {
-        // What acts on the links takes this power from them.
+        // The torques of the converter take this power from the links.
         let heat_flow = |sample: &Sample| {
             let [impeller, turbine] = sample.converters[place].map(Physical::si);
             let [first, second] = speeds(entry, sample);

@@ -1,4 +1,4 @@
-//! What the parts of a simulation share: the scenario, its elements, shifts and output.
+//! Common parts of a simulation: the scenario, its elements, shifts and output.
 
 use crate::shared::gearbox::Subject;
 use epicyclic_formats::Document;
@@ -8,7 +8,7 @@ use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// What carries between two links.
+/// Kinds of elements between two links.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ElementKind {
@@ -24,17 +24,17 @@ pub enum ElementKind {
     Resistance,
 }
 
-/// What drags.
+/// Kinds of drags.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum DragKind {
-    /// A drag that acts always.
+    /// Drag that always acts.
     Drag,
-    /// A brake or clutch while it is open or slips.
+    /// Brake or clutch while it is open or slips.
     OpenElement,
 }
 
-/// A scenario and what it speaks of.
+/// Scenario with its document, gearbox and CSV files.
 pub(super) struct Scenario<'s> {
     pub(super) document: &'s Document,
     pub(super) file: &'s ScenarioFile,
@@ -42,7 +42,7 @@ pub(super) struct Scenario<'s> {
     pub(super) texts: &'s Texts,
 }
 
-/// The model, and what is known of its elements by name.
+/// Model with its start, elements, drags, shifts and output.
 pub(super) struct Built {
     pub(super) model: Model,
     pub(super) start: Start,
@@ -52,13 +52,13 @@ pub(super) struct Built {
     pub(super) output: Output,
 }
 
-/// An element of the model, in its order.
+/// Element of the model, in the model's order.
 #[derive(Debug, Clone)]
 pub(super) struct Element {
     pub(super) id: String,
     pub(super) kind: ElementKind,
     pub(super) links: [String; 2],
-    /// Its capacity over time; none of one-way and dog clutches.
+    /// Torque capacity over time; `None` for one-way and dog clutches.
     pub(super) capacity: Option<Course>,
     pub(super) friction_area_m2: Option<f64>,
     pub(super) heat_capacity_j_per_k: Option<f64>,
@@ -79,57 +79,58 @@ impl Element {
     }
 }
 
-/// A drag of the model, in its order.
+/// Drag of the model, in the model's order.
 #[derive(Debug, Clone)]
 pub(super) struct Drag {
     pub(super) id: String,
     pub(super) kind: DragKind,
     pub(super) links: [String; 2],
-    /// Its place among those of the gearbox.
+    /// Index of the drag in the list of the gearbox.
     pub(super) place: usize,
 }
 
-/// One shift.
+/// Ramps of one shift.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Ramps {
     pub(super) at: f64,
     pub(super) from: String,
     pub(super) to: String,
-    /// What it releases, and from when to when.
+    /// Names of the released elements; `release` holds start and end of their ramp.
     pub(super) released: Vec<String>,
     pub(super) release: [f64; 2],
-    /// What it applies.
+    /// Names of the applied elements; `apply` holds start and end of their ramp.
     pub(super) applied: Vec<String>,
     pub(super) apply: [f64; 2],
 }
 
 impl Ramps {
-    /// When both ramps are over.
+    /// End of the later ramp.
     pub(super) fn end(&self) -> f64 {
         self.release[1].max(self.apply[1])
     }
 }
 
-/// What stands on the output.
+/// Output link with the places of all torques that act on it.
 pub(super) struct Output {
-    /// Its place among the links.
+    /// Index of the output among the links.
     place: usize,
-    /// Inertia of the links that are one piece with it.
+    /// Inertia of the links that are one piece with the output.
     inertia_kg_m2: f64,
-    /// Places of the torques on them.
+    /// Places of the torques on these links.
     torques: Vec<usize>,
-    /// Places of resistances on them.
+    /// Places of the resistances on these links.
     resistances: Vec<usize>,
-    /// Places of shafts on them, and the sign of their torque there.
+    /// Places of the shafts on these links, and the signs of their torques there.
     shafts: Vec<(usize, f64)>,
-    /// Places of converters on them, and whether it is the turbine.
+    /// Places of the converters on these links, and the end there: 0 for the impeller, 1 for the turbine.
     converters: Vec<(usize, usize)>,
-    /// Places of drags on them that are of no shift element, and the sign of their torque there.
+    /// Places of the drags on these links, and the signs of their torques there; drags of shift elements are
+    /// left out.
     drags: Vec<(usize, f64)>,
 }
 
 impl Output {
-    /// `elements` and `drags` are those of the model, in its order.
+    /// Collects the parts on the output; `elements` and `drags` are those of the model, in its order.
     pub(super) fn of(scenario: &Scenario<'_>, model: &Model, elements: &[Element], drags: &[Drag]) -> Self {
         let (file, gearbox) = (scenario.file, &scenario.subject.gearbox);
         let output = gearbox.link_name(gearbox.output());
@@ -163,7 +164,7 @@ impl Output {
         }
     }
 
-    /// `J·ω̇ − Σ T_applied`.
+    /// Torque that sets and shift elements exert on the output, `J·ω̇ − Σ T_applied`, in N·m.
     pub(super) fn torque(&self, sample: &Sample) -> f64 {
         let applied: f64 = self.torques.iter().map(|&place| sample.torques[place].si()).sum();
         let resisting: f64 = self.resistances.iter().map(|&place| sample.elements[place].si()).sum();

@@ -1,4 +1,4 @@
-//! Places of faults that the motion refuses: in the scenario, or in the gearbox.
+//! Places of faults that the motion reports: in the scenario, or in the gearbox.
 
 use super::parts::Scenario;
 use super::{placed, root};
@@ -11,7 +11,7 @@ use epicyclic_motion as motion;
 use epicyclic_units::Physical;
 
 impl Scenario<'_> {
-    /// The first inertia or mass that no body has.
+    /// Path of the first impossible inertia, mass or radius; `None` if all are possible.
     pub(super) fn no_mass(&self) -> Option<Path> {
         let is_none = |value: f64| !(value.is_finite() && value >= 0.0);
         let link = self.file.inertias.iter().find(|(_, inertia)| is_none(inertia.0.si()));
@@ -30,7 +30,8 @@ impl Scenario<'_> {
         of_link.or_else(|| planets.into_iter().find(|(_, value)| is_none(*value)).map(|(path, _)| path))
     }
 
-    /// The point of a table in the scenario that is out of order; of a table in a file the name of that.
+    /// Path of the point out of order in a table of the scenario; for a table in a file, the path of its
+    /// name.
     pub(super) fn of_points(&self, path: &Path, why: &motion::Error) -> Path {
         let motion::Error::Order { place, .. } = why else { return path.clone() };
         let key = ["times", "speeds"].into_iter().find(|key| self.has(&path.clone().key(*key)));
@@ -46,7 +47,7 @@ impl Scenario<'_> {
         self.document.value_at(path).is_some()
     }
 
-    /// A refusal of the run, at what it is about: in the scenario, or in the file of the gearbox.
+    /// Error of the run with its place in the scenario or in the file of the gearbox.
     pub(super) fn of_run(&self, why: motion::Error) -> Error {
         use motion::Error as E;
         let here = |keys: &[&str]| {
@@ -86,7 +87,7 @@ impl Scenario<'_> {
         placed(self.document, &path, why)
     }
 
-    /// What the scenario says of an element, load, shaft or converter.
+    /// Path of an element, load, shaft or converter in the scenario.
     fn entry(&self, id: &str) -> Option<Path> {
         let ScenarioFile { elements, torques, shafts, converters, .. } = self.file;
         let lists: [(&str, Option<usize>); 4] = [
@@ -98,7 +99,7 @@ impl Scenario<'_> {
         lists.into_iter().find_map(|(list, place)| Some(root(list).index(place?)))
     }
 
-    /// A refusal at the first of these parts that the scenario speaks of, else at the first in the gearbox.
+    /// Error at the first of these parts that the scenario contains, otherwise at the first in the gearbox.
     fn of_parts(&self, parts: &[String], why: motion::Error) -> Error {
         if let Some(path) = parts.iter().find_map(|part| self.entry(part)) {
             return placed(self.document, &path, why);

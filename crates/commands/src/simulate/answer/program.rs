@@ -1,6 +1,6 @@
-//! Shifts as courses of capacities.
+//! Shifts as courses of torque capacities.
 //!
-//! With the ramps `r` of what is released and `a` of what is applied, and the overlap `o`, a shift at `t` has
+//! A shift at time `t` has a release ramp of duration `r`, an apply ramp of duration `a`, and an overlap `o`:
 //!
 //! ```text
 //! o ≤ r   released from t to t + r              applied from t + r − o to t + r − o + a
@@ -16,7 +16,7 @@ use epicyclic_motion::{self as motion, Course};
 use epicyclic_units::{Physical, Quantity};
 use uom::si::f64::{Time, Torque};
 
-/// All shifts, and what the gear at the start engages.
+/// Shifts of a scenario, and the elements engaged at the start.
 pub(super) struct Program {
     engaged: Vec<String>,
     pub(super) shifts: Vec<Ramps>,
@@ -74,7 +74,7 @@ impl Program {
         Ok(Self { engaged: first, shifts })
     }
 
-    /// What a gear engages by friction.
+    /// Elements that a gear engages by friction.
     fn engaged(
         scenario: &Scenario<'_>,
         gear: &str,
@@ -104,7 +104,7 @@ impl Program {
         Ok(all)
     }
 
-    /// The capacity of an element that the shifts engage and release.
+    /// Torque capacity over time of an element that is engaged and released by shifts.
     pub(super) fn course(&self, entry: &ElementEntry) -> Result<Course, motion::Error> {
         let holding = entry.holding.map_or(Torque::from_si(0.0), |torque| torque.0);
         let open = Torque::from_si(0.0);
@@ -129,7 +129,7 @@ impl Program {
     }
 }
 
-/// From when to when the ramps of a shift go.
+/// Start and end of the release ramp and of the apply ramp of a shift.
 fn times(scenario: &Scenario<'_>, place: usize, entry: &ShiftEntry) -> Result<[[f64; 2]; 2], Error> {
     let path = root("shifts").index(place);
     let positive = |key: &str, time: f64| {

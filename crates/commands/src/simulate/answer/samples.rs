@@ -14,63 +14,63 @@ use uom::si::f64::AngularVelocity;
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Samples {
-    /// The times: the start, even ones, the end.
+    /// Times in s: the start, equally spaced ones, the end.
     pub times_s: Vec<f64>,
-    /// Each link.
+    /// Samples of the links.
     pub links: Vec<LinkSamples>,
-    /// Each torque.
+    /// Samples of the torques.
     pub torques: Vec<TorqueSamples>,
-    /// Each element.
+    /// Samples of the shift elements and resistances.
     pub elements: Vec<ElementSamples>,
-    /// Each shaft.
+    /// Samples of the shafts.
     pub shafts: Vec<ShaftSamples>,
-    /// Each converter.
+    /// Samples of the converters.
     pub converters: Vec<ConverterSamples>,
-    /// Each drag.
+    /// Samples of the drags.
     pub drags: Vec<DragSamples>,
-    /// Torque that sets and shift elements exert on the output.
+    /// Torques that sets and shift elements exert on the output, in N·m.
     pub output_torques_n_m: Vec<f64>,
 }
 
-/// A link over time.
+/// Link over time.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct LinkSamples {
-    /// Its name.
+    /// Name of the link.
     pub link: String,
-    /// Its speeds.
+    /// Speeds of the link in rad/s.
     pub speeds_rad_s: Vec<f64>,
 }
 
-/// A torque over time.
+/// Torque over time.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct TorqueSamples {
-    /// Its name.
+    /// Name of the torque.
     pub id: String,
-    /// What it is.
+    /// Torques in N·m.
     pub torques_n_m: Vec<f64>,
 }
 
-/// An element over time.
+/// Element over time.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ElementSamples {
-    /// Its name.
+    /// Name of the element.
     pub id: String,
-    /// Speed of its first link less that of its second.
+    /// Slips in rad/s: speed of the first link minus speed of the second.
     pub slips_rad_s: Vec<f64>,
-    /// Torque on its first link, without drags.
+    /// Torques on the first link in N·m, without drags.
     pub torques_n_m: Vec<f64>,
-    /// What it could carry while slipping; `null` of one-way and dog clutches.
+    /// Torque capacities while slipping, in N·m; null for one-way and dog clutches.
     pub capacities_n_m: Option<Vec<f64>>,
-    /// Heat from the start on.
+    /// Heat since the start in J.
     pub heats_j: Vec<f64>,
-    /// Temperature over the oil; `null` without a heat capacity.
+    /// Temperatures above the oil in K; null without a heat capacity.
     pub temperature_rises_k: Option<Vec<f64>>,
 }
 
-/// One of so many samples of a run, and the last.
+/// Selects one of every `kept` samples of a run, and the last one.
 pub(super) fn of(built: &Built, run: &Run, instants: &[&Sample], kept: usize) -> Samples {
     let last = run.samples.len() - 1;
     let places: Vec<usize> = (0..last).step_by(kept).chain([last]).collect();
@@ -87,7 +87,8 @@ pub(super) fn of(built: &Built, run: &Run, instants: &[&Sample], kept: usize) ->
     let elements = run.elements.iter().enumerate().filter_map(|(place, id)| {
         let element = built.elements.iter().find(|one| one.id == *id)?;
         let rises = temperature_rises(element, place, instants);
-        // The rise at a sample stands at its place among the instants.
+        // The list of temperatures has one value per instant, so samples are matched by their place among the
+        // instants.
         let at = |rises: &[f64]| {
             let mut rises = instants.iter().zip(rises);
             let mut found = vec![];

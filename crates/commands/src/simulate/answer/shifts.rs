@@ -1,4 +1,4 @@
-//! What each shift does: its phases, and the torque of the output.
+//! Results of the shifts: their phases, output torque and heat.
 
 use super::parts::{Built, Ramps};
 use epicyclic_motion::{Run, Sample, State};
@@ -6,40 +6,42 @@ use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// A shift.
+/// Result of a shift.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ShiftResult {
-    /// When it begins.
+    /// Time at which the shift begins, in s.
     pub at_s: f64,
-    /// The gear before.
+    /// Name of the gear before the shift.
     pub from: String,
-    /// The gear after.
+    /// Name of the gear after the shift.
     pub to: String,
-    /// What it releases.
+    /// Names of the released elements.
     pub released: Vec<String>,
-    /// What it applies.
+    /// Names of the applied elements.
     pub applied: Vec<String>,
-    /// When everything that it applies holds for good; `null` where it does not.
+    /// Time in s at which all applied elements hold for good; null if they do not.
     pub locked_s: Option<f64>,
-    /// From its beginning to the lock.
+    /// Duration of the shift in s, from its beginning to the lock; null without a lock.
     pub shift_time_s: Option<f64>,
-    /// From when an applied element carries to when a released one, or a one-way clutch, lets go; `null`
-    /// where that comes first.
+    /// Torque phase in s, from the time at which an applied element carries torque until a released one, or a
+    /// one-way clutch, lets go. Null if that occurs first.
     pub torque_phase_s: Option<f64>,
-    /// From when a released element, or a one-way clutch, lets go to the lock.
+    /// Inertia phase in s, from the time at which a released element, or a one-way clutch, lets go until the
+    /// lock; null without either.
     pub inertia_phase_s: Option<f64>,
-    /// Torque of sets and shift elements on the output before it.
+    /// Torque of sets and shift elements on the output before the shift, in N·m.
     pub output_torque_before_n_m: f64,
-    /// The least of it up to the lock, in the direction of that before.
+    /// Least output torque up to the lock in N·m, in the direction of that before the shift.
     pub output_torque_least_n_m: f64,
-    /// The greatest of it up to the lock, in the direction of that before.
+    /// Greatest output torque up to the lock in N·m, in the direction of that before the shift.
     pub output_torque_greatest_n_m: f64,
-    /// What is missing of the torque before at the least one, over that before: 0.3 of a hole of 30 %.
+    /// Torque hole: drop to the least output torque over the output torque before, 0.3 for a hole of 30 %.
+    /// Null if that is 0.
     pub torque_hole: Option<f64>,
-    /// What the greatest is more than the torque before, over that before.
+    /// Torque surge: rise to the greatest output torque over the output torque before; null if that is 0.
     pub torque_surge: Option<f64>,
-    /// Heat of all elements from its beginning to the lock.
+    /// Heat of all elements from the beginning of the shift to the lock, in J.
     pub heat_j: f64,
 }
 
@@ -63,7 +65,7 @@ fn result(built: &Built, run: &Run, instants: &[&Sample], shift: &Ramps, end: f6
     let before = instants.iter().rev().find(|one| one.time.si() <= shift.at).copied();
 
     let holds = |sample: &Sample| applied.iter().all(|&place| sample.states[place] == State::Stuck);
-    // The first of the last run of instants in which all hold.
+    // The lock is the first of the last run of instants at which all elements hold.
     let unlocked = within.iter().rposition(|sample| !holds(sample));
     let locked = match unlocked {
         None => within.first(),

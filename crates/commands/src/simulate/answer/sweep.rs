@@ -1,4 +1,4 @@
-//! A scenario with other values of one key.
+//! Sweep of a scenario over values of one key.
 
 use super::{Beside, ElementResult, LinkAtEnd, ShiftResult, Simulation, answer_watched, threads};
 use crate::answer::{Answer, Warning};
@@ -9,65 +9,65 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// More values than anyone reads.
+/// Maximum number of values.
 pub const MOST: u32 = 1000;
 
-/// Values of a key, from one to another, both among them.
+/// Values of a key, from one to another, both included.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wanted {
-    /// The key: `shifts[0].overlap`, `elements[C].holding`.
+    /// Key to be changed, such as `shifts[0].overlap`, `elements[C].holding`.
     pub key: String,
-    /// The first value, in the unit.
+    /// First value in the unit.
     pub from: f64,
-    /// The last.
+    /// Last value in the unit.
     pub to: f64,
-    /// The unit, as written; none of a plain number.
+    /// Unit as written; `None` for a plain number.
     pub unit: Option<String>,
-    /// How many values.
+    /// Number of values.
     pub steps: u32,
 }
 
-/// A scenario with several values of a key.
+/// Scenario with several values of a key.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Sweep {
     /// Name of the scenario.
     pub scenario: String,
-    /// The key.
+    /// Key that is changed.
     pub key: String,
-    /// The unit of the values; `null` of plain numbers.
+    /// Unit of the values; null for plain numbers.
     pub unit: Option<String>,
-    /// The runs, in order of their values; without those that an interruption left out.
+    /// Runs in order of their values, without those that were not computed after an interruption.
     pub runs: Vec<SweptRun>,
-    /// What the reader should know.
+    /// Warnings about the sweep.
     pub warnings: Vec<Warning>,
 }
 
-/// One run.
+/// Run with one value of the key.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SweptRun {
-    /// The value, in the unit.
+    /// Value of the key in the unit.
     pub value: f64,
-    /// The shifts.
+    /// Shifts with their phases, output torque and heat.
     pub shifts: Vec<ShiftResult>,
-    /// Shift elements and resistances.
+    /// Loads of the shift elements and resistances.
     pub elements: Vec<ElementResult>,
-    /// When each threshold is first passed.
+    /// First time at which each threshold is passed.
     pub thresholds: Vec<Passing>,
-    /// Links at the end.
+    /// Speeds and accelerations of the links at the end.
     pub end: Vec<LinkAtEnd>,
-    /// Why there is nothing, where the motion is refused.
+    /// Reason why the motion is refused; null if there are results.
     pub refused: Option<String>,
 }
 
-/// A threshold.
+/// Passing of a threshold.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Passing {
-    /// Its name.
+    /// Name of the threshold.
     pub id: String,
-    /// When it is first passed; `null` if never.
+    /// First time at which the threshold is passed, in s; null if never.
     pub time_s: Option<f64>,
 }
 
@@ -75,12 +75,13 @@ impl Answer for Sweep {
     const NAME: &'static str = "simulate-sweep";
 }
 
-/// The scenario with each value; `goes_on` is told the share that is done, and says whether to go on.
+/// Simulates the scenario with each value; `goes_on` receives the finished part and returns whether to
+/// continue.
 ///
 /// # Errors
 /// [`Error::Places`] for too few or too many steps, [`Error::Sweep`] for a key that cannot be swept, and
-/// [`Error::Document`] for a value that the key does not take. A motion that is refused is no error: its run
-/// says why.
+/// [`Error::Document`] for a value that the key does not accept. A refused motion is not an error: its run
+/// gives the reason.
 pub fn sweep(
     document: &Document,
     beside: &Beside,
@@ -104,7 +105,7 @@ pub fn sweep(
         Ok((value, read_changed(document, &whole)?))
     });
     let files = files.collect::<Result<Vec<_>, epicyclic_formats::Error>>().map_err(|error| {
-        // The file says something else there: the message names the value, not the place.
+        // The file has another value at that place, so the message names the swept value.
         Error::Sweep { why: format!("{}: {}", wanted.key, error.problem()) }
     })?;
     let scenario = files.first().map(|(_, file)| file.scenario.clone()).unwrap_or_default();

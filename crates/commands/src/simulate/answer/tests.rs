@@ -1,4 +1,4 @@
-//! What the records say, by other ways.
+//! Checks of the records by independent calculations.
 
 use super::parts::Scenario;
 use super::*;
@@ -17,7 +17,8 @@ pub(super) fn close(found: f64, due: f64, relative: f64) {
     assert!((found - due).abs() <= relative * due.abs(), "found {found:e}, due {due:e}");
 }
 
-/// A brake that slips at 50 rad/s with 30 N·m for ever: motor, load and brake are as 1 : −4 : 3.
+/// Brake that slips at a constant 50 rad/s with 30 N·m: the torques of motor, load and brake are as 1 : −4 :
+/// 3.
 const STEADY: &str = "\
 scenario: steady
 gearbox: { gearbox: g, input: s, output: c, sets: [{ id: P, sun: s, ring: r, carrier: c, k: 3 }], brakes: [{ id: B, link: r }] }
@@ -64,7 +65,7 @@ fn a_motion_that_is_ended_has_all_up_to_there() {
     assert!(early.energies.residual.abs() < 1e-9);
     let names = |of: &Simulation| of.warnings.iter().any(|warning| warning.name == "ended-early");
     assert!(names(&early) && !names(&whole));
-    // At once there is the start alone.
+    // A motion that is stopped immediately has only the start.
     assert_eq!(ended(0.0).duration_s, 0.0);
 }
 
@@ -94,7 +95,7 @@ fn an_element_in_oil_nears_its_power_over_the_conductance() {
     }
 }
 
-/// The shift of two gears: ring brake to clutch, with a capacity that is enough.
+/// Shift between two gears, from the ring brake to the clutch, with sufficient capacity.
 const SHIFT: &str = "\
 scenario: shift
 gearbox:
@@ -160,7 +161,7 @@ fn the_phases_of_a_shift_are_the_times_of_its_events() {
     assert!(shift.torque_hole.unwrap() > 0.0 && shift.torque_surge.unwrap() >= 0.0);
 }
 
-/// The torque of the output by the acceleration is what the set's carrier gives.
+/// The output torque computed from the acceleration equals that of the set's carrier.
 #[test]
 fn the_torque_of_the_output_is_what_its_set_gives() {
     let document = document(SHIFT);
@@ -179,7 +180,8 @@ fn the_torque_of_the_output_is_what_its_set_gives() {
             built.output.torque(sample)
         );
     }
-    // In first gear (60 − 100/4) N·m on 0.1 + 3/16 kg·m²; what the sun's inertia leaves comes out fourfold.
+    // In first gear (60 − 100/4) N·m act on 0.1 + 3/16 kg·m²; the sun's torque minus its inertia torque
+    // reaches the output fourfold.
     let first = 4.0 * (60.0 - 0.1 * 35.0 / 0.2875);
     close(built.output.torque(&run.samples[0]), first, 1e-12);
 }
@@ -200,7 +202,7 @@ fn a_capacity_follows_its_pressure() {
         for (&t, &found) in found.samples.times_s.iter().zip(capacities) {
             let bar = if t < 0.2 { 30.0 * (t - 0.1) } else { (3.0 + 5.0 * (t - 0.2)).min(5.0) };
             let due = 0.11 * 4.0 * 0.06 * 40e-4 * 1e5 * (bar - 1.0).max(0.0);
-            // At the jump itself either side is right.
+            // At the jump itself, the value before and the value after are both correct.
             if (t - 0.1 - fill).abs() > 1e-9 {
                 let due = if t < 0.1 + fill { 0.0 } else { due };
                 assert!((found - due).abs() < 1e-9, "{fill} {t}: {found} {due}");
@@ -246,7 +248,7 @@ fn refused_as(text: &str) -> String {
     answer(&document, &scenario::read(&document).unwrap(), &Beside::default()).unwrap_err().to_string()
 }
 
-/// A set locked as one piece of 1 kg·m², and a body of 0.5 kg·m² on its output by a shaft.
+/// Set locked as one piece of 1 kg·m², with a body of 0.5 kg·m² on its output shaft.
 const TWO_MASSES: &str = "\
 scenario: two masses
 gearbox: { gearbox: g, input: s, output: c, sets: [{ id: P, sun: s, ring: r, carrier: c, k: 3 }], clutches: [{ id: C, links: [s, c] }] }
@@ -258,8 +260,8 @@ sample_every: 1 ms
 shafts: [{ id: axle, links: [c, wheel], stiffness: 3000 N·m/rad, twist: 2 deg }]
 ";
 
-/// `f = √(c·(1/J₁ + 1/J₂))/2π`, and all energy in the shaft at the start; the ring's share of the torque
-/// comes to the output through the set.
+/// Natural frequency `f = √(c·(1/J₁ + 1/J₂))/2π`, with all energy in the shaft at the start. The ring's share
+/// of the torque reaches the output through the set.
 #[test]
 fn two_masses_swing_at_their_natural_frequency() {
     let found = simulated(TWO_MASSES);
@@ -294,7 +296,7 @@ fn a_body_at_the_start_turns_with_its_shaft() {
     close(found.energies.kinetic_before_j, 0.5 * 1.5 * 2500.0, 1e-12);
 }
 
-/// Play: nothing moves the wheel before the shaft has turned through half its backlash.
+/// Backlash: nothing moves the wheel before the shaft has turned through half its backlash.
 #[test]
 fn a_shaft_with_backlash_drives_when_it_is_used_up() {
     let text = TWO_MASSES.replace("twist: 2 deg", "backlash: 4 deg")
@@ -309,7 +311,7 @@ fn a_shaft_with_backlash_drives_when_it_is_used_up() {
     close(first.time_s, (2.0 * 2.0_f64.to_radians() / 5.0).sqrt(), 1e-9);
 }
 
-/// A stalled turbine: the impeller is driven at its steady speed `√(T/λ)`, and all power is heat.
+/// Stalled turbine: the impeller runs at its steady speed `√(T/λ)`, and all power becomes heat.
 #[test]
 fn a_stalled_converter_takes_torque_with_the_square_of_the_speed() {
     let text = "\
@@ -332,7 +334,7 @@ converters: [{ id: TC, links: [engine, s], speed_ratios: [0, 1], torque_ratios: 
     close(found.energies.converter_heat_j, converter.heat_j, 1e-15);
     assert_eq!(converter.end_speed_ratio, Some(0.0));
     close(found.samples.converters[0].impeller_torques_n_m[0], 80.0, 1e-9);
-    // The carrier gets four times the turbine's torque through the set.
+    // The carrier receives four times the turbine's torque through the set.
     close(found.samples.output_torques_n_m[5], 4.0 * 160.0, 1e-9);
     let message = refused_as(&text.replace("torque_ratios: [2, 1]", "torque_ratios: [2]"));
     assert!(message.contains("converters[0].torque_ratios: 1 values at 2 speed_ratios"), "{message}");
@@ -340,7 +342,7 @@ converters: [{ id: TC, links: [engine, s], speed_ratios: [0, 1], torque_ratios: 
     assert!(message.contains("converters[0].impeller_speed: it must be above 0"), "{message}");
 }
 
-/// Two free bodies through dogs: `½·J₁·J₂/(J₁ + J₂)·Δω²` goes.
+/// Two free bodies engaged by dogs lose the energy `½·J₁·J₂/(J₁ + J₂)·Δω²`.
 #[test]
 fn dogs_take_the_energy_of_an_impact() {
     let text = "\
@@ -366,8 +368,8 @@ elements: [{ id: D, dog: { engage: [0.25 s], release: [0.75 s] } }]
     assert!(message.contains("needs the gear at the start"), "{message}");
 }
 
-/// At constant power above the base speed the kinetic energy grows by `P·t`; below it the torque is the
-/// limit.
+/// At constant power above the base speed the kinetic energy grows by `P·t`; below it the torque limit
+/// applies.
 #[test]
 fn a_source_of_constant_power_gives_it() {
     let text = TWO_MASSES
@@ -381,7 +383,7 @@ fn a_source_of_constant_power_gives_it() {
     close(slow.end[0].speed_rad_s, 20.0, 1e-9);
 }
 
-/// Half open between −10 and 30 N·m is 10 N·m; the throttle opens within the time.
+/// Half throttle between −10 and 30 N·m gives 10 N·m; the throttle opens within the time.
 #[test]
 fn a_throttle_lies_between_its_curves() {
     let text = TWO_MASSES
@@ -396,8 +398,8 @@ fn a_throttle_lies_between_its_curves() {
     assert!(message.contains("throttle"), "{message}");
 }
 
-/// The steady brake slips at 50 rad/s: halfway between 1 at rest and 0.5 at 100 rad/s a capacity of 40 N·m is
-/// 30 N·m.
+/// The steady brake slips at 50 rad/s. Halfway between 1 at rest and 0.5 at 100 rad/s, a capacity of 40 N·m
+/// becomes 30 N·m.
 #[test]
 fn friction_over_slip_is_what_a_brake_carries() {
     let text = STEADY.replace(
@@ -411,7 +413,7 @@ fn friction_over_slip_is_what_a_brake_carries() {
     assert!(message.contains("elements[0].friction_over_slip: 2 speeds and 1 factors"), "{message}");
 }
 
-/// Names stand elsewhere, too, and every entry has a line of its own.
+/// Names occur in several places, and every entry has a line of its own.
 const PLACES: &str = "\
 scenario: B
 gearbox:
@@ -480,8 +482,8 @@ fn a_fault_of_a_scenario_is_at_its_value_and_has_a_name() {
     }
 }
 
-/// No line has such a fault alone: it is at a part that it names, in the scenario or in the gearbox, and
-/// never at the first line.
+/// Faults that belong to no single line are reported at a part that they name, in the scenario or in the
+/// gearbox, and never at the first line.
 #[test]
 fn a_motion_that_cannot_go_on_is_at_a_part_of_it() {
     let document = document(PLACES);

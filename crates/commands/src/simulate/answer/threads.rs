@@ -1,14 +1,14 @@
-//! Work on many items: on all threads with the feature `parallel`, else on one. Results come in the order of
-//! the items.
+//! Parallel work on many items: on all threads with the feature `parallel`, otherwise on one. Results have
+//! the order of the items.
 
-/// The answer to each item.
+/// Applies `work` to each item.
 #[cfg(feature = "parallel")]
 pub(crate) fn map<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync + Send) -> Vec<R> {
     use rayon::prelude::*;
     items.par_iter().map(work).collect()
 }
 
-/// The answer to each item.
+/// Applies `work` to each item.
 #[cfg(not(feature = "parallel"))]
 pub(crate) fn map<T, R>(items: &[T], work: impl Fn(&T) -> R) -> Vec<R> {
     items.iter().map(work).collect()

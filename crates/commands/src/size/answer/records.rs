@@ -1,4 +1,4 @@
-//! Records of sizes: designs, what was left out, what the file held.
+//! Records of sizes: designs, numbers left out, keys kept from the file.
 
 use super::Wanted;
 use crate::answer::Warning;
@@ -17,13 +17,13 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::Length;
 
-/// What is minimised.
+/// Quantities to be minimized.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Minimise {
-    /// The mass of the gears of each set.
+    /// Mass of the gears of each set.
     Mass,
-    /// The outside diameter of each ring.
+    /// Outside diameter of each ring.
     Ring,
 }
 
@@ -36,29 +36,29 @@ impl From<Minimise> for Objective {
     }
 }
 
-/// The space of a set of which the file gives nothing.
+/// Search space of a set for which the file gives no values.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Sought {
-    /// Modules.
+    /// Modules in m.
     pub modules_m: Vec<f64>,
-    /// Face widths.
+    /// Face widths in m.
     pub face_widths_m: Vec<f64>,
     /// Numbers of planets.
     pub planets: Vec<u32>,
-    /// Step of the centre distances.
+    /// Step of the centre distances, in m.
     pub centre_distance_step_m: f64,
-    /// How far centre distances may be from the natural one, in modules.
+    /// Maximum distance of centre distances from the natural one, in modules.
     pub reach_in_modules: f64,
-    /// The greatest face width over the sun's reference diameter; `null` without bound.
+    /// Maximum face width over the sun's reference diameter; null without limit.
     pub width_ratio: Option<f64>,
-    /// Least normal thickness of the tips, in modules.
+    /// Minimum normal tip thickness, in modules.
     pub least_tip_thickness_in_modules: f64,
-    /// Least rim of the planets between root circle and bore, in modules.
+    /// Minimum rim of the planets between root circle and bore, in modules.
     pub planet_rim_in_modules: f64,
     /// Rim of the ring outside its root circle, in modules.
     pub ring_rim_in_modules: f64,
-    /// How many bearings of the planets there are to choose from, pairs among them.
+    /// Number of planet bearings to choose from, including pairs.
     pub bearings: usize,
 }
 
@@ -80,30 +80,30 @@ impl Sought {
     }
 }
 
-/// A key of a set in the file that the search held.
+/// Keys of a set in the file that the search keeps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum HeldKey {
-    /// Its module.
+    /// Module of the set.
     Module,
-    /// Its face width.
+    /// Face width of the set.
     FaceWidth,
-    /// Its number of planets.
+    /// Number of planets of the set.
     Planets,
-    /// Its profile shifts, with the tip alterations.
+    /// Profile shifts of the set, with the tip alterations.
     ProfileShifts,
-    /// The load rating of its planet bearings.
+    /// Load rating of the planet bearings.
     LoadRating,
-    /// The bore of its planets; without a load rating no bearing is sought.
+    /// Bore of the planets; without a load rating no bearing is searched.
     PlanetBore,
-    /// The rim of its planets, which the search takes as the least.
+    /// Rim of the planets, which the search takes as the minimum.
     PlanetRim,
-    /// The rim of its ring.
+    /// Rim of the ring.
     RingRim,
 }
 
 impl HeldKey {
-    /// The key as the file has it.
+    /// Name of the key in the file.
     #[must_use]
     pub const fn key(self) -> &'static str {
         match self {
@@ -119,36 +119,36 @@ impl HeldKey {
     }
 }
 
-/// How many designs each requirement left out; one that misses several safeties or lives counts with the one
-/// that it meets least.
+/// Number of designs that each requirement left out. A design that fails several safeties or lives counts for
+/// the one with the least margin.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct LeftOut {
-    /// Planets that do not stand at equal angles.
+    /// Designs whose planets cannot be equally spaced.
     pub spacing: u64,
-    /// Planets that touch.
+    /// Designs whose planets touch.
     pub planets_touch: u64,
-    /// Centre distances without faultless shifts.
+    /// Centre distances without valid profile shifts.
     pub geometry: u64,
-    /// Face widths above the bound.
+    /// Designs with face widths above the limit.
     pub width_ratio: u64,
-    /// Bearings that leave too little rim.
+    /// Designs with bearings that leave too thin a rim.
     pub rim: u64,
-    /// Bearings wider than the planet.
+    /// Designs with bearings wider than the planet.
     pub bearing_width: u64,
-    /// Teeth outside what the standard holds for.
+    /// Designs with teeth outside the range of the standard.
     pub not_calculable: u64,
-    /// Flanks below the required safety.
+    /// Designs with flanks below the required safety.
     pub flank: u64,
-    /// Roots below the required safety.
+    /// Designs with roots below the required safety.
     pub root: u64,
-    /// Flanks and roots below the safety required against an overload.
+    /// Designs with flanks or roots below the required safety against an overload.
     pub overload: u64,
-    /// Bearings below the required life.
+    /// Designs with bearings below the required life.
     pub bearing_life: u64,
 }
 
-/// A requirement that is a number.
+/// Requirements with a numerical value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Requirement {
@@ -165,26 +165,26 @@ pub enum Requirement {
 }
 
 impl Requirement {
-    /// Whether it is of an overload.
+    /// Whether the requirement concerns an overload.
     #[must_use]
     pub const fn is_against_overload(self) -> bool {
         matches!(self, Self::OverloadFlank | Self::OverloadRoot)
     }
 }
 
-/// The requirement that a design meets least.
+/// Requirement with the least margin in a design.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Governing {
-    /// Which.
+    /// Name of the requirement.
     pub requirement: Requirement,
-    /// The mesh; `null` of a bearing.
+    /// Name of the mesh; null for a bearing.
     pub mesh: Option<MeshName>,
-    /// The gear whose tooth or bearing it is.
+    /// Gear whose tooth or bearing governs.
     pub toothed_gear: ToothedGear,
-    /// The safety; of a bearing the load that it carries for the required life over its load.
+    /// Safety; for a bearing the load that it carries for the required life over its load.
     pub value: f64,
-    /// What is required.
+    /// Required value.
     pub required: f64,
 }
 
@@ -207,39 +207,39 @@ impl Governing {
     }
 }
 
-/// The bearing of a planet.
+/// Bearing of a planet.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SizedBearing {
-    /// Its designation; `null` where the file gives its load rating.
+    /// Designation of the bearing; null if the file gives its load rating.
     pub designation: Option<String>,
-    /// Whether rollers roll in it, or balls.
+    /// Whether the bearing has rollers; otherwise it has balls.
     pub rollers: bool,
-    /// Its bore, the pin; `null` where the file gives its load rating.
+    /// Bore of the bearing (pin diameter) in m; null if the file gives its load rating.
     pub bore_m: Option<f64>,
-    /// Its outside diameter, the bore of the planet; `null` of a solid planet.
+    /// Outside diameter of the bearing (bore of the planet) in m; null for a solid planet.
     pub outside_diameter_m: Option<f64>,
-    /// Its width; `null` where the file gives its load rating.
+    /// Width of the bearing in m; null if the file gives its load rating.
     pub width_m: Option<f64>,
-    /// Basic dynamic load rating.
+    /// Basic dynamic load rating in N.
     pub load_rating_n: f64,
-    /// Basic rating life over the duty; `null` where it never turns under load.
+    /// Basic rating life over the duty in s; null if the bearing never turns under load.
     pub life_s: Option<f64>,
 }
 
-/// A gear of a mesh over the duty.
+/// Gear of a mesh over the duty.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SizedGear {
-    /// The mesh.
+    /// Name of the mesh.
     pub mesh: MeshName,
-    /// Which of its gears.
+    /// Gear of the mesh.
     pub toothed_gear: ToothedGear,
-    /// Its material.
+    /// Name of the gear's material.
     pub material: String,
-    /// Its flank.
+    /// Damage and safety of the flank.
     pub flank: Wear,
-    /// Its root.
+    /// Damage and safety of the root.
     pub root: Wear,
 }
 
@@ -259,48 +259,49 @@ impl SizedGear {
     }
 }
 
-/// A design of a set.
+/// Design of a set.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SizedDesign {
-    /// Module.
+    /// Module in m.
     pub module_m: f64,
-    /// Face width.
+    /// Face width in m.
     pub face_width_m: f64,
     /// Face width over the sun's reference diameter.
     pub face_width_over_sun: f64,
     /// Number of planets.
     pub planets: u32,
-    /// Centre distance.
+    /// Centre distance in m.
     pub centre_distance_m: f64,
     /// Profile shift coefficients of sun, planets and ring.
     pub profile_shifts: [f64; 3],
     /// Tip alterations of sun, planets and ring, in modules.
     pub tip_alterations: [f64; 3],
-    /// Whether the aim of the shifts is met, or only as far as the limits allow.
+    /// Whether the aim of the profile shifts is met; otherwise it is met only as far as the limits allow.
     pub aim_met: bool,
-    /// What cuts the ring.
+    /// Tool that cuts the ring.
     pub ring_tool: CuttingTool,
-    /// Bearing of the planets; `null` where none was sought.
+    /// Bearing of the planets; null if none was searched.
     pub bearing: Option<SizedBearing>,
-    /// Rim of the planets between root circle and bore; `null` of solid ones.
+    /// Rim of the planets between root circle and bore, in m; null for solid planets.
     pub planet_rim_m: Option<f64>,
-    /// Rim of the ring outside its root circle.
+    /// Rim of the ring outside its root circle, in m.
     pub ring_rim_m: f64,
-    /// Outside diameter of the ring.
+    /// Outside diameter of the ring, in m.
     pub ring_diameter_m: f64,
-    /// Mass of all gears of the set.
+    /// Mass of all gears of the set, in kg.
     pub mass_kg: f64,
-    /// Each gear of both meshes over the duty.
+    /// Damage and safety of each gear of both meshes over the duty.
     pub over_duty: Vec<SizedGear>,
-    /// What is met least against the overloads of the file; `null` where none loads the set.
+    /// Requirement with the least margin against the overloads of the file; null if none loads the set.
     pub overload: Option<Governing>,
-    /// The requirement that is met least.
+    /// Requirement with the least margin.
     pub governing: Governing,
 }
 
 impl SizedDesign {
     fn of(materials: &[String; 3], design: &Design) -> Self {
+        // A bearing given only by its load rating has lengths of 0 in the search, which are unknown in fact.
         let positive = |length: Length| Some(length.si()).filter(|si| *si > 0.0);
         let bearing = design.bearing.as_ref().map(|bearing| SizedBearing {
             designation: Some(bearing.designation.clone()).filter(|name| !name.is_empty()),
@@ -336,29 +337,29 @@ impl SizedDesign {
     }
 }
 
-/// A set with the best of its designs.
+/// Set with its best designs.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SizedSet {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// Teeth of sun, planets and ring.
+    /// Tooth numbers of sun, planets and ring.
     pub teeth: [u32; 3],
-    /// What the file gives of it, which was held.
+    /// Keys of the file that were kept.
     pub held: Vec<HeldKey>,
-    /// Designs of its space.
+    /// Number of designs in the search space.
     pub designs: u64,
-    /// Centre distances, of all modules and numbers of planets, whose gears were calculated.
+    /// Number of centre distances, over all modules and numbers of planets, whose gears were calculated.
     pub centre_distances: u64,
-    /// How often teeth were rated.
+    /// Number of times that teeth were rated.
     pub rated: u64,
-    /// What each requirement left out.
+    /// Number of designs that each requirement left out.
     pub left_out: LeftOut,
-    /// Designs that are no better than the last one found.
+    /// Number of designs that were not checked, because they are no better than the last one found.
     pub not_reached: u64,
-    /// The best, in order.
+    /// Best designs in order.
     pub found: Vec<SizedDesign>,
-    /// Where none is found, the design that misses the requirements least; `null` where no teeth could be
+    /// Design that misses the requirements least, if none is found; null otherwise, or if no teeth could be
     /// rated.
     pub nearest_miss: Option<SizedDesign>,
 }
@@ -394,11 +395,12 @@ impl SizedSet {
         }
     }
 
-    /// That it has no size, and what would help.
+    /// Warning that the set has no size, with remedies; `None` if it has one.
     pub(super) fn warning(&self) -> Option<Warning> {
         if !self.found.is_empty() {
             return None;
         }
+        // The remedy follows from the requirement that the closest design fails.
         let why = match &self.nearest_miss {
             None => "no gears of the space run together with a bearing that fits".to_owned(),
             Some(miss) => {
@@ -424,17 +426,17 @@ impl SizedSet {
     }
 }
 
-/// A set that is not sized.
+/// Set that is not sized.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct NotSized {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// Why.
+    /// Reason why the set is not sized.
     pub reason: Reason,
-    /// The keys, or the factor, that are missing.
+    /// Keys, or the factor, that are missing.
     pub missing: Vec<String>,
-    /// What the factor would follow from, or what is outside the standard.
+    /// Data from which the factor would follow, or the value outside the standard; otherwise null.
     pub because: Option<String>,
 }
 
@@ -443,14 +445,14 @@ impl NotSized {
         Self { set: row.set, reason: row.reason, missing: row.missing, because: row.because }
     }
 
-    /// Why, in words.
+    /// Reason in words.
     #[must_use]
     pub fn why(&self) -> String {
         let Self { set, reason, missing, because } = self.clone();
         NotRated { missing, because, ..NotRated::new(&set, reason) }.why()
     }
 
-    /// In words: `set 1: no simple set`.
+    /// Set and reason in words: `set 1: no simple set`.
     pub(super) fn told(&self) -> String {
         format!("set {}: {}", self.set, self.why())
     }

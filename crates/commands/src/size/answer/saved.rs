@@ -1,4 +1,4 @@
-//! The gearbox file with the sizes found in it.
+//! Gearbox file with the sizes found for it.
 
 use super::Size;
 use super::records::{SizedBearing, SizedDesign, SizedSet};
@@ -11,10 +11,10 @@ use epicyclic_units::format::trimmed;
 /// Millimetres in a metre.
 const MM: f64 = 1e3;
 
-/// Digits that a length keeps: those of its rounding in binary fractions are left out.
+/// Significant digits of a length; more would show only the rounding of binary fractions.
 const DIGITS: usize = 14;
 
-/// The file as it was, without its remarks, with the best design of each set.
+/// Gearbox file without its comments, with the best design of each set.
 ///
 /// # Errors
 /// [`Error::NoSize`] for a set without one; [`Error::Json`] for a file that cannot be written.
@@ -32,12 +32,12 @@ pub fn saved(document: &Document, size: &Size) -> Result<String, Error> {
     Ok(comment + &written(document, &size.sets)?)
 }
 
-/// The sets that have designs, with their best ones.
+/// Sets that have designs, with their best ones.
 fn best(sets: &[SizedSet]) -> impl Iterator<Item = (&SizedSet, &SizedDesign)> {
     sets.iter().filter_map(|set| Some((set, set.found.first()?)))
 }
 
-/// The file with the best design of each set that has one.
+/// Gearbox file with the best design of each set that has one.
 pub(super) fn written(document: &Document, sets: &[SizedSet]) -> Result<String, Error> {
     let mut file = document.value().clone();
     for (set, best) in best(sets) {
@@ -82,7 +82,7 @@ fn write(entry: &mut Mapping, planet_teeth: u32, design: &SizedDesign) -> Result
     Ok(())
 }
 
-/// The ring's tool as the search took it, so that the teeth stay those of the design.
+/// Writes the ring's tool as the search used it, so that the teeth remain those of the design.
 fn write_tool(entry: &mut Mapping, tool: &CuttingTool) {
     let has_tools = entry.get("tools").and_then(|tools| tools.get("ring")).is_some();
     let of_strength = entry.get_mut("strength").and_then(|strength| strength.get_mut("shaper"));

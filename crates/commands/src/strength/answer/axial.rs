@@ -8,7 +8,7 @@ use epicyclic_strength::planets::axial_forces;
 use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Time, Torque};
 
-/// Of a set at a torque and speed of its sun; `None` of spur teeth.
+/// Axial forces of a set at a torque and speed of its sun; `None` for spur teeth.
 pub(super) fn of(
     set: &RatedSet<'_>,
     gear: &str,
@@ -29,7 +29,7 @@ pub(super) fn of(
     })
 }
 
-/// Of all sets in the loaded steps of a duty.
+/// Axial forces of all sets in the loaded steps of a duty.
 pub(super) fn over_duty(sets: &[RatedSet<'_>], steps: &[WorkedStep<'_>], life: Time) -> Vec<AxialForce> {
     let of_step = |set: &RatedSet<'_>, number: u32, WorkedStep(entry, worked): &WorkedStep<'_>| {
         let load = set_load(set, worked.as_ref()?, entry.speed.0).ok()?;

@@ -7,77 +7,79 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::Time;
 
-/// Digits of a life in a warning.
+/// Significant digits of a life in a warning.
 const LIFE_DIGITS: usize = 4;
 
-/// The bearing of a planet over the duty.
+/// Bearing of a planet over the duty.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct BearingOverDuty {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The planet: its name, or its number in the set.
+    /// Name of the planet, or its number in the set.
     pub planet: String,
-    /// Whether rollers roll in it, or balls.
+    /// Whether the bearing has rollers; otherwise it has balls.
     pub rollers: bool,
-    /// Basic dynamic load rating.
+    /// Basic dynamic load rating in N.
     pub load_rating_n: f64,
-    /// `K_γ`, with which the forces of the meshes are multiplied; `null` where it is not given and its table
-    /// has not so many planets.
+    /// Mesh load factor `K_γ`, by which the mesh forces are multiplied; null if it is not given and its table
+    /// does not contain the number of planets.
     pub load_sharing: Option<f64>,
-    /// Whether the file gives it; else it follows from the number of planets and whether a member floats.
+    /// Whether the file gives `K_γ`; otherwise it follows from the number of planets and whether a member
+    /// floats.
     pub load_sharing_is_given: bool,
-    /// The greatest force of the duty and the overloads; `null` where no forces follow.
+    /// Greatest force of the duty and the overloads, in N; null if no forces can be computed.
     pub greatest_force_n: Option<f64>,
-    /// Static safety: static load rating over the greatest force; `null` without that rating.
+    /// Static safety: static load rating over the greatest force; null without that rating.
     pub static_safety: Option<f64>,
-    /// Basic rating life over the duty, which 90 % of the bearings reach; `null` where it never turns under
-    /// load.
+    /// Basic rating life over the duty in s, which 90 % of the bearings reach; null if the bearing never
+    /// turns under load.
     pub basic_life_s: Option<f64>,
-    /// Modified rating life over the duty; `null` where it is not asked or does not follow.
+    /// Modified rating life over the duty; null if it is not asked for or cannot be computed.
     pub modified: Option<ModifiedLife>,
     /// Forces and speeds in the steps of the duty.
     pub steps: Vec<BearingStepFigures>,
-    /// What is missing for the forces or the modified life, or why it does not follow.
+    /// Data missing for the forces or the modified life, or reasons why it cannot be computed.
     pub missing: Vec<String>,
 }
 
-/// The modified rating life of a bearing over the duty.
+/// Modified rating life of a bearing over the duty.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ModifiedLife {
-    /// Part of the bearings that reach it.
+    /// Part of the bearings that reach the life.
     pub reliability: f64,
-    /// `a_1`.
+    /// Reliability factor `a_1`.
     pub reliability_factor: f64,
-    /// The life; `null` where the bearing never turns under load.
+    /// Modified rating life in s; null if the bearing never turns under load.
     pub life_s: Option<f64>,
 }
 
-/// A bearing in a step of the duty.
+/// Bearing in a step of the duty.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct BearingStepFigures {
-    /// The gear.
+    /// Name of the gear.
     pub gear: String,
-    /// Force on the bearing.
+    /// Force on the bearing in N.
     pub force_n: f64,
-    /// Speed of the planet relative to the carrier, without its sign.
+    /// Absolute planet speed relative to the carrier, in rad/s.
     pub speed_rad_s: f64,
-    /// `κ`; `null` without a modified life, and where it does not turn under load.
+    /// Viscosity ratio `κ`; null without a modified life, or if the bearing does not turn under load.
     pub viscosity_ratio: Option<f64>,
-    /// `a_ISO`; `null` as `κ`.
+    /// Life modification factor `a_ISO`; null without a modified life, or if the bearing does not turn under
+    /// load.
     pub modification: Option<f64>,
 }
 
 impl BearingOverDuty {
-    /// The modified life where it follows, else the basic one.
+    /// Modified life in s if it is known, otherwise the basic one.
     #[must_use]
     pub fn life_s(&self) -> Option<f64> {
         self.modified.map_or(self.basic_life_s, |modified| modified.life_s)
     }
 
-    /// That it does not last.
+    /// Warning that the bearing does not reach the required life.
     pub(super) fn warning(&self, required: Time) -> Option<Warning> {
         let life = Time::from_si(self.life_s()?);
         if life >= required {

@@ -1,12 +1,12 @@
-//! The planet bearings over the duty of a file: basic and modified rating life, static safety.
+//! Planet bearings over the duty of a file: basic and modified rating life, static safety.
 //!
 //! ```text
 //! F = √((K_γ·F_t)² + (K_γ·F_r + F_c)²)        1/L = Σ share_i/(a_1·a_ISO,i·L_10,i)        f_s = C_0/F_max
 //! ```
 //!
-//! `F_t` and `F_r` are the forces of the meshes without losses, those of the file's overloads with them in
-//! `F_max`, `F_c` is the centrifugal force ([`planet_bearings`](epicyclic_train::planet_bearings)), `a_ISO`
-//! that of [`epicyclic_strength::bearing`].
+//! `F_t` and `F_r` are the mesh forces without losses, `F_c` is the centrifugal force
+//! ([`planet_bearings`](epicyclic_train::planet_bearings)). `F_max` also covers the file's overloads; `a_ISO`
+//! is that of [`epicyclic_strength::bearing`].
 
 use super::duty::WorkedStep;
 use super::overload::Peak;
@@ -31,27 +31,27 @@ use epicyclic_train::planet_bearings::{BearingForces, Lack, PlanetBearing};
 use epicyclic_units::{Physical, Quantity};
 use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length, Torque};
 
-/// What a file says of its planet bearings.
+/// Data of a file for its planet bearings.
 struct File<'a> {
     subject: &'a Subject<'a>,
     file: &'a GearboxFile,
     reliability: Reliability,
 }
 
-/// What a file says of the bearings of a planet beside their load rating: of a set with two central gears
-/// with the keys of the set, of a compound set with those of the planet.
+/// Data of the bearings of a planet besides their load rating: keys of the set for a set with two central
+/// gears, keys of the planet for a compound set.
 #[derive(Default)]
 struct Given {
-    /// Where these keys stand.
+    /// Path of these keys.
     path: Path,
     static_load_rating: Option<Quantity<Force>>,
     fatigue_limit: Option<Quantity<Force>>,
     bearing_diameter: Option<Quantity<Length>>,
-    /// `K_γ` of a compound set's planet.
+    /// Mesh load factor `K_γ` of a compound set's planet.
     load_sharing: Option<f64>,
 }
 
-/// What the modified life asks for.
+/// Operating conditions for the modified life.
 struct Conditions {
     viscosity: KinematicViscosity,
     contamination: f64,
@@ -59,10 +59,10 @@ struct Conditions {
     diameter: Length,
 }
 
-/// All planet bearings with a load rating.
+/// Rates all planet bearings with a load rating.
 ///
 /// # Errors
-/// [`Error::Document`] for what the file says wrong, with its place.
+/// [`Error::Document`] for invalid data in the file, with the place.
 pub(super) fn rated(
     subject: &Subject<'_>,
     file: &GearboxFile,
@@ -77,7 +77,7 @@ pub(super) fn rated(
     rated.collect()
 }
 
-/// The reliability that a file asks for.
+/// Reliability that a file requires.
 fn reliability(subject: &Subject<'_>, file: &GearboxFile) -> Result<Reliability, Error> {
     let Some(asked) = file.bearing_reliability else { return Ok(Reliability::default()) };
     let is_asked = |one: &Reliability| (one.part() - asked.0.si()).abs() < ROUNDED;
@@ -171,7 +171,7 @@ impl File<'_> {
         Ok(row)
     }
 
-    /// What the file says of the bearings of a planet.
+    /// Data of the bearings of a planet in the file.
     fn given(&self, set: &str, planet: &str) -> Given {
         if let Some((place, entry)) = self.file.sets.iter().enumerate().find(|(_, entry)| entry.id == set) {
             return Given {
@@ -197,7 +197,7 @@ impl File<'_> {
         }
     }
 
-    /// What the modified life asks for, or the keys that are missing where some are there.
+    /// Conditions for the modified life, or the missing keys if only some are given.
     fn conditions(&self, given: &Given) -> Result<(Option<Conditions>, Vec<String>), Error> {
         let oil = self.file.oil.as_ref();
         let of_oil = Path::root().key("oil");
@@ -222,14 +222,14 @@ impl File<'_> {
             ("fatigue_limit", fatigue_limit.is_some()),
             ("bearing_diameter", diameter.is_some()),
         ];
-        // Where nothing is said, nothing is asked.
+        // A file with none of these keys does not ask for a modified life.
         if known.iter().all(|(_, is_known)| !is_known) {
             return Ok((None, vec![]));
         }
         Ok((None, lacking(&known)))
     }
 
-    /// A quantity of a bearing, which must be above 0.
+    /// Quantity of a bearing, which must be above 0.
     fn of<T: Physical>(
         &self,
         given: &Given,
@@ -249,7 +249,7 @@ impl File<'_> {
         Err(refused(self.subject.document, path, &[key], &why))
     }
 
-    /// The force on a bearing and its speed, in a step of the duty; `None` where no force follows.
+    /// Force on a bearing and its speed in a step of the duty; `None` if no force can be computed.
     fn step(
         &self,
         bearing: &PlanetBearing,
@@ -274,7 +274,7 @@ impl File<'_> {
         Ok(shared(&forces, sharing).zip(turning))
     }
 
-    /// Gives each step its `a_ISO`, or says why there is none.
+    /// Adds `a_ISO` to each step; the error gives the reason why none exists.
     fn modify(
         &self,
         rolling: Rolling,
@@ -299,7 +299,7 @@ impl File<'_> {
     }
 }
 
-/// What is missing for the forces on a bearing.
+/// Data that are missing for the forces on a bearing.
 fn missing_for_forces(bearing: &PlanetBearing) -> Vec<String> {
     let key = |lack: &Lack| match lack {
         Lack::Planets => "planets",
@@ -319,7 +319,7 @@ fn missing_for_forces(bearing: &PlanetBearing) -> Vec<String> {
     all
 }
 
-/// All forces on a bearing with what the planets do not share alike.
+/// Resultant force on a bearing, with mesh forces increased by the uneven load sharing.
 fn shared(forces: &BearingForces, sharing: f64) -> Option<Force> {
     let (tangential, radial) = (forces.tangential?.si(), forces.radial?.si());
     let across = sharing * radial + forces.centrifugal?.si();

@@ -1,4 +1,4 @@
-//! The steps of a duty, and a set over them.
+//! Steps of a duty, and the rating of a set over them.
 
 use super::load::{both_loads, set_load};
 use super::place::{Fault, Partly, refused};
@@ -17,14 +17,14 @@ use epicyclic_train::InputLoad;
 use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Time, Torque};
 
-/// A step of the duty as the file has it, and its gear at that load; `None` where it does nothing.
+/// Step of the duty from the file, with its gear at that load; `None` if the step has no load.
 pub(crate) struct WorkedStep<'g>(pub(crate) &'g DutyEntry, pub(crate) Option<Worked<'g>>);
 
-/// The steps of a duty.
+/// Computes the steps of a duty.
 ///
 /// # Errors
-/// [`Error::Document`] for shares that are not the whole time, and gears that do not exist or carry no such
-/// load.
+/// [`Error::Document`] for shares that do not add up to the whole time, and for gears that do not exist or
+/// cannot carry the load.
 pub(crate) fn steps<'g>(
     subject: &'g Subject<'_>,
     duty: &'g [DutyEntry],
@@ -41,7 +41,7 @@ pub(crate) fn steps<'g>(
 fn worked<'g>(subject: &'g Subject<'_>, step: &DutyEntry, path: &Path) -> Result<Option<Worked<'g>>, Error> {
     let input = Input { speed: Some(step.speed.0), load: Some(InputLoad::Torque(step.torque.0)) };
     let idle = step.share.0.si() == 0.0 || step.torque.0.si() == 0.0 || step.speed.0.si() == 0.0;
-    // A gear that does not exist is refused however little it does.
+    // A gear that does not exist is refused even in a step without load.
     let input = if idle { Input::default() } else { input };
     let worked = Worked::new(&subject.gearbox, &step.gear, input).map_err(|error| {
         let key = if matches!(error, Error::NoGear { .. }) { "gear" } else { "torque" };
@@ -57,7 +57,7 @@ fn worked<'g>(subject: &'g Subject<'_>, step: &DutyEntry, path: &Path) -> Result
     Ok(Some(worked))
 }
 
-/// Both meshes of a set over the duty.
+/// Rates both meshes of a set over the duty.
 pub(super) fn rated(
     subject: &Subject<'_>,
     set: &RatedSet<'_>,

@@ -1,4 +1,4 @@
-//! Factors that a file gives by their symbols: each once, however it is spelled.
+//! Factors that a file gives by their symbols, each once in any spelling.
 
 use super::place::refused;
 use crate::error::Error;
@@ -11,7 +11,7 @@ use epicyclic_strength::factor::Symbol;
 pub(crate) const KEYS: [&str; 6] =
     ["factors", "sun_mesh_factors", "ring_mesh_factors", "sun_factors", "planet_factors", "ring_factors"];
 
-/// Refuses names that are no factor, and a factor that stands twice under one key, as `K_A` and `KA`;
+/// Refuses names that are not factors, and a factor given twice under one key, such as `K_A` and `KA`;
 /// `strength` is the path of the key.
 pub(crate) fn check(document: &Document, strength: &Path) -> Result<(), Error> {
     for key in KEYS {
@@ -34,7 +34,7 @@ pub(crate) fn check(document: &Document, strength: &Path) -> Result<(), Error> {
     Ok(())
 }
 
-/// The factor of a name under a key.
+/// Symbol of the factor with this name under a key.
 pub(crate) fn symbol(document: &Document, key: &Path, name: &str) -> Result<Symbol, Error> {
     Symbol::named(name).ok_or_else(|| {
         let all: Vec<String> = Symbol::ALL.iter().map(Symbol::to_string).collect();
@@ -43,7 +43,7 @@ pub(crate) fn symbol(document: &Document, key: &Path, name: &str) -> Result<Symb
     })
 }
 
-/// The refusal of a factor given twice, by both its spellings.
+/// Message about a factor given twice, with both spellings.
 #[must_use]
 pub fn twice(symbol: Symbol, [one, other]: [&str; 2]) -> String {
     format!("`{one}` and `{other}` are the same factor, {symbol}; give it once")

@@ -1,4 +1,4 @@
-//! The load of a set in a gear.
+//! Load of a set in a gear.
 
 use super::prepared::RatedSet;
 use super::records::Reason;
@@ -9,7 +9,7 @@ use epicyclic_strength::planets::loads;
 use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Time, Torque};
 
-/// Torque on the sun of a set without losses; 0 where only its rounding is left.
+/// Torque on the sun of a set without losses; 0 if only a rounding error is left.
 pub(super) fn torque(place: usize, worked: &Worked<'_>) -> Option<Torque> {
     let (operation, case) = worked.operation.as_ref().zip(worked.analysis.ideal())?;
     Some(operation.input * rounded(case.members[place].as_ref()?[0] / case.input))
@@ -21,8 +21,8 @@ pub(super) fn sun_torque(set: &RatedSet<'_>, worked: &Worked<'_>) -> Result<Torq
     if torque.si() == 0.0 { Err(Reason::NoTorque) } else { Ok(torque) }
 }
 
-/// Torque on the sun without losses, its speed relative to the carrier, and the carrier's speed; 0 where only
-/// their rounding is left.
+/// Torque on the sun without losses, its speed relative to the carrier, and the carrier speed. Each is 0 if
+/// only a rounding error is left.
 pub(crate) fn felt(
     place: usize,
     worked: &Worked<'_>,

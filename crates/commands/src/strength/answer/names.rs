@@ -1,24 +1,24 @@
-//! What safeties are of: meshes and gears of a simple set, flanks and roots; and what they are against.
+//! Names of the places of a safety (meshes, gears, flanks, roots), and of the loads that it is against.
 
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt;
 
-/// A mesh of a simple set.
+/// Meshes of a simple set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum MeshName {
-    /// Of sun and planets.
+    /// Mesh of sun and planets.
     SunPlanet,
-    /// Of planets and ring.
+    /// Mesh of planets and ring.
     PlanetRing,
 }
 
 impl MeshName {
-    /// Both.
+    /// List of both meshes.
     pub const BOTH: [Self; 2] = [Self::SunPlanet, Self::PlanetRing];
 
-    /// Its gears, in the order of the calculation.
+    /// Gears of the mesh, in the order of the calculation.
     #[must_use]
     pub const fn gears(self) -> [ToothedGear; 2] {
         match self {
@@ -35,7 +35,7 @@ impl fmt::Display for MeshName {
     }
 }
 
-/// A gear of a simple set.
+/// Gears of a simple set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ToothedGear {
@@ -57,13 +57,13 @@ impl fmt::Display for ToothedGear {
     }
 }
 
-/// Where a tooth fails.
+/// Places of failure of a tooth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Place {
-    /// The flank, by pitting.
+    /// Flank, which fails by pitting.
     Flank,
-    /// The root, by bending.
+    /// Root, which fails by bending.
     Root,
 }
 
@@ -76,14 +76,14 @@ impl fmt::Display for Place {
     }
 }
 
-/// What a safety is against.
+/// Loads against which a safety is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Against {
-    /// The load of the operating point for the required life.
+    /// Load of the operating point for the required life.
     OperatingPoint,
-    /// The duty.
+    /// Duty of the file.
     Duty,
-    /// An overload of the file.
+    /// Overload of the file.
     Overload,
 }

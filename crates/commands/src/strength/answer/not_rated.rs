@@ -1,53 +1,53 @@
-//! What of teeth is not rated, and why.
+//! Sets and teeth that are not rated, with the reasons.
 
 use super::names::{Against, MeshName, Place, ToothedGear};
 use epicyclic_strength as strength;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Why a set, or a mesh, flank or root of it, is not rated.
+/// Reasons why a set, mesh, flank or root is not rated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Reason {
-    /// It is no simple set: no sun, planet and ring.
+    /// The set is not simple: it lacks a sun, planet or ring.
     NotSimple,
-    /// Its entry in the file lacks keys.
+    /// Keys are missing in the entry of the file.
     KeysMissing,
-    /// A factor is neither given nor can be calculated.
+    /// A factor is not given and cannot be calculated.
     FactorMissing,
-    /// It is outside what the standard holds for.
+    /// A value is outside the range of the standard.
     BeyondStandard,
-    /// No torques follow in the gear, or it cannot take the load.
+    /// Torques cannot be computed in the gear, or it cannot carry the load.
     NoTorquesFollow,
-    /// It carries no torque.
+    /// The set carries no torque.
     NoTorque,
-    /// It does not roll: it turns as a block or rests.
+    /// The set does not roll: it turns as a block or is at rest.
     NoRolling,
 }
 
-/// A set that is not rated, or a mesh, flank or root of it.
+/// Set that is not rated, or a mesh, flank or root of it.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct NotRated {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// Against what not; `null` against all.
+    /// Load against which the set is not rated; null for all.
     pub against: Option<Against>,
-    /// In which selected gears; empty in all.
+    /// Selected gears in which the set is not rated; empty for all.
     pub gears: Vec<String>,
-    /// The mesh; `null` where none of the set is rated.
+    /// Name of the mesh; null if no mesh of the set is rated.
     pub mesh: Option<MeshName>,
-    /// The gear of the mesh; `null` where neither is rated.
+    /// Gear of the mesh; null if neither gear is rated.
     pub toothed_gear: Option<ToothedGear>,
-    /// Flank or root of this gear; `null` where neither is rated.
+    /// Flank or root of this gear; null if neither is rated.
     pub place: Option<Place>,
-    /// Why.
+    /// Reason why the part is not rated.
     pub reason: Reason,
-    /// The keys, or the factor, that are missing.
+    /// Keys, or the factor, that are missing.
     pub missing: Vec<String>,
-    /// What the factor would follow from, or what is outside the standard.
+    /// Data from which the factor would follow, or the value outside the standard; otherwise null.
     pub because: Option<String>,
-    /// The value that is outside the standard, lengths in mm, roughness in µm.
+    /// Value outside the standard, lengths in mm, roughness in µm; otherwise null.
     pub value: Option<f64>,
 }
 
@@ -67,7 +67,7 @@ impl NotRated {
         }
     }
 
-    /// Of a set and what ended the calculation of it or of a part; `None` of a fault of the input.
+    /// Record for an error in the calculation of a set or a part of it; `None` for an error of the input.
     pub(crate) fn of_error(set: &str, error: &strength::Error) -> Option<Self> {
         use strength::Error as E;
         match error {
@@ -89,12 +89,12 @@ impl NotRated {
         }
     }
 
-    /// The same of one mesh.
+    /// Restricts the record to one mesh.
     pub(crate) fn of_mesh(self, mesh: MeshName) -> Self {
         Self { mesh: Some(mesh), ..self }
     }
 
-    /// Flanks and roots of both gears of a mesh that have an error.
+    /// Records of the flanks and roots of both gears of a mesh that have an error.
     pub(crate) fn parts(
         set: &str,
         mesh: MeshName,
@@ -109,17 +109,17 @@ impl NotRated {
         errors.into_iter().enumerate().flat_map(of_gear).collect()
     }
 
-    /// The same in one gear.
+    /// Restricts the record to one gear.
     pub(crate) fn of_gear(self, gear: &str) -> Self {
         Self { gears: vec![gear.to_owned()], ..self }
     }
 
-    /// The same against one thing alone.
+    /// Restricts the record to one load.
     pub(crate) fn against(self, against: Against) -> Self {
         Self { against: Some(against), ..self }
     }
 
-    /// Adds it to others, gears of one set and reason together.
+    /// Adds the record to others, and merges the gears of equal sets and reasons.
     pub(crate) fn join(mut self, all: &mut Vec<Self>) {
         let alike = |one: &&mut Self| {
             let part = |one: &Self| (one.against, one.mesh, one.toothed_gear, one.place, one.reason);
@@ -133,12 +133,12 @@ impl NotRated {
         }
     }
 
-    /// In words: `set 1: module missing`.
+    /// Part and reason in words: `set 1: module missing`.
     pub(crate) fn told(&self) -> String {
         format!("{}: {}", self.of(), self.why())
     }
 
-    /// What is not rated, in words: `set 1`, `set 1, mesh planet-ring, root of the ring`.
+    /// Part that is not rated, in words: `set 1`, `set 1, mesh planet-ring, root of the ring`.
     #[must_use]
     pub fn of(&self) -> String {
         let mut words = format!("set {}", self.set);
@@ -151,7 +151,7 @@ impl NotRated {
         words
     }
 
-    /// Why, in words.
+    /// Reason in words.
     #[must_use]
     pub fn why(&self) -> String {
         let against = if self.against == Some(Against::Overload) { "against the overload: " } else { "" };

@@ -1,4 +1,4 @@
-//! A set against the overloads of a file.
+//! Rating of a set against the overloads of a file.
 
 use super::load::{both_loads, sun_torque, torque};
 use super::place::{Fault, Partly, refused};
@@ -17,7 +17,7 @@ use epicyclic_train::InputLoad;
 use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Time};
 
-/// An overload as the file has it, what is required against it, and its gear at it.
+/// Overload from the file, with the required safeties and its gear at that load.
 pub(crate) struct Peak<'g> {
     entry: &'g OverloadEntry,
     required: Required,
@@ -25,12 +25,12 @@ pub(crate) struct Peak<'g> {
 }
 
 impl Peak<'_> {
-    /// The selected gear.
+    /// Name of the selected gear.
     pub(super) fn gear(&self) -> &str {
         &self.entry.gear
     }
 
-    /// The overload as a set feels it; `None` where no torques follow.
+    /// Overload as the load of a set; `None` if its torques cannot be computed.
     pub(crate) fn felt(&self, set: usize) -> Option<SetOverload> {
         let Required { flank, root } = self.required;
         let sun_torque = torque(set, &self.worked)?;
@@ -38,11 +38,11 @@ impl Peak<'_> {
     }
 }
 
-/// The overloads of a file; of one gear where that is named.
+/// Reads the overloads of a file, or of one gear if it is named.
 ///
 /// # Errors
-/// [`Error::Document`] for gears that do not exist or carry no such load, torques of 0, and required safeties
-/// that are not above 0.
+/// [`Error::Document`] for gears that do not exist or cannot carry the load, torques of 0, and required
+/// safeties that are not above 0.
 pub(crate) fn peaks<'g>(
     subject: &'g Subject<'_>,
     all: &'g [OverloadEntry],
@@ -71,7 +71,7 @@ pub(crate) fn peaks<'g>(
     Ok(all.into_iter().filter(|peak| gear.is_none_or(|gear| peak.entry.gear == gear)).collect())
 }
 
-/// Both meshes of a set against an overload. A set that does not roll carries its torque all the same.
+/// Rates both meshes of a set against an overload. A set that does not roll carries its torque too.
 pub(super) fn rated(
     subject: &Subject<'_>,
     set: &RatedSet<'_>,

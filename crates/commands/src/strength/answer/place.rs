@@ -1,4 +1,4 @@
-//! Where in a gearbox file a fault of its strength is.
+//! Places in a gearbox file of faults of its strength.
 
 use super::records::{MeshName, NotRated, Reason};
 use crate::error::Error;
@@ -6,16 +6,16 @@ use crate::shared::fault::Fault as Refusal;
 use epicyclic_formats::{Document, Path};
 use epicyclic_strength::{self as strength, Quantity};
 
-/// What keeps a set from being rated.
+/// Reasons why a set cannot be rated.
 pub(crate) enum Fault {
-    /// It lacks something; the others are rated.
+    /// Something is missing for this set; the others are rated.
     Row(NotRated),
-    /// Something is wrong.
+    /// The input is invalid.
     Refused(Box<Error>),
 }
 
 impl Fault {
-    /// Of a set at its path.
+    /// Classifies an error of a set at its path.
     pub(crate) fn of(document: &Document, set: &str, path: &Path, error: &strength::Error) -> Self {
         match NotRated::of_error(set, error) {
             Some(row) => Self::Row(row),
@@ -24,17 +24,17 @@ impl Fault {
     }
 }
 
-/// What a set gives, and what of it is not rated.
+/// Results of a set, and the parts of it that are not rated.
 pub(crate) struct Partly<T> {
     pub(crate) rated: Vec<T>,
     pub(crate) not_rated: Vec<NotRated>,
 }
 
 impl<T> Partly<T> {
-    /// Both meshes, each by itself: one that cannot be rated leaves the other.
+    /// Rates both meshes independently: if one cannot be rated, the other is kept.
     ///
     /// # Errors
-    /// [`Fault::Refused`], and [`Fault::Row`] where nothing is loaded.
+    /// [`Fault::Refused`], and [`Fault::Row`] if nothing is loaded.
     pub(crate) fn of_meshes(
         mut mesh: impl FnMut(usize, MeshName) -> Result<(Vec<T>, Vec<NotRated>), Fault>,
     ) -> Result<Self, Fault> {
@@ -53,7 +53,7 @@ impl<T> Partly<T> {
         }
         if let ([], [first, second]) = (&all.rated[..], &all.not_rated[..]) {
             let of_set = |row: &NotRated| NotRated { mesh: None, ..row.clone() };
-            // What keeps both meshes from being rated is of the set.
+            // An equal reason for both meshes is a reason for the whole set.
             if of_set(first) == of_set(second) {
                 return Err(Fault::Row(of_set(first)));
             }
@@ -62,7 +62,7 @@ impl<T> Partly<T> {
     }
 }
 
-/// A refusal at the longest part of a path that the file has.
+/// Error at the longest part of a path that exists in the file.
 pub(crate) fn refused(document: &Document, path: &Path, keys: &[&str], why: &dyn Refusal) -> Error {
     let deeper = |path: Path, key: &&str| {
         let inner = path.clone().key(*key);
@@ -72,7 +72,7 @@ pub(crate) fn refused(document: &Document, path: &Path, keys: &[&str], why: &dyn
     document.error(&place, why.problem()).into()
 }
 
-/// What the strength of a set refuses, at the key that it is about.
+/// Error of a set's strength, at the key that caused it.
 pub(crate) fn located(document: &Document, set: &Path, error: &strength::Error) -> Error {
     use strength::Error as E;
     let root = Path::root();

@@ -1,4 +1,4 @@
-//! The meshes of a file's sets, as far as the file says what their strength asks for.
+//! Meshes of a file's sets, for sets with all data that their strength needs.
 
 use super::factors;
 use super::place::refused;
@@ -26,26 +26,26 @@ use epicyclic_units::Number;
 use std::collections::BTreeMap;
 use uom::si::f64::{Angle, KinematicViscosity, Length};
 
-/// A simple set with all that its strength asks for.
+/// Simple set with all data that its strength needs.
 pub(crate) struct RatedSet<'g> {
-    /// Its place in the gearbox.
+    /// Index of the set in the gearbox.
     pub(crate) place: usize,
-    /// Its name.
+    /// Name of the set.
     pub(crate) id: &'g str,
-    /// Where it stands in the file.
+    /// Path of the set in the file.
     pub(crate) path: Path,
     /// Materials of sun, planets and ring by name.
     pub(crate) materials: &'g [String; 3],
-    /// Teeth of sun and planets.
+    /// Tooth numbers of sun and planets.
     pub(crate) teeth: [ToothCount; 2],
     pub(crate) planets: u32,
-    /// Of sun and planets, of planets and ring.
+    /// Meshes of sun and planets, of planets and ring.
     pub(crate) meshes: [Mesh; 2],
     pub(crate) methods: [Method; 2],
 }
 
 impl RatedSet<'_> {
-    /// Whether its teeth are helical.
+    /// Whether the teeth are helical.
     pub(crate) fn is_helical(&self) -> bool {
         self.meshes[0].pair.gears()[0].profile().is_helical()
     }
@@ -56,25 +56,25 @@ impl RatedSet<'_> {
     }
 }
 
-/// A simple set with all that its strength asks for but its size.
+/// Simple set with all data that its strength needs except its size.
 pub(crate) struct SetToSize<'g> {
-    /// Its place in the gearbox.
+    /// Index of the set in the gearbox.
     pub(crate) place: usize,
-    /// Its name.
+    /// Name of the set.
     pub(crate) id: &'g str,
-    /// Where it stands in the file.
+    /// Path of the set in the file.
     pub(crate) path: Path,
-    /// What the file says of it.
+    /// Entry of the set in the file.
     pub(crate) entry: &'g SetEntry,
     /// Materials of sun, planets and ring by name.
     pub(crate) materials: &'g [String; 3],
-    /// Teeth of sun, planets and ring.
+    /// Tooth numbers of sun, planets and ring.
     pub(crate) teeth: [ToothCount; 3],
     /// Number of planets that the file gives.
     pub(crate) planets: Option<u32>,
-    /// The least angle between neighbouring planets, where the file gives their spacing.
+    /// Least angle between neighbouring planets; `None` unless the file gives their spacing.
     pub(crate) least_planet_angle: Option<Angle>,
-    /// Shifts that the file gives.
+    /// Profile shifts that the file gives.
     pub(crate) shifts: Option<Shifts>,
     pub(crate) profiles: Profiles,
     pub(crate) gears: [Gear; 3],
@@ -82,7 +82,7 @@ pub(crate) struct SetToSize<'g> {
     pub(crate) viscosity: KinematicViscosity,
 }
 
-/// The sets that can be rated, and why others cannot.
+/// Sets that can be rated, and reasons why others cannot.
 pub(crate) fn sets<'g>(
     subject: &'g Subject<'_>,
     file: &'g GearboxFile,
@@ -93,7 +93,7 @@ pub(crate) fn sets<'g>(
     })
 }
 
-/// The sets that can be sized, and why others cannot.
+/// Sets that can be sized, and reasons why others cannot.
 pub(crate) fn sets_to_size<'g>(
     subject: &'g Subject<'_>,
     file: &'g GearboxFile,
@@ -101,10 +101,10 @@ pub(crate) fn sets_to_size<'g>(
     each(subject, file, Of::to_size)
 }
 
-/// What a set becomes, or the keys that it lacks.
+/// Prepared set, or the keys that it lacks.
 type Made<T> = Result<Result<T, Vec<String>>, Error>;
 
-/// Each simple set of the file as something, and why others are not.
+/// Prepares each simple set of the file with a function, and gives reasons why others are left out.
 fn each<'g, T>(
     subject: &'g Subject<'_>,
     file: &'g GearboxFile,
@@ -129,7 +129,7 @@ fn each<'g, T>(
     Ok((all, not_rated))
 }
 
-/// A set of the file.
+/// Set of the file.
 struct Of<'a> {
     subject: &'a Subject<'a>,
     file: &'a GearboxFile,
@@ -141,7 +141,7 @@ struct Of<'a> {
 /// Factors given for a mesh or a gear, and their key.
 type Factors<'f> = (&'f str, &'f BTreeMap<String, Number>);
 
-/// What must be known of it.
+/// Data of a set that every rating needs.
 struct Known<'a> {
     gears: PlanetSet,
     planets: u32,
@@ -153,7 +153,7 @@ struct Known<'a> {
 }
 
 impl<'a> Of<'a> {
-    /// What is known, or the keys that are missing.
+    /// Data of the set, or the keys that are missing.
     fn known(&self) -> Made<Known<'a>> {
         let entry = self.entry;
         let gears = toothed::gears(self.subject, &self.path, self.spec)?;
@@ -210,7 +210,7 @@ impl<'a> Of<'a> {
         })
     }
 
-    /// The shaper that the standard's formulas of the ring take: of its strength, else of its tools.
+    /// Shaper for the standard's formulas of the ring: from the set's strength, otherwise from its tools.
     fn shaper(&self) -> Option<Shaper> {
         let ring = self.entry.tools.as_ref().and_then(|tools| tools.ring.as_ref());
         let of_tools = ring.and_then(|ring| ring.shaper.as_ref()).map(|one| (one.teeth, one.shift));
@@ -219,7 +219,7 @@ impl<'a> Of<'a> {
         Some(Shaper { teeth, shift: shift.map_or(0.0, Number::get) })
     }
 
-    /// Sun, planets and ring beyond their geometry.
+    /// Data of sun, planets and ring beyond their geometry.
     fn gears(&self, strength: &StrengthEntry, shaper: Shaper) -> Result<[Gear; 3], Error> {
         let material = |of| self.material(of, &strength.materials[of]);
         let materials = [material(0)?, material(1)?, material(2)?];
@@ -238,7 +238,8 @@ impl<'a> Of<'a> {
         ])
     }
 
-    /// How both meshes are calculated, without the number of planets and what follows from the size.
+    /// Methods of calculation of both meshes, without the number of planets and values that follow from the
+    /// size.
     fn methods(&self, strength: &StrengthEntry) -> Result<[Method; 2], Error> {
         let usual = Method::default();
         let method = Method {
@@ -260,7 +261,7 @@ impl<'a> Of<'a> {
         ])
     }
 
-    /// What `K_v`, `K_Hα` and `K_Fα` of both meshes follow from by method B.
+    /// Data from which `K_v`, `K_Hα` and `K_Fα` of both meshes follow by method B.
     fn dynamics(&self, accuracy: &AccuracyEntry, planets: u32) -> [Dynamics; 2] {
         let pitch = accuracy.pitch_deviations.map(|deviation| deviation.0);
         let profile = accuracy.profile_deviations.map(|deviation| deviation.0);
@@ -280,14 +281,14 @@ impl<'a> Of<'a> {
         ]
     }
 
-    /// The set without its size.
+    /// Data of the set without its size.
     fn to_size(&self, place: usize, id: &'a str) -> Made<SetToSize<'a>> {
         let strength = self.entry.strength.as_ref();
         let shaper = self.shaper();
         let viscosity = self.file.oil.as_ref().map(|oil| oil.viscosity.0);
         let planet = self.spec.planet.or_else(|| self.coaxial_planet());
         let methods = strength.map(|strength| self.methods(strength)).transpose()?;
-        // Deviations are of one size.
+        // Allowed tooth deviations hold for one size, so they cannot replace given factors here.
         let is_given = |symbol| {
             strength.is_none_or(|strength| strength.accuracy.is_none())
                 || methods.iter().flatten().all(|method| method.given.of(Side::First, symbol).is_some())
@@ -341,14 +342,15 @@ impl<'a> Of<'a> {
         Ok(Err(toothed::lacking(&[&known[..], &factors].concat())))
     }
 
-    /// The planet that equal centre distances without profile shift ask for, if it is one.
+    /// Planet that satisfies equal centre distances without profile shift; `None` if it has no whole tooth
+    /// number.
     fn coaxial_planet(&self) -> Option<ToothCount> {
         let Gearing::Teeth(sun, ring) = self.spec.gearing else { return None };
         let planet = coaxial_planet(sun, ring);
         (planet >= 1.0 && planet.fract() == 0.0).then(|| ToothCount::new(planet as u32).ok())?
     }
 
-    /// The factors given for a mesh: those of both meshes, its own, those of its gears alone.
+    /// Factors given for a mesh: those of both meshes, of this mesh, and of its gears alone.
     fn given(&self, of_mesh: [Factors<'_>; 2], of_gears: [Factors<'_>; 2]) -> Result<Given, Error> {
         let mut given = Given::default();
         for (key, factors) in of_mesh {
@@ -401,7 +403,7 @@ impl<'a> Of<'a> {
     }
 }
 
-/// Whether a member of a set floats, as its entry says.
+/// Whether a member of a set floats, according to its entry.
 pub(crate) fn floating(entry: &SetEntry) -> Floating {
     match entry.floating {
         None => Floating::Assumed,
@@ -410,7 +412,7 @@ pub(crate) fn floating(entry: &SetEntry) -> Floating {
     }
 }
 
-/// `K_γ` that an entry gives: that of the mesh of sun and planets, then that of both meshes, by any spelling
+/// Value of `K_γ` in an entry: that of the mesh of sun and planets, then that of both meshes, in any spelling
 /// of its symbol.
 pub(crate) fn given_sharing(entry: &SetEntry) -> Option<f64> {
     let strength = entry.strength.as_ref()?;
@@ -421,7 +423,7 @@ pub(crate) fn given_sharing(entry: &SetEntry) -> Option<f64> {
     all.filter_map(own).next()
 }
 
-/// Refuses materials of one name, and cast iron without its modulus.
+/// Refuses materials of equal name, and cast iron without its modulus.
 fn check_materials(document: &Document, file: &GearboxFile) -> Result<(), Error> {
     for (place, own) in file.materials.iter().enumerate() {
         let path = Path::root().key("materials").index(place);

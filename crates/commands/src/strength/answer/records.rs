@@ -1,4 +1,4 @@
-//! Records of the strength of teeth: meshes, gears, what governs, what is not rated.
+//! Records of the strength of teeth: meshes, gears, governing safeties, parts that are not rated.
 
 pub use super::bearing_records::{BearingOverDuty, BearingStepFigures, ModifiedLife};
 pub use super::names::{Against, MeshName, Place, ToothedGear};
@@ -20,14 +20,14 @@ use std::fmt;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Required {
-    /// Of the flanks.
+    /// Required safety of the flanks.
     pub flank: f64,
-    /// Of the roots.
+    /// Required safety of the roots.
     pub root: f64,
 }
 
 impl Required {
-    /// As a file has them, 1 without.
+    /// Required safeties of a file; 1 by default.
     pub(crate) fn of(entry: Option<&RequiredEntry>) -> Self {
         let of = |required: &RequiredEntry| Self { flank: required.flank.get(), root: required.root.get() };
         entry.map_or(Self { flank: 1.0, root: 1.0 }, of)
@@ -47,15 +47,15 @@ impl Required {
     }
 }
 
-/// A factor of the calculation.
+/// Factor of the calculation.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Factor {
-    /// Its symbol as ISO 6336 writes it.
+    /// Symbol of the factor as in ISO 6336.
     pub symbol: String,
-    /// Its value; of `Z_E` in √(N/mm²), else without unit.
+    /// Value of the factor; `Z_E` in √(N/mm²), all others without unit.
     pub value: f64,
-    /// The document and clause of its formula; `null` where it is given.
+    /// Document and clause of the factor's formula; null if the factor is given.
     pub formula: Option<String>,
 }
 
@@ -69,55 +69,55 @@ impl Factor {
     }
 }
 
-/// A gear of a mesh at an operating point.
+/// Gear of a mesh at an operating point.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Rated {
-    /// The selected gear.
+    /// Name of the selected gear.
     pub gear: String,
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The mesh.
+    /// Name of the mesh.
     pub mesh: MeshName,
-    /// Which of its gears.
+    /// Gear of the mesh.
     pub toothed_gear: ToothedGear,
-    /// Its material.
+    /// Name of the gear's material.
     pub material: String,
-    /// Torque of one mesh on the mesh's first gear, without sign.
+    /// Absolute torque of one mesh on its first gear, in N·m.
     pub mesh_torque_n_m: f64,
-    /// Speed of the mesh's first gear relative to the carrier, without sign.
+    /// Absolute speed of the mesh's first gear relative to the carrier, in rad/s.
     pub mesh_speed_rad_s: f64,
-    /// Tangential force of one mesh at the reference circle, `F_t`.
+    /// Tangential force of one mesh at the reference circle, `F_t`, in N.
     pub tangential_force_n: f64,
-    /// Load cycles in the required life, `N_L`.
+    /// Number of load cycles in the required life, `N_L`.
     pub cycles: f64,
-    /// Contact stress `σ_H`; `null` of a flank in `not_rated`.
+    /// Contact stress `σ_H` in Pa; null for a flank in `not_rated`.
     pub contact_stress_pa: Option<f64>,
-    /// Its limit `σ_HG`; `null` of a flank in `not_rated`.
+    /// Contact stress limit `σ_HG` in Pa; null for a flank in `not_rated`.
     pub contact_limit_pa: Option<f64>,
-    /// Safety of the flank, `S_H`; `null` of a flank in `not_rated`.
+    /// Safety of the flank, `S_H`; null for a flank in `not_rated`.
     pub flank_safety: Option<f64>,
-    /// Root stress `σ_F`; `null` of a root in `not_rated`.
+    /// Root stress `σ_F` in Pa; null for a root in `not_rated`.
     pub root_stress_pa: Option<f64>,
-    /// Its limit `σ_FG`; `null` of a root in `not_rated`.
+    /// Root stress limit `σ_FG` in Pa; null for a root in `not_rated`.
     pub root_limit_pa: Option<f64>,
-    /// Safety of the root, `S_F`; `null` of a root in `not_rated`.
+    /// Safety of the root, `S_F`; null for a root in `not_rated`.
     pub root_safety: Option<f64>,
-    /// All factors in the order of the calculation, if they are wanted.
+    /// Factors in the order of the calculation; empty unless they are requested.
     pub factors: Vec<Factor>,
 }
 
-/// A mesh at an operating point.
+/// Mesh at an operating point.
 pub(crate) struct MeshAtPoint {
     pub(crate) name: MeshName,
-    /// Materials of its gears.
+    /// Materials of the gears.
     pub(crate) materials: [String; 2],
     pub(crate) load: Load,
     pub(crate) rating: Box<MeshRating>,
 }
 
 impl MeshAtPoint {
-    /// Both of its gears, in a selected gear.
+    /// Records of both gears of the mesh, in a selected gear.
     pub(crate) fn both(&self, gear: &str, set: &str, with_factors: bool) -> [Rated; 2] {
         let of = |side: Side| {
             let own: &rating::GearRating = &self.rating.gears[side as usize];
@@ -146,7 +146,7 @@ impl MeshAtPoint {
         Side::BOTH.map(of)
     }
 
-    /// Flanks and roots that are not rated, of a set.
+    /// Flanks and roots of a set that are not rated.
     pub(crate) fn not_rated(&self, set: &str) -> Vec<NotRated> {
         let parts = self
             .rating
@@ -157,17 +157,17 @@ impl MeshAtPoint {
     }
 }
 
-/// A step of the duty.
+/// Step of the duty.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct DutyStep {
-    /// The selected gear.
+    /// Name of the selected gear.
     pub gear: String,
-    /// Share of the time.
+    /// Part of the time, from 0 to 1.
     pub share: f64,
-    /// Torque on the input.
+    /// Torque on the input in N·m.
     pub torque_n_m: f64,
-    /// Speed of the input.
+    /// Input speed in rad/s.
     pub speed_rad_s: f64,
 }
 
@@ -182,27 +182,27 @@ impl DutyStep {
     }
 }
 
-/// A factor of the calculation over the steps of a duty.
+/// Factor of the calculation over the steps of a duty.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct FactorOverDuty {
-    /// Its symbol as ISO 6336 writes it.
+    /// Symbol of the factor as in ISO 6336.
     pub symbol: String,
-    /// Its least value; of `Z_E` in √(N/mm²), else without unit.
+    /// Least value of the factor; `Z_E` in √(N/mm²), all others without unit.
     pub least: f64,
-    /// Its greatest value.
+    /// Greatest value of the factor; `Z_E` in √(N/mm²), all others without unit.
     pub greatest: f64,
-    /// The document and clause of its formula; `null` where it is given.
+    /// Document and clause of the factor's formula; null if the factor is given.
     pub formula: Option<String>,
 }
 
-/// Factors that are of one number of cycles.
+/// Whether a factor depends on a single number of cycles.
 const fn is_of_life(symbol: factor::Symbol) -> bool {
     matches!(symbol, factor::Symbol::LifeContact | factor::Symbol::LifeRoot)
 }
 
 impl FactorOverDuty {
-    /// The chains of all steps as one.
+    /// Combines the factors of all steps.
     fn of(steps: &[MeshRating], side: Side) -> Vec<Self> {
         let mut all: Vec<Self> = vec![];
         for (place, step) in steps.iter().enumerate() {
@@ -221,7 +221,7 @@ impl FactorOverDuty {
                             one.least = one.least.min(value);
                             one.greatest = one.greatest.max(value);
                         }
-                        // In the steps before, this flank or root was not rated.
+                        // This flank or root was not rated in the previous steps.
                         None => all.push(Self { symbol, least: value, greatest: value, formula }),
                     }
                 }
@@ -231,15 +231,15 @@ impl FactorOverDuty {
     }
 }
 
-/// What a duty does to a flank or root.
+/// Damage of a flank or root over the duty.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Wear {
-    /// Damage in the required life, 1 at its end; `null` where a stress is above the static limit.
+    /// Damage in the required life, 1 at the end of the life; null if a stress is above the static limit.
     pub damage: Option<f64>,
-    /// Factor of all stresses with which the damage is 1.
+    /// Safety: the factor on all stresses at which the damage is 1.
     pub safety: f64,
-    /// Life; `null` where nothing does damage.
+    /// Life in s; null if no load causes damage.
     pub life_s: Option<f64>,
 }
 
@@ -250,29 +250,29 @@ impl Wear {
     }
 }
 
-/// A gear of a mesh over the duty.
+/// Gear of a mesh over the duty.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct OverDuty {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The mesh.
+    /// Name of the mesh.
     pub mesh: MeshName,
-    /// Which of its gears.
+    /// Gear of the mesh.
     pub toothed_gear: ToothedGear,
-    /// Its material.
+    /// Name of the gear's material.
     pub material: String,
-    /// Its flank; `null` of one in `not_rated`.
+    /// Damage and safety of the flank; null for a flank in `not_rated`.
     pub flank: Option<Wear>,
-    /// Its root; `null` of one in `not_rated`.
+    /// Damage and safety of the root; null for a root in `not_rated`.
     pub root: Option<Wear>,
-    /// All factors in the order of the calculation but `Z_NT` and `Y_NT`, which Miner's rule has no one value
-    /// of, if they are wanted.
+    /// Factors in the order of the calculation; empty unless they are requested. `Z_NT` and `Y_NT` are left
+    /// out, because they have no single value in Miner's rule.
     pub factors: Vec<FactorOverDuty>,
 }
 
 impl OverDuty {
-    /// Both gears of a mesh with their materials, and the ratings of the steps whose factors are wanted.
+    /// Records of both gears of a mesh; `steps` are the ratings whose factors are listed.
     pub(crate) fn both(
         set: &str,
         mesh: MeshName,
@@ -295,46 +295,46 @@ impl OverDuty {
     }
 }
 
-/// A gear of a mesh against an overload: statically, with `K_A` and `K_v` of 1.
+/// Gear of a mesh against an overload: statically, with `K_A` and `K_v` of 1.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Overloaded {
-    /// The selected gear.
+    /// Name of the selected gear.
     pub gear: String,
-    /// Torque on the input.
+    /// Torque on the input in N·m.
     pub torque_n_m: f64,
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The mesh.
+    /// Name of the mesh.
     pub mesh: MeshName,
-    /// Which of its gears.
+    /// Gear of the mesh.
     pub toothed_gear: ToothedGear,
-    /// Static safety of the flank, `S_H`; `null` of one in `not_rated`.
+    /// Static safety of the flank, `S_H`; null for a flank in `not_rated`.
     pub flank_safety: Option<f64>,
-    /// Static safety of the root, `S_F`; `null` of one in `not_rated`.
+    /// Static safety of the root, `S_F`; null for a root in `not_rated`.
     pub root_safety: Option<f64>,
-    /// What is required against this overload.
+    /// Required safeties against this overload.
     pub required: Required,
 }
 
-/// Axial forces of helical teeth on each planet of a set, of the nominal torque without losses and load
+/// Axial forces of helical teeth on each planet of a set, from the nominal torque without losses and load
 /// factors.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct AxialForce {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The selected gear.
+    /// Name of the selected gear.
     pub gear: String,
-    /// The step of the duty, from 1; `null` at an operating point.
+    /// Number of the step of the duty, from 1; null at an operating point.
     pub step: Option<u32>,
-    /// Axial force of one mesh `F_a`, on the planet in both meshes against each other.
+    /// Axial force of one mesh `F_a`, in N; the forces of both meshes on the planet are opposite.
     pub axial_force_n: f64,
-    /// Moment by which both tilt a planet, which no rating of its bearing has.
+    /// Moment of both forces that tilts a planet, in N·m; no rating of its bearing includes it.
     pub tilting_moment_n_m: f64,
 }
 
-/// All safeties.
+/// Safeties of all gears.
 #[derive(Debug, Default)]
 pub(super) struct Safeties {
     pub(super) at_point: Vec<Rated>,
@@ -342,30 +342,30 @@ pub(super) struct Safeties {
     pub(super) overload: Vec<Overloaded>,
 }
 
-/// A safety, and what is required of it.
+/// Safety with the required value.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Governing {
-    /// What it is against.
+    /// Load against which the safety is computed.
     pub against: Against,
-    /// The selected gear; `null` over a duty.
+    /// Name of the selected gear; null over a duty.
     pub gear: Option<String>,
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The mesh.
+    /// Name of the mesh.
     pub mesh: MeshName,
-    /// Which of its gears.
+    /// Gear of the mesh.
     pub toothed_gear: ToothedGear,
-    /// Flank or root.
+    /// Place on the tooth: flank or root.
     pub place: Place,
-    /// The safety.
+    /// Value of the safety.
     pub safety: f64,
-    /// What is required.
+    /// Required safety.
     pub required: f64,
 }
 
 impl Governing {
-    /// Of a gear: flank and root, as far as they are rated.
+    /// Safeties of flank and root of a gear, as far as they are rated.
     fn both(
         (against, gear, set, mesh, toothed_gear): (Against, Option<&String>, &String, MeshName, ToothedGear),
         safeties: [Option<f64>; 2],
@@ -388,7 +388,7 @@ impl Governing {
 }
 
 impl Safeties {
-    /// Flank and root of each gear that are rated.
+    /// Safeties of flank and root of each rated gear.
     fn all(&self, required: Required) -> impl Iterator<Item = Governing> {
         let points = self.at_point.iter().flat_map(move |one| {
             let of = (Against::OperatingPoint, Some(&one.gear), &one.set, one.mesh, one.toothed_gear);
@@ -406,13 +406,13 @@ impl Safeties {
         points.chain(duties).chain(overloads)
     }
 
-    /// The safety that is least over what is required of it; of equal ones the first.
+    /// Safety with the least ratio to the required one, the first of equal ones.
     pub(crate) fn governing(&self, required: Required) -> Option<Governing> {
         let over = |one: &Governing| one.safety / one.required;
         self.all(required).reduce(|least, one| if over(&one) < over(&least) { one } else { least })
     }
 
-    /// What is below its required safety.
+    /// Warnings about safeties below the required ones.
     pub(crate) fn below(&self, required: Required) -> Vec<Warning> {
         self.all(required)
             .filter(|one| one.safety < one.required)

@@ -1,4 +1,4 @@
-//! How planets share the load where a file gives no mesh load factor.
+//! Load sharing between planets if a file gives no mesh load factor.
 
 use crate::answer::Warning;
 use epicyclic_strength::load::{Floating, load_sharing};
@@ -6,7 +6,7 @@ use epicyclic_units::format::trimmed;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Where a mesh load factor comes from.
+/// Bases of a mesh load factor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum SharingBasis {
@@ -28,28 +28,28 @@ impl SharingBasis {
     }
 }
 
-/// How the planets of a set share the load, where the file gives no `K_γ`.
+/// Load sharing between the planets of a set, if the file gives no `K_γ`.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct LoadSharing {
-    /// The set.
+    /// Name of the set.
     pub set: String,
     /// Number of planets.
     pub planets: u32,
     /// Mesh load factor `K_γ`.
     pub mesh_load_factor: f64,
-    /// What it rests on.
+    /// Basis of the mesh load factor.
     pub basis: SharingBasis,
 }
 
 impl LoadSharing {
-    /// Of planets that share the load by the table; `None` where it ends before their number.
+    /// Load sharing by the table; `None` if the table does not contain this number of planets.
     pub(crate) fn of(set: &str, planets: u32, floating: Floating) -> Option<Self> {
         let mesh_load_factor = load_sharing(planets, floating).ok()?;
         Some(Self { set: set.to_owned(), planets, mesh_load_factor, basis: SharingBasis::of(floating) })
     }
 
-    /// That no member floats, which loads planets unevenly.
+    /// Warning that no member floats, which loads planets unevenly; `None` if one does.
     pub(crate) fn warning(&self) -> Option<Warning> {
         (self.basis == SharingBasis::Rigid && self.planets > 1).then(|| Warning {
             name: "rigid-load-sharing",

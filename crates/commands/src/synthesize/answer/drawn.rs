@@ -1,4 +1,4 @@
-//! Whether a solution is drawable, and which of the elements that lock the same make it so.
+//! Drawability of a solution, and the choice among equivalent elements.
 
 use crate::error::Error;
 use epicyclic_gears::efficiency::MeshEfficiency;
@@ -8,8 +8,9 @@ use epicyclic_synthesis::motion::Element;
 use epicyclic_synthesis::rules::Rules;
 use epicyclic_synthesis::run::Found;
 
-/// Puts first, of the pairs of each element, one with which the gearbox is drawable and keeps the numbers of
-/// brakes and clutches; whether there are such. Every choice of pairs is tried, the first of each at first.
+/// Chooses among the equivalent link pairs of each element one with which the gearbox is drawable and keeps
+/// the numbers of brakes and clutches. Returns whether there is such a choice; all choices are tried,
+/// beginning with the first of each element.
 ///
 /// Drawability is that of [`epicyclic_layout`]: links nested without one across another, each brake's link
 /// reaching the housing. It does not depend on the ring-to-sun ratios or on which elements a gear engages, so

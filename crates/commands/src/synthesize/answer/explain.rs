@@ -1,11 +1,12 @@
-//! A given gearbox beside a search: which wanted ratio it misses, and as which number it is found, or why it
-//! is not. A compound set stands for the sets that share its planets.
+//! Comparison of a given gearbox with a search: the ratio that it misses, and its number among the solutions
+//! or the reason why it is not found. A compound set is replaced by the sets that share its planets.
 //!
-//! The gearbox is taken to a structure of the search: links joined for ever are one. Where double-planet sets
-//! are searched, its own stand for themselves; in a search of simple sets alone each stands, for its speeds,
-//! for a simple set with ring and carrier exchanged and `k′ = k − 1`. The gearbox is found where a solution
-//! has its structure and, up to the structure's automorphisms, its shift elements; of those that lock the
-//! same each stands for the others.
+//! The gearbox is converted to a structure of the search, with permanently connected links as one. If
+//! double-planet sets are searched, those of the gearbox are kept. A search of simple sets alone replaces
+//! each by a simple set with equal speeds: ring and carrier are exchanged and `k′ = k − 1`.
+//!
+//! The gearbox is found if a solution has its structure and, up to the structure's automorphisms, its shift
+//! elements. Elements that lock the same links are equivalent.
 
 use super::{Kept, Synthesis, Wanted, WantedGear};
 use crate::error::Error;
@@ -19,64 +20,63 @@ use epicyclic_train::{Analysis, Gearbox, LinkId};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// A given gearbox beside a search.
+/// Comparison of a given gearbox with a search.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Explanation {
     /// The name of the gearbox.
     pub gearbox: String,
-    /// Its structure as the search names it; `null` where it is none.
+    /// Structure of the gearbox in the notation of the search; null if none exists.
     pub structure: Option<String>,
-    /// Its shift elements as the search names them: a brake's link, or the two links of a clutch.
+    /// Shift elements in the notation of the search: the link of a brake, or the two links of a clutch.
     pub shift_elements: Vec<String>,
-    /// Each wanted ratio beside the nearest of the gearbox.
+    /// Required ratios with the closest ones of the gearbox.
     pub gears: Vec<NearestGear>,
-    /// Whether the gearbox has all wanted ratios at its own ring-to-sun ratios.
+    /// Whether the gearbox has all required ratios with its own ring-to-sun ratios.
     pub has_all_ratios: bool,
-    /// Its number among the solutions found, also of those that are not told; `null` where it is not found.
+    /// Number among all solutions found, listed or not; null if the gearbox is not found.
     pub number: Option<usize>,
-    /// The number of its family; `null` where it is not found.
+    /// Number of the family; null if the gearbox is not found.
     pub family: Option<usize>,
-    /// Why it is not found; empty where it is.
+    /// Reasons why the gearbox is not found; empty if it is found.
     pub reasons: Vec<Reason>,
 }
 
-/// A wanted ratio and the nearest of a gearbox.
+/// Required ratio with the closest one of a gearbox.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct NearestGear {
-    /// What is wanted of it.
+    /// Required gear.
     pub wanted: WantedGear,
-    /// The nearest ratio of any choice of shift elements; `null` where none drives the output.
+    /// Closest ratio of any combination of shift elements; null if none drives the output.
     pub ratio: Option<f64>,
-    /// How far it is from the ratio wanted, as a share of it, or from the nearer bound where any ratio within
-    /// bounds will do.
+    /// Relative deviation from the required ratio, or from the closer bound if any ratio within bounds is
+    /// accepted; null without a ratio.
     pub deviation: Option<f64>,
-    /// Whether it is within the bounds.
+    /// Whether the ratio is within the bounds.
     pub within: bool,
-    /// The shift elements engaged, by the names of the gearbox.
+    /// Names of the engaged shift elements in the gearbox.
     pub engaged: Vec<String>,
 }
 
-/// Why a gearbox is not among the solutions of a search.
+/// Reason why a gearbox is not among the solutions of a search.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Reason {
-    /// What keeps it out.
+    /// Kind of the reason.
     pub obstacle: Obstacle,
-    /// The set that it is about; `null` where it is about none.
+    /// Set concerned; null if the reason concerns none.
     pub set: Option<String>,
-    /// The `k` of this set, of a double-planet set in a search of simple sets `k′ = k − 1`; `null` but of
-    /// `k_out_of_range` and `k_of_double_planet_out_of_range`.
+    /// Value of `k` of this set; for a double-planet set in a search of simple sets `k′ = k − 1`. Null except
+    /// for `k_out_of_range` and `k_of_double_planet_out_of_range`.
     pub k: Option<f64>,
-    /// How many there are of what was not searched in such number, or how many k were asked to be equal;
-    /// `null` of other obstacles.
+    /// Number of parts that was not searched, or number of equal k that was required; null for other reasons.
     pub count: Option<usize>,
-    /// The shift element that it is about; `null` where it is about none.
+    /// Shift element concerned; null if the reason concerns none.
     pub shift_element: Option<String>,
 }
 
-/// What keeps a gearbox out of a search.
+/// Reasons that exclude a gearbox from a search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Obstacle {
@@ -84,7 +84,7 @@ pub enum Obstacle {
     SetKind,
     /// Two of the housing, the input and the output are one link.
     TerminalsJoined,
-    /// The sets make no structure: a set has a link twice, a link is on no member, or some sets share so many
+    /// The sets form no structure: a set has a link twice, a link is on no member, or sets share so many
     /// links that they lock or repeat each other.
     NoStructure,
     /// A brake on the input or the output.
@@ -93,31 +93,31 @@ pub enum Obstacle {
     MemberOnHousing,
     /// The input or the output is on no member: class `core` needs both.
     TerminalOnNoMember,
-    /// The sets are not all joined: class `core` needs it.
+    /// The sets are not all joined: class `core` requires this.
     SetsNotJoined,
-    /// So many planet sets were not searched.
+    /// Number of planetary sets that was not searched.
     Sets,
-    /// So many shift elements were not searched, those that lock the same counted once.
+    /// Number of shift elements that was not searched; equivalent elements count once.
     ShiftElements,
-    /// Gears that engage so many shift elements were not searched.
+    /// Number of engaged shift elements that was not searched.
     Engaged,
     /// The search ended before this number of sets and shift elements.
     EndedBefore,
-    /// So many double-planet sets were not searched.
+    /// Number of double-planet sets that was not searched.
     DoublePlanets,
     /// A `k` of a simple set beyond the range.
     KOutOfRange,
     /// A `k` of a double-planet set beyond its range.
     KOfDoublePlanetOutOfRange,
-    /// The `k` of a set moves no wanted ratio: a simpler gearbox does the same.
+    /// The `k` of a set has no effect on any required ratio: a simpler gearbox does the same.
     Reducible,
-    /// A shift element that no wanted gear engages: a gearbox without it does the same.
+    /// No required gear engages a shift element: a gearbox without it does the same.
     UnusedElement,
-    /// With so many sets with equal k it has not the ratios.
+    /// With the required number of sets with equal k the gearbox does not have the ratios.
     EqualK,
-    /// It misses wanted ratios, and no other ring-to-sun ratios in the range give them.
+    /// The gearbox misses required ratios, and no other ring-to-sun ratios in the range give them.
     MissesRatios,
-    /// It breaks another rule of the search, or is counted as undecided.
+    /// The gearbox breaks another rule of the search, or counts as undecided.
     #[default]
     Other,
 }
@@ -136,17 +136,17 @@ impl Reason {
     }
 }
 
-/// A gearbox as the search has it.
+/// Gearbox in the notation of the search.
 struct Subject {
     structure: Structure,
     elements: Vec<Element>,
-    /// For each shift element of the gearbox its place in `elements`; none where it joins a link with itself.
+    /// Index in `elements` for each shift element of the gearbox; `None` if it joins a link with itself.
     places: Vec<Option<usize>>,
-    /// For each set of the structure its name and its `k`: of a double-planet set the real one.
+    /// Name and `k` of each set of the structure; for a double-planet set the real `k`.
     sets: Vec<(String, f64)>,
 }
 
-/// Places a gearbox beside a search: its answer, and all solutions in the order of their numbers.
+/// Compares a gearbox with a search; `kept` holds all solutions in the order of their numbers.
 ///
 /// # Errors
 /// Those of the solver for more than 16 shift elements.
@@ -208,8 +208,8 @@ impl NearestGear {
     }
 }
 
-/// The link of each link of a gearbox, those joined for ever as one; the other links by their first
-/// occurrence.
+/// Link of the structure for each link of a gearbox, with permanently connected links as one. Links other
+/// than the terminals are named by their first occurrence.
 fn links(gearbox: &Gearbox) -> Result<Vec<Link>, Reason> {
     let count = gearbox.links().len();
     let mut group: Vec<usize> = (0..count).collect();
@@ -246,10 +246,10 @@ impl Subject {
     fn of(gearbox: &Gearbox, wanted: &Wanted) -> Result<Self, Reason> {
         let links = links(gearbox)?;
         let link = |id: LinkId| links[id.index()];
-        // In a search of simple sets alone a double-planet set stands for one.
+        // In a search of simple sets alone a double-planet set is replaced by a simple one.
         let as_simple = *wanted.double_planets.end() == 0;
         let mut given: Vec<(Members, bool, String, f64)> = Vec::new();
-        // A compound set as the sets that share its planets.
+        // A compound set is replaced by the sets that share its planets.
         for drawn in gearbox.drawn_sets() {
             let set = &gearbox.sets()[drawn.set];
             let [sun, ring, carrier] = drawn.links.map(link);
@@ -267,7 +267,7 @@ impl Subject {
         let count = links.iter().copied().max().map_or(0, usize::from);
         let (structure, order) =
             Structure::with_kinds(&members, count).map_err(|_| Reason::new(Obstacle::NoStructure))?;
-        // Where each link stands in the canonical word; input and output keep their names.
+        // Place of each link in the canonical word; input and output keep their names.
         let mut names: Vec<Link> =
             (0..=structure.links()).map(|link| Link::try_from(link).unwrap_or(0)).collect();
         for (set, place) in order.iter().enumerate() {
@@ -383,7 +383,7 @@ impl Subject {
         reasons
     }
 
-    /// Shift elements, those that lock the same counted once.
+    /// Number of shift elements; equivalent elements count once.
     fn elements_that_differ(&self) -> usize {
         let mut motion = Motion::<u64>::new(self.structure.freedom());
         motion.take(&self.structure, &self.elements);
@@ -391,7 +391,7 @@ impl Subject {
         (0..count).filter(|one| !(0..*one).any(|other| motion.tie_the_same(*one, other))).count()
     }
 
-    /// Sets whose `k` moves none of the wanted ratios.
+    /// Reasons for sets whose `k` has no effect on any required ratio.
     fn unmoved(&self, explanation: &Explanation, gearbox: &Gearbox) -> Vec<Reason> {
         let engaged = self.structure.freedom() - 1;
         let mut motion = Motion::<u64>::new(self.structure.freedom());
@@ -418,7 +418,8 @@ impl Subject {
     }
 }
 
-/// Shift elements that no wanted gear needs: other choices give it a ratio within its bounds.
+/// Reasons for shift elements that no required gear needs, because other combinations give it a ratio within
+/// its bounds.
 fn unused(explanation: &Explanation, gearbox: &Gearbox, all: &[Analysis<'_>]) -> Vec<Reason> {
     let is_unused = |place: usize| {
         let without = |analysis: &&Analysis<'_>| !analysis.gear().engaged().contains(&place);
@@ -437,7 +438,7 @@ fn unused(explanation: &Explanation, gearbox: &Gearbox, all: &[Analysis<'_>]) ->
     names.map(reason).collect()
 }
 
-/// Whether all sets are joined by links but the housing.
+/// Whether links other than the housing join all sets.
 fn are_joined(sets: &[Members]) -> bool {
     let mut reached = vec![false; sets.len()];
     let mut todo = vec![0];
@@ -516,8 +517,8 @@ mod tests {
         explained(wanted).reasons.iter().map(|reason| reason.obstacle).collect()
     }
 
-    /// 4L60-E with links of other names and its sets in the other order, a brake through a tied link, `1-x`
-    /// by what locks the same.
+    /// 4L60-E with other names of links, its sets in reverse order, a brake on a permanently connected link,
+    /// and an equivalent element for `1-x`.
     fn four_speed() -> Gearbox {
         Gearbox::builder("4L60-E")
             .links(["turbine", "shaft", "P", "Q", "tied", "S"])
@@ -576,7 +577,7 @@ mod tests {
         let told = explain(&four_speed(), &fewer, &answer, &[]).unwrap().reasons;
         let reverse = Some("reverse".to_owned());
         assert_eq!(told, [Reason { shift_element: reverse, ..Reason::new(Obstacle::UnusedElement) }]);
-        // Only the second set's k moves these.
+        // Only the second set's k affects these ratios.
         let gearbox = Gearbox::builder("three speeds")
             .links(["in", "P", "out", "S", "Q"])
             .set(SetSpec::simple("idle", ["in", "P", "out"], 2.0))
@@ -592,7 +593,7 @@ mod tests {
         let three = vec![1.0, -2.294, 0.6964];
         let reducible =
             Wanted { gears: gears(&three), tolerance: 1e-4, ..wanted(&[], Kind::AllSparse, 4, 2, gearbox) };
-        // Its own search would find thousands; one that finds none has searched the same class.
+        // A search for its own ratios would find thousands; a search that finds none covers the same class.
         let none = Wanted { gears: gears(&[100.0, 200.0, -300.0]), explain: None, ..reducible.clone() };
         let (answer, _) = solve(&none, &|_, _| ControlFlow::Continue(())).unwrap();
         assert_eq!(answer.found, 0);
@@ -621,7 +622,7 @@ mod tests {
         assert!(told.contains(&Obstacle::MemberOnHousing), "{told:?}");
     }
 
-    /// The 6HP with links of other names, its double-planet set not the last.
+    /// 6HP with other names of links and its double-planet set not at the end.
     fn six_hp() -> Gearbox {
         Gearbox::builder("6HP")
             .links(["turbine", "shaft", "C1", "S2", "S3", "H"])
@@ -641,7 +642,7 @@ mod tests {
 
     const SIX_HP: [f64; 7] = [4.171, 2.340, 1.521, 1.143, 0.867, 0.691, -3.403];
 
-    /// A search in the structures of its sets alone, which is quicker than that of the class.
+    /// Search in the structures of its sets alone, which is faster than that of the class.
     fn of_six_hp(double_planets: RangeInclusive<usize>) -> Wanted {
         let six = wanted(&SIX_HP, Kind::AllSparse, 5, 2, six_hp());
         Wanted { sets: 3..=3, double_planets, ..six }
@@ -676,7 +677,7 @@ mod tests {
         }
     }
 
-    /// The same gearbox with its Ravigneaux set as one set, from its file.
+    /// The 6HP is also found with its Ravigneaux set as one compound set, from its file.
     #[test]
     fn a_6hp_is_found_by_its_compound_set() {
         let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/lepelletier.yaml");
@@ -700,7 +701,7 @@ mod tests {
         let real = Some(85.0 / 31.0);
         let rear = Reason { k: real, ..Reason::of_set(Obstacle::KOfDoublePlanetOutOfRange, "rear") };
         assert_eq!(reasons(&narrow), [rear]);
-        // As simple sets it is held against --k.
+        // As simple sets the range --k applies to it.
         let narrow = Wanted { k: 1.85..=4.5, ..of_six_hp(0..=0) };
         let exchanged =
             Reason { k: Some(85.0 / 31.0 - 1.0), ..Reason::of_set(Obstacle::KOutOfRange, "rear") };

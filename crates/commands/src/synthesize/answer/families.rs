@@ -1,4 +1,4 @@
-//! Families of the gearboxes found: those whose gears have equal formulas.
+//! Families of gearboxes found whose gears have equal formulas.
 
 use super::Kept;
 use epicyclic_synthesis::family;
@@ -10,26 +10,28 @@ use serde::Serialize;
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Family {
-    /// Its number, from 1, in the order of the best gearboxes.
+    /// Number of the family, from 1, in the order of the best gearboxes.
     pub number: usize,
-    /// How many gearboxes it has.
+    /// Number of gearboxes in the family.
     pub gearboxes: usize,
-    /// The number of its best gearbox.
+    /// Number of the best gearbox of the family.
     pub best: usize,
-    /// How many of its gearboxes are drawable.
+    /// Number of drawable gearboxes in the family.
     pub drawable: usize,
-    /// The efficiency of the forward gears, the least or the mean by the shares of time: the lowest and the
-    /// highest of its gearboxes.
+    /// Lowest and highest efficiency of the forward gears among the gearboxes: the least, or the mean
+    /// weighted by the parts of the time.
     pub forward_efficiency_range: [f64; 2],
-    /// The mean drag over the forward gears, alike.
+    /// Lowest and highest mean drag over the forward gears among the gearboxes, relative to the input speed.
     pub mean_drag_of_input_range: [f64; 2],
-    /// The greatest torque of a shift element or a member of a set, over the input's, alike.
+    /// Lowest and highest value among the gearboxes of the greatest torque of a shift element or member,
+    /// relative to the input torque.
     pub greatest_torque_of_input_range: [f64; 2],
-    /// The greatest speed of a link, or of a planet relative to its carrier, over the input's, alike.
+    /// Lowest and highest value among the gearboxes of the greatest link speed, or planet speed relative to
+    /// its carrier, relative to the input speed.
     pub greatest_speed_of_input_range: [f64; 2],
 }
 
-/// The families of gearboxes in their order, and for each gearbox the place of its own.
+/// Families of gearboxes in their order, and for each gearbox the index of its family.
 pub(super) fn families(kept: &[Kept]) -> (Vec<Family>, Vec<usize>) {
     let (of_each, members) = family::number(kept.iter().map(|kept| &kept.family));
     let mut ratings: Vec<Vec<&rank::Rating>> = vec![Vec::new(); members.len()];

@@ -1,4 +1,4 @@
-//! Which solutions of a search are kept.
+//! Selection of the solutions of a search.
 
 use super::drawn;
 use super::kept::Kept;
@@ -11,7 +11,7 @@ use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::{family, rank};
 use std::ops::ControlFlow;
 
-/// Judges solutions and keeps those within all limits; counts what leaves out the others.
+/// Evaluates solutions and keeps those within all limits; the others are counted by reason.
 pub(super) fn keep(
     mut found: Vec<Found>,
     wish: &Wish,

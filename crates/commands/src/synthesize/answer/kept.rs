@@ -1,4 +1,4 @@
-//! A solution that is told, as the search has it.
+//! Solution of a search with its evaluation.
 
 use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_synthesis::judge::Judged;
@@ -7,25 +7,25 @@ use epicyclic_synthesis::teeth::Design;
 use epicyclic_synthesis::usable::Fault;
 use epicyclic_synthesis::{family, rank};
 
-/// A solution that is told, as the search has it.
+/// Solution of a search with its evaluation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Kept {
-    /// Its structure, shift elements and ratios.
+    /// Structure, shift elements and ratios.
     pub found: Found,
-    /// Its best ring-to-sun ratios and its gearbox.
+    /// Best ring-to-sun ratios, and the gearbox with them.
     pub judged: Judged,
-    /// The gears that it has, by their places in the wish.
+    /// Gears of the solution, by their places in the list of required gears.
     pub selection: Vec<usize>,
-    /// What it is worth.
+    /// Values of the objectives.
     pub rating: rank::Rating,
-    /// The limit of a gearbox that is of use that it misses first.
+    /// First limit of a usable gearbox that the solution exceeds; `None` if it exceeds none.
     pub fault: Option<Fault>,
-    /// Its number among all solutions, from 1, the best first.
+    /// Number among all solutions, from 1, the best first.
     pub number: usize,
-    /// Its family.
+    /// Family of the solution.
     pub family: family::Family,
-    /// The best tooth numbers, where any were asked for.
+    /// Best tooth numbers; empty unless they are requested.
     pub teeth: Vec<Design>,
-    /// How their sets close that have profile shift.
+    /// Profile shifts for the equal centre distances of the sets; `None` without profile shift.
     pub shift: Option<ProfileShift>,
 }

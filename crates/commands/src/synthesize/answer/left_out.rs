@@ -1,4 +1,4 @@
-//! What leaves out solutions that have all gears.
+//! Reasons that leave out solutions with all gears.
 
 use epicyclic_synthesis::limits::Limit;
 use epicyclic_synthesis::usable::Fault;
@@ -6,49 +6,49 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// Solutions that something left out.
+/// Number of solutions left out for a reason.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct LeftOut {
-    /// What left them out; each is counted at the first.
+    /// Reason; a solution counts for the first that applies.
     pub by: Reason,
-    /// How many.
+    /// Number of solutions left out.
     pub solutions: u64,
 }
 
-/// What leaves out solutions that have all gears.
+/// Reasons that leave out solutions with all gears.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Reason {
-    /// No choice of functions has a direct gear.
+    /// No choice of functions yields a direct gear.
     Direct,
-    /// No choice of functions and engaged elements has the single shifts.
+    /// No choice of functions and engaged elements yields the single-transition shifts.
     Shifts,
-    /// A link would cross another, whichever of the elements that lock the same are taken.
+    /// A link crosses another with any choice of equivalent elements.
     Drawable,
-    /// Ratios of free gears side by side do not fall.
+    /// Ratios of neighbouring free gears do not decrease.
     Order,
     /// A ratio step is out of its range.
     Steps,
-    /// A ratio step is larger than the one before it.
+    /// A ratio step is larger than the previous one.
     FallingSteps,
-    /// An open element slips faster.
+    /// The slip of an open element exceeds the limit.
     Slip,
-    /// A link turns faster.
+    /// The speed of a link exceeds the limit.
     LinkSpeed,
-    /// A planet turns faster on its carrier.
+    /// The speed of a planet relative to its carrier exceeds the limit.
     PlanetSpeed,
-    /// The search was ended before they were judged.
+    /// The search was stopped before the solutions were evaluated.
     Unjudged,
     /// A forward gear has an efficiency below the limit.
     Efficiency,
     /// A reverse gear has an efficiency below the limit.
     ReverseEfficiency,
-    /// More power circulates in a forward gear than the limit.
+    /// The circulating power in a forward gear exceeds the limit.
     Circulation,
 }
 
-/// Counts of what was left out.
+/// Numbers of solutions left out, by reason.
 #[derive(Default)]
 pub(super) struct LeftOuts(BTreeMap<Reason, u64>);
 

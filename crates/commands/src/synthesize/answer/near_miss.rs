@@ -1,4 +1,4 @@
-//! Gearboxes of fewer sets that miss the wanted ratios narrowly.
+//! Gearboxes of fewer sets that narrowly miss the required ratios.
 
 use super::{ClassName, Kept, Synthesis, Wanted, solve};
 use crate::error::Error;
@@ -7,41 +7,41 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::ControlFlow;
 
-/// How much wider the tolerance is than the one wanted.
+/// Factor by which the tolerance is widened.
 const WIDER: f64 = 5.0;
 
-/// The widest tolerance that is tried.
+/// Widest tolerance that is tried.
 const WIDEST: f64 = 0.1;
 
-/// Classes are searched again up to this many structures times sets of shift elements in all: a second's
-/// work.
+/// Limit of structures times sets of shift elements for the repeated search, about a second of work.
 const MOST_SPACE: f64 = 1e6;
 
-/// A gearbox of fewer sets than have the ratios within their tolerances.
+/// Gearbox of fewer sets than those with the ratios within their tolerances.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct NearMiss {
-    /// Of which structures it is.
+    /// Class of the structure.
     pub class: ClassName,
-    /// Its planet sets.
+    /// Number of planetary sets.
     pub sets: usize,
-    /// Its shift elements.
+    /// Number of shift elements.
     pub shift_elements: usize,
-    /// The tolerance within which it has all ratios: its greatest deviation, as a share.
+    /// Largest relative deviation of a ratio, which is the tolerance needed for all ratios.
     pub greatest_deviation: f64,
 }
 
-/// Gearboxes of a class that are looked at, the nearest ones.
+/// Number of closest gearboxes of a class that are evaluated.
 const NEAREST: usize = 100;
 
-/// The smallest class of fewer sets than those found that has the ratios within a wider tolerance: five times
-/// the wanted one, at most 10 %. Of that class, among the hundred gearboxes nearest to the ratios, the
-/// gearbox of use with the least deviation.
+/// Finds the smallest class of fewer sets that has the ratios within a wider tolerance: five times the
+/// required one, at most 10 %. Among the hundred gearboxes of that class closest to the ratios, the usable
+/// one with the least deviation is returned.
 ///
-/// Classes that take longer than a second to search again are left out, and none is told where `goes_on`,
+/// Classes that take longer than a second to search again are left out. The closure `goes_on` is called now
+/// and then; if it returns a break, no gearbox is returned.
 /// which is asked now and then, breaks.
 ///
-/// # Errors
+/// Errors of [`solve`], except those about classes that do not exist.
 /// As [`solve`], but for classes that there are not.
 pub fn near_miss(
     wanted: &Wanted,
@@ -70,12 +70,12 @@ pub fn near_miss(
         ..wanted.clone()
     };
     let (found, kept) = match solve(&wider, &|_, _| goes_on()) {
-        // So few sets have no such numbers of links or elements.
+        // So few sets do not allow these numbers of links or elements.
         Err(Error::Synthesis(_)) => return Ok(None),
         Ok((found, _)) if !found.complete => return Ok(None),
         found => found?,
     };
-    // What is of no use is no hint either.
+    // A gearbox that is not usable is not a useful hint.
     let is_of_use =
         |kept: &Kept| wanted.usable.is_none_or(|usable| usable.fault(&kept.judged, &kept.rating).is_none());
     let mut of_use = found.solutions.iter().zip(&kept).filter(|(_, kept)| is_of_use(kept));

@@ -1,23 +1,23 @@
-//! What a page of a search draws.
+//! Drawings for the page of a search.
 
 use super::Kept;
 use crate::error::Error;
 use epicyclic_layout::{Layout, Options, Verdict, draw};
 use epicyclic_train::Gearbox;
 
-/// A solution to be drawn.
+/// Solution to be drawn.
 #[derive(Debug)]
 pub struct Drawn {
-    /// Its gearbox.
+    /// Gearbox of the solution.
     pub gearbox: Gearbox,
-    /// Its layout, if it is drawable.
+    /// Layout of the gearbox; `None` if it is not drawable.
     pub layout: Option<Box<Layout>>,
 }
 
-/// The first solutions, laid out.
+/// Computes the layouts of the first solutions.
 ///
 /// # Errors
-/// Those of [`gearbox`](super::saved::gearbox).
+/// Errors of [`gearbox`](super::saved::gearbox).
 pub fn drawn(kept: &[Kept], most: usize) -> Result<Vec<Drawn>, Error> {
     let one = |kept: &Kept| {
         let gearbox = super::saved::gearbox(kept, &format!("Gearbox {}", kept.number), None)?;

@@ -1,4 +1,4 @@
-//! What a solution is worth, by the solver at its best ring-to-sun ratios.
+//! Rating of a solution by the solver at its best ring-to-sun ratios.
 
 use crate::shared::drawability::answer::Conflict;
 use epicyclic_layout::{Options, Verdict, draw};
@@ -7,87 +7,90 @@ use epicyclic_synthesis::rank;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// What a solution is measured by.
+/// Objectives by which solutions are compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Objective {
-    /// Whether its scheme can be drawn without links that cross.
+    /// Drawability of the scheme without links that cross.
     Drawable,
-    /// Shifts between neighbouring forward gears that exchange more than one shift element; less is better.
+    /// Number of shifts between neighbouring forward gears that exchange more than one shift element; less is
+    /// better.
     Shifts,
-    /// The efficiency of the forward gears: the least, or the mean by the shares of time; more is better.
+    /// Efficiency of the forward gears: the least, or the mean weighted by the parts of the time; more is
+    /// better.
     Efficiency,
-    /// The mean over the forward gears of the sum of the slips of the open shift elements; less is better.
+    /// Mean drag over the forward gears: the sum of the slips of the open shift elements; less is better.
     Drag,
-    /// The greatest torque of a shift element or a member of a set; less is better.
+    /// Greatest torque of a shift element or a member of a set; less is better.
     Torque,
-    /// The greatest speed of a link, or of a planet relative to its carrier; less is better.
+    /// Greatest speed of a link, or planet speed relative to its carrier; less is better.
     Speed,
-    /// The greatest circulating power; less is better.
+    /// Greatest circulating power; less is better.
     Circulation,
-    /// The greatest ratio of a step to the step before it; less is better.
+    /// Greatest ratio of a step to the previous step; less is better.
     Progression,
-    /// The greatest deviation of a ratio, by half its bounds' width; less is better.
+    /// Greatest deviation of a ratio over half the width of its bounds; less is better.
     Deviation,
-    /// The least efficiency of a reverse gear; more is better.
+    /// Least efficiency of a reverse gear; more is better.
     Reverse,
 }
 
-/// A solution's figures for the objectives.
+/// Values of the objectives for a solution.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Rating {
-    /// Whether no other solution is nowhere worse and somewhere better, in the objectives of the front.
+    /// Whether the solution is non-dominated: no other is better in one objective of the front and worse in
+    /// none.
     pub non_dominated: bool,
-    /// The first objective of the order in which it is behind the first solution; `null` of the first, and of
-    /// one that is equal.
+    /// First objective by which the solution is behind the first one; null for the first, and for an equal
+    /// one.
     pub behind_by: Option<Objective>,
-    /// Whether the scheme can be drawn without links that cross, with all shift elements.
+    /// Whether the scheme with all shift elements can be drawn without links that cross.
     pub drawable: bool,
-    /// What cannot be drawn together; `null` of a drawable scheme.
+    /// Elements that cannot be drawn together; null for a drawable scheme.
     pub conflict: Option<Conflict>,
-    /// The mean over the forward gears of `drag_of_input`.
+    /// Mean of `drag_of_input` over the forward gears.
     pub mean_drag_of_input: f64,
-    /// The greatest torque of a shift element or a member of a set in any gear, over the input's, with
-    /// losses.
+    /// Greatest torque of a shift element or a member of a set in any gear, with losses, relative to the
+    /// input torque.
     pub greatest_torque_of_input: f64,
-    /// The greatest speed of a link, or of a planet relative to its carrier, in any gear, over the input's.
+    /// Greatest speed of a link, or planet speed relative to its carrier, in any gear, relative to the input
+    /// speed.
     pub greatest_speed_of_input: f64,
-    /// The greatest circulating power of a gear, over what enters.
+    /// Greatest circulating power of a gear relative to the entering power.
     pub greatest_circulating_of_entering: f64,
-    /// The greatest ratio of a step between forward gears to the step before it; `null` of fewer than two
-    /// steps.
+    /// Greatest ratio of a step between forward gears to the previous step; null for fewer than two steps.
     pub progression: Option<f64>,
-    /// The greatest deviation of a ratio, by half its bounds' width.
+    /// Greatest deviation of a ratio over half the width of its bounds.
     pub deviation_of_tolerance: f64,
-    /// The gears, in the order of the wish.
+    /// Figures of the gears, in the order in which they were required.
     pub gears: Vec<GearRating>,
 }
 
-/// A gear's figures.
+/// Figures of a gear.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct GearRating {
-    /// The greatest torque of a shift element over the input's, with losses.
+    /// Greatest torque of a shift element with losses, relative to the input torque.
     pub greatest_shift_element_torque_of_input: f64,
-    /// The greatest torque of a member of a set over the input's, with losses.
+    /// Greatest torque of a member of a set with losses, relative to the input torque.
     pub greatest_member_torque_of_input: f64,
-    /// Slip of each shift element, in their order: speed of the first link less that of the second, over the
-    /// input's; 0 where it is engaged, `null` where a speed does not follow.
+    /// Slip of each shift element relative to the input speed, in the order of the elements: speed of the
+    /// first link minus that of the second. The slip is 0 if engaged, null if a speed is unknown.
     pub slips_of_input: Vec<Option<f64>>,
-    /// The sum of the slips of the open shift elements, without their signs.
+    /// Sum of the absolute slips of the open shift elements, relative to the input speed.
     pub drag_of_input: f64,
-    /// The greatest speed of a link over the input's.
+    /// Greatest speed of a link relative to the input speed.
     pub greatest_link_speed_of_input: f64,
-    /// The greatest speed of a planet relative to its carrier, over the input's; of a double-planet set's
-    /// planets what they exceed.
+    /// Greatest planet speed relative to its carrier, relative to the input speed; for planets of a
+    /// double-planet set a lower bound.
     pub greatest_planet_speed_of_input: f64,
-    /// Circulating power over what enters.
+    /// Circulating power relative to the entering power.
     pub circulating_of_entering: f64,
 }
 
 impl Objective {
-    /// The objective as a record.
+    /// Converts the objective into a record.
     #[must_use]
     pub const fn of(objective: rank::Objective) -> Self {
         match objective {

@@ -1,4 +1,4 @@
-//! A solution as a file that `analyze`, `draw` and `report` read.
+//! Solution as a file that `analyze`, `draw` and `report` read.
 
 use super::Kept;
 use crate::error::Error;
@@ -11,17 +11,17 @@ use epicyclic_train::planet_set::Description;
 use epicyclic_train::set::{Gearing, SetSpec};
 use epicyclic_train::{GearSpec, Gearbox};
 
-/// The gearbox of a solution under this name, its gears named by their places among the wanted forward gears
-/// in falling order, `1`, `2` …, reverse `R`, several `R1`, `R2` …; with tooth numbers in place of the
-/// ring-to-sun ratios where some are given.
+/// Gearbox of a solution under this name. Its forward gears are named `1`, `2` … by decreasing required
+/// ratios, its reverse gear `R`, several `R1`, `R2` …. Tooth numbers, if given, replace the ring-to-sun
+/// ratios.
 ///
 /// # Errors
-/// Those of the solver for tooth numbers that no set can have; none are known for those of a search.
+/// Errors of the solver for impossible tooth numbers; none are known for those of a search.
 pub fn gearbox(kept: &Kept, name: &str, teeth: Option<&Design>) -> Result<Gearbox, Error> {
     let mut names = names(&kept.judged.ratios).into_iter();
     let shifts = shifts(kept, teeth)?;
     let sharing = &kept.judged.sharing;
-    // The sets of the gearbox in their order, each by the first of the structure's sets that it is.
+    // Each set of the gearbox stands for the first of the structure's sets that it combines.
     let is_first = |place: &usize| sharing.compound_of(*place).is_none_or(|of| of.sets[0] == *place);
     let mut places = (0..kept.found.structure.sets().len()).filter(is_first);
     let with_teeth = |set: Description| {
@@ -60,11 +60,11 @@ pub fn gearbox(kept: &Kept, name: &str, teeth: Option<&Design>) -> Result<Gearbo
         .build()?)
 }
 
-/// The profile shifts of the sets of a design; none of double-planet sets, and of no set where none were
-/// wanted.
+/// Profile shifts of the sets of a design; `None` for double-planet sets, and for all sets if no shifts were
+/// requested.
 ///
 /// # Errors
-/// None of sets of a search.
+/// No error is known for sets of a search.
 pub(super) fn shifts(kept: &Kept, teeth: Option<&Design>) -> Result<Vec<Option<SetShifts>>, Error> {
     let of = |set: &SetTeeth| match (set, &kept.shift) {
         (SetTeeth::Simple(teeth), Some(shift)) => SetShifts::of(shift, teeth).map(Some),
@@ -73,10 +73,10 @@ pub(super) fn shifts(kept: &Kept, teeth: Option<&Design>) -> Result<Vec<Option<S
     teeth.iter().flat_map(|design| &design.sets).map(of).collect()
 }
 
-/// The file of a solution, below these lines of comment.
+/// Gearbox file of a solution, below these lines of comment.
 ///
 /// # Errors
-/// None are known: central gears of a solution are named as their links.
+/// No error is known, because central gears of a solution have the names of their links.
 pub fn file(gearbox: &Gearbox, comment: &[String]) -> Result<String, NotWritable> {
     written(gearbox, comment)
 }

@@ -1,11 +1,11 @@
-//! Which scheme of the document a solution is.
+//! Scheme of the document that equals a solution.
 
 use epicyclic_schemes::catalogue::{Role, Scheme};
 use epicyclic_synthesis::run::Found;
 use epicyclic_synthesis::structure::{HOUSING, INPUT, Link, Members, OUTPUT, Structure};
 
-/// The scheme of the catalogue that a solution is: its structure, a brake on each link but input and output,
-/// and nothing else but one clutch for the direct drive.
+/// Finds the scheme of the catalogue that equals a solution. It has the same structure, a brake on each link
+/// except input and output, and besides only one clutch for direct drive.
 pub(super) fn of(found: &Found) -> Option<Scheme> {
     let structure = &found.structure;
     let scheme = Scheme::all().find(|scheme| structure_of(*scheme).as_ref() == Some(structure))?;
@@ -16,7 +16,7 @@ pub(super) fn of(found: &Found) -> Option<Scheme> {
     (braked == usize::from(others - OUTPUT) && rest <= 1).then_some(scheme)
 }
 
-/// The structure of a scheme: D the input, B the output, T₁ and T₂ links of their own.
+/// Structure of a scheme: D is the input, B the output, T₁ and T₂ are further links.
 pub(super) fn structure_of(scheme: Scheme) -> Option<Structure> {
     let link = |role: Role| match role {
         Role::D => INPUT,

@@ -1,4 +1,4 @@
-//! Sets of a solution that have a carrier and a sun or ring in common.
+//! Sets of a solution with a common carrier and a common sun or ring.
 
 use epicyclic_synthesis::Structure;
 use epicyclic_synthesis::sharing::{Apart, Compound, Obstacle, Sharing};
@@ -7,35 +7,35 @@ use epicyclic_train::compound::CentralKind;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Sets that have a carrier and a sun or ring in common: a compound set, or sets with planets of their own.
+/// Sets with a common carrier and a common sun or ring: a compound set, or sets with their own planets.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SharedPlanets {
     /// Numbers of the sets, from 1.
     pub sets: Vec<usize>,
-    /// Link of their carrier.
+    /// Link of the common carrier.
     pub carrier: char,
-    /// Links of suns that several of them have in common; in a compound set each is one gear.
+    /// Links of suns that several of the sets have in common; in a compound set each is one gear.
     pub common_suns: Vec<char>,
-    /// Links of rings that several of them have in common.
+    /// Links of rings that several of the sets have in common.
     pub common_rings: Vec<char>,
-    /// Why they have planets of their own and are rated apart; `null` of a compound set, which is rated as
-    /// one.
+    /// Reason why the sets have their own planets and are rated separately; null for a compound set, which is
+    /// rated as one.
     pub apart: Option<WhyApart>,
 }
 
-/// Why sets with a carrier and a sun or ring in common share no planets.
+/// Reasons why sets with a common carrier and a common sun or ring share no planets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum WhyApart {
-    /// A common planet would need steps: two simple sets give it two centre distances.
+    /// A common planet would have to be stepped, because two simple sets give it two centre distances.
     Steps,
-    /// With these k a common planet leaves no room for the other gears.
+    /// A common planet with these k leaves no room for the other gears.
     Room,
 }
 
 impl SharedPlanets {
-    /// Those of a structure: compound sets first.
+    /// Lists such sets of a structure, compound sets first.
     pub(super) fn all(structure: &Structure, sharing: &Sharing) -> Vec<Self> {
         let compounds = sharing.compounds.iter().map(Self::of_compound);
         compounds.chain(sharing.apart.iter().map(|apart| Self::of_apart(structure, *apart))).collect()

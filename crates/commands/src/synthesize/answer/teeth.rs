@@ -17,35 +17,35 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::RangeInclusive;
 
-/// Which tooth numbers are wanted.
+/// Requirements of the tooth numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TeethWanted {
-    /// Limits of teeth and planets, of a double-planet set of each of its two planets and of the pairs; the
-    /// `k` are those of the search.
+    /// Limits of tooth numbers and numbers of planets. For a double-planet set they apply to each of its two
+    /// planets and to the number of pairs. The `k` are those of the search.
     pub bounds: ToothBounds,
-    /// Simple sets with profile shift in place of those without. Double-planet sets have none.
+    /// Profile shifts of the simple sets; `None` for sets without. Double-planet sets have no profile shift.
     pub shifts: Option<WantedShifts>,
-    /// How many sets are alike at least.
+    /// Minimum number of equal sets.
     pub alike: Alike,
-    /// Which are the best.
+    /// Objective for the choice of tooth numbers.
     pub aim: Aim,
-    /// How many choices are told of each solution.
+    /// Maximum number of choices listed for each solution.
     pub most: usize,
 }
 
-/// Tooth numbers that keep the tolerances of a solution.
+/// Tooth numbers within the tolerances of a solution.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Teeth {
-    /// How many choices of tooth numbers there are; those that differ in the numbers of planets alone are
-    /// one, and so are those that differ in the planets of double-planet sets.
+    /// Number of choices of tooth numbers. Choices that differ only in the numbers of planets, or in the
+    /// planets of double-planet sets, count as one.
     pub found: u64,
-    /// Whether all were counted; the trial ends after a great many.
+    /// Whether all choices were counted; the count stops at a large limit.
     pub complete: bool,
-    /// What is wanted of the profile shifts; none of sets without.
+    /// Requirements of the profile shifts; absent for sets without profile shift.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub profile_shift: Option<RequiredShifts>,
-    /// The best of them, the best first.
+    /// Best choices, the best first.
     pub choices: Vec<TeethOfSets>,
 }
 
@@ -53,13 +53,14 @@ pub struct Teeth {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct TeethOfSets {
-    /// Of each set.
+    /// Tooth numbers of each set.
     pub sets: Vec<TeethOfSet>,
-    /// The ratio of each gear, exactly.
+    /// Exact ratio of each gear as a fraction.
     pub ratios: Vec<Fraction>,
-    /// The greatest deviation of a ratio from the one wanted, as a share of it; 0 where all are ranges.
+    /// Largest relative deviation of a ratio from the required one; 0 if only ranges are required.
     pub greatest_deviation: f64,
-    /// The greatest speed of a planet relative to its carrier in a gear, over the input's, with these teeth.
+    /// Greatest planet speed relative to its carrier in a gear with these tooth numbers, relative to the
+    /// input speed.
     pub greatest_planet_speed: f64,
 }
 
@@ -67,38 +68,39 @@ pub struct TeethOfSets {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct TeethOfSet {
-    /// Teeth of the sun.
+    /// Tooth number of the sun.
     pub sun: u32,
-    /// Teeth of a planet; of a double-planet set of the planet in mesh with the sun.
+    /// Tooth number of a planet; for a double-planet set that of the planet in mesh with the sun.
     pub planet: u32,
-    /// Of a double-planet set teeth of the planet in mesh with the ring; none of a simple set.
+    /// Tooth number of the planet in mesh with the ring of a double-planet set; absent for a simple set.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub outer_planet: Option<u32>,
-    /// Teeth of the ring.
+    /// Tooth number of the ring.
     pub ring: u32,
-    /// The most planets, of a double-planet set pairs of planets, that assemble at equal angles and clear
-    /// each other.
+    /// Maximum number of planets, for a double-planet set of pairs, that can be assembled equally spaced and
+    /// clear each other.
     pub planets: u32,
-    /// Its profile shifts; none of a set without.
+    /// Profile shifts of the set; absent for a set without.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shifts: Option<SetShifts>,
 }
 
 impl TeethWanted {
-    /// How the simple sets close that have profile shift.
+    /// Profile shift of the simple sets that gives equal centre distances; `None` for sets without.
     pub(super) fn shift(&self) -> Option<ProfileShift> {
         Some(self.shifts.as_ref()?.within(&self.bounds))
     }
 }
 
-/// Tooth numbers of sets to choose from.
+/// Tooth numbers from which sets can choose.
 pub(super) struct Choices {
     simple: Choice,
     double_planet: Option<Choice>,
 }
 
 impl Choices {
-    /// Those wanted; of double-planet sets with `k` in this range, where such sets are searched.
+    /// Choices for the requirements; for double-planet sets with `k` in this range, if such sets are
+    /// searched.
     pub(super) fn wanted(teeth: &TeethWanted, k_double: Option<RangeInclusive<f64>>) -> Result<Self, Error> {
         let of_double_planets = |k| {
             let bounds = ToothBounds { ring_to_sun_ratio: k, ..teeth.bounds.clone() };
@@ -112,13 +114,13 @@ impl Choices {
         Ok(Self { simple, double_planet })
     }
 
-    /// Pairs of sun and ring that a check of the teeth leaves out.
+    /// Pairs of sun and ring left out because a tooth check fails.
     pub(super) fn left_out(&self) -> Vec<TeethLeftOut> {
         let all = [Some(&self.simple), self.double_planet.as_ref()];
         all.into_iter().flatten().filter_map(Choice::left_out).map(TeethLeftOut::of).collect()
     }
 
-    /// That of each set of a structure.
+    /// Choices for each set of a structure.
     fn of(&self, structure: &Structure) -> Vec<&Choice> {
         let of = |place: usize| match &self.double_planet {
             Some(choice) if structure.is_double_planet(place) => choice,
@@ -129,12 +131,14 @@ impl Choices {
 }
 
 impl Teeth {
-    /// Those of a solution, gears side by side by their places among its gears, with these ranges of each
-    /// set's `k`, of a double-planet set's `k′`; its best choices also as the search has them.
+    /// Tooth numbers of a solution, with these ranges of `k` for each set (`k′` for a double-planet set).
+    /// Neighbouring free gears are given by their places among the gears. Returns the best choices in the
+    /// form of the search as well.
     ///
     /// # Errors
-    /// [`Contradiction`](epicyclic_synthesis::Error::Contradiction) where the solver's fraction of a ratio is
-    /// another than the search's; else those of the solver. None are known for tooth numbers of a search.
+    /// [`Contradiction`](epicyclic_synthesis::Error::Contradiction) if the solver's fraction of a ratio
+    /// differs from that of the search; otherwise errors of the solver. None are known for tooth numbers of a
+    /// search.
     pub(super) fn of(
         kept: &Kept,
         gears: &[WantedGear],
@@ -148,7 +152,7 @@ impl Teeth {
         let solution = &kept.found.solution;
         let mut ratios: Vec<_> = solution.gears.iter().map(|gear| gear.ratio).collect();
         let mut bounds: Vec<_> = gears.iter().map(WantedGear::bounds).collect();
-        // k that are equal are so in teeth: exactly, since ratios are fractions of whole numbers.
+        // Equal k must also be equal exactly as ratios of tooth numbers.
         ratios.extend(solution.equal.ratios());
         bounds.resize(ratios.len(), Bounds { least: 1.0, most: 1.0 });
         let choices = choices.of(structure);

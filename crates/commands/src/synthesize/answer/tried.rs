@@ -1,4 +1,4 @@
-//! The classes that are searched for a list of ratios, in their order.
+//! Classes that are searched for a list of ratios, in their order.
 
 use super::Wanted;
 use crate::error::Error;
@@ -6,22 +6,22 @@ use epicyclic_synthesis::Class;
 use epicyclic_synthesis::motion::elements;
 use epicyclic_synthesis::wish::Wish;
 
-/// A class that may be searched, and what is wished in it.
+/// Class that may be searched, with the requirements for it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tried {
-    /// The class.
+    /// Class to be searched.
     pub searching: Searching,
-    /// What is wished.
+    /// Requirements for this class.
     pub wish: Wish,
-    /// The gears of the wish, by their places among those wanted.
+    /// Gears of the requirements, by their places in the list of required gears.
     pub selection: Vec<usize>,
 }
 
-/// The classes that may be searched, in their order, and what is wished in each. Those that cannot have the
+/// Classes that may be searched, in their order, with the requirements for each. Classes that cannot have the
 /// ratios are left out.
 ///
 /// # Errors
-/// [`Error::Synthesis`] where there is none, and for gears that make no sense.
+/// [`Error::Synthesis`] if there is no class, and for inconsistent gears.
 pub fn tried(wanted: &Wanted) -> Result<Vec<Tried>, Error> {
     let gears = wanted.gears()?;
     let (mut tried, mut refused) = (Vec::new(), None);
@@ -41,7 +41,7 @@ pub fn tried(wanted: &Wanted) -> Result<Vec<Tried>, Error> {
                         tried.push(Tried { searching, wish, selection: selection.clone() });
                     }
                     Err(error) => {
-                        // Of the largest class: it says most.
+                        // The error of the largest class is the most informative one.
                         refused = Some(error);
                     }
                 }
@@ -56,19 +56,19 @@ pub fn tried(wanted: &Wanted) -> Result<Vec<Tried>, Error> {
     Err(refused.unwrap_or_else(|| epicyclic_synthesis::Error::Wish { why: why.into() }).into())
 }
 
-/// A class that is being searched.
+/// Class that is being searched.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Searching {
-    /// The class.
+    /// Class of structures.
     pub class: Class,
-    /// How many shift elements.
+    /// Number of shift elements.
     pub shift_elements: usize,
-    /// How many of the sets are double-planet sets.
+    /// Number of double-planet sets among the sets.
     pub double_planets: usize,
 }
 
 impl Searching {
-    /// Structures, so many, times choices of double-planet sets times sets of shift elements.
+    /// Size of the search space: structures times choices of double-planet sets times sets of shift elements.
     #[must_use]
     pub fn space(&self, structures: f64) -> f64 {
         let choose = |count: usize, of: usize| {

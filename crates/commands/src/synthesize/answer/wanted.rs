@@ -1,4 +1,4 @@
-//! What is wanted of gearboxes: ratios as bounds, and which gears may be missing.
+//! Requirements of a search: ratios as bounds, optional gears, structures and limits.
 
 use super::gear::WantedGear;
 use super::teeth::TeethWanted;
@@ -13,76 +13,77 @@ use epicyclic_synthesis::{Error, Kind};
 use epicyclic_train::Gearbox;
 use std::ops::{Range, RangeInclusive};
 
-/// The most gears that may be missing: each doubles the searches.
+/// Maximum number of optional gears, because each doubles the number of searches.
 pub const MOST_OPTIONAL: usize = 3;
 
-/// What is wanted.
+/// Requirements of a search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wanted {
-    /// The ratio of each gear; negative for reverse.
+    /// Required ratio of each gear; negative for reverse.
     pub gears: Vec<WantedRatio>,
-    /// How far each may be off that has no tolerance of its own, as a share of it.
+    /// Allowed relative deviation of a ratio without a tolerance of its own.
     pub tolerance: f64,
-    /// Which structures are searched.
+    /// Kind of structures that are searched.
     pub kind: Kind,
-    /// How many planet sets; those given are tried from the fewest up, until a number has solutions.
+    /// Numbers of planetary sets, tried in increasing order until one has solutions.
     pub sets: RangeInclusive<usize>,
-    /// How many shift elements, tried alike.
+    /// Numbers of shift elements, tried in increasing order until one has solutions.
     pub elements: RangeInclusive<usize>,
-    /// How many shift elements a gear engages.
+    /// Numbers of shift elements that a gear engages.
     pub engaged: RangeInclusive<usize>,
-    /// How many moving links: sets, engaged elements and one more.
+    /// Numbers of moving links: sets plus engaged elements plus one.
     pub links: RangeInclusive<usize>,
-    /// How many shift elements are open in a gear.
+    /// Numbers of open shift elements in a gear.
     pub open: RangeInclusive<usize>,
-    /// The range of the ring-to-sun ratios of simple sets.
+    /// Range of the ring-to-sun ratios of simple sets.
     pub k: RangeInclusive<f64>,
-    /// How many of the sets are double-planet sets; each number is searched.
+    /// Numbers of double-planet sets; each number is searched.
     pub double_planets: RangeInclusive<usize>,
-    /// The range of the ring-to-sun ratios of double-planet sets.
+    /// Range of the ring-to-sun ratios of double-planet sets.
     pub k_double: RangeInclusive<f64>,
-    /// At least so many sets of one kind have equal k; 0 and 1 ask for nothing.
+    /// Minimum number of sets of one kind with equal k; 0 and 1 require nothing.
     pub equal_k: usize,
-    /// What the search keeps besides the ratios.
+    /// Rules of the search besides the ratios.
     pub rules: Rules,
-    /// What solutions keep at their best k.
+    /// Limits for solutions at their best k.
     pub limits: Limits,
-    /// Whether solutions are drawable: with nested shafts, each brake reached from the housing.
+    /// Whether solutions must be drawable: with nested shafts, each brake reached from the housing.
     pub drawable: bool,
-    /// The share of time of each gear, by which the mean efficiency is weighted; without, the least
-    /// efficiency counts.
+    /// Parts of the time in each gear, as weights of the mean efficiency; if `None`, the least efficiency
+    /// counts.
     pub shares: Option<Vec<f64>>,
-    /// What a gearbox of use keeps: while none found does, larger classes are searched. Without, the first
-    /// class with gearboxes is the last.
+    /// Limits of a usable gearbox: larger classes are searched until one is found. If `None`, the search ends
+    /// at the first class with gearboxes.
     pub usable: Option<Usable>,
-    /// Efficiency of a simple set's two meshes; each of the three of a double-planet set loses as much.
+    /// Efficiency of the two meshes of a simple set; each of the three meshes of a double-planet set has an
+    /// equal loss.
     pub efficiency: MeshEfficiency,
-    /// How many solutions are told at most.
+    /// Maximum number of solutions listed.
     pub most: usize,
-    /// Whether all solutions are told, not the best of each family alone.
+    /// Whether all solutions are listed; otherwise only the best of each family.
     pub all_gearboxes: bool,
-    /// The number of a solution that is told besides, if it is none of these.
+    /// Number of a further solution to be listed.
     pub also: Option<usize>,
-    /// Which objectives decide first which solution is the best; the others follow.
+    /// Objectives that decide first about the order of solutions; the others follow.
     pub order: Vec<Objective>,
-    /// The objectives of the Pareto front.
+    /// Objectives of the Pareto front.
     pub objectives: Vec<Objective>,
-    /// Tooth numbers, if any are wanted.
+    /// Requirements of the tooth numbers; `None` if none are requested.
     pub teeth: Option<TeethWanted>,
-    /// A gearbox to be placed beside the search.
+    /// Gearbox to be compared with the search.
     pub explain: Option<Gearbox>,
 }
 
 impl Wanted {
-    /// The gears with their bounds.
+    /// Computes the required gears with their bounds.
     ///
-    /// A free gear has those of its neighbours in the list, several side by side those of the neighbours of
-    /// all of them. Where steps are limited, bounds of free gears and of ranges between forward neighbours
-    /// are drawn in to what the steps leave: nothing that keeps the steps is lost.
+    /// A free gear takes its bounds from its neighbours in the list; neighbouring free gears take those of
+    /// the neighbours of the whole group. If steps are limited, the bounds of free gears and of ranges
+    /// between forward neighbours are narrowed to what the steps allow. No solution within the steps is lost.
     ///
     /// # Errors
-    /// [`Error::Wish`] where a free gear has no neighbours of its own sign on both sides, or there are more
-    /// than [`MOST_OPTIONAL`] that may be missing, or none that may not.
+    /// [`Error::Wish`] if a free gear has no neighbours of its own sign on both sides, if more than
+    /// [`MOST_OPTIONAL`] gears are optional, or if all are.
     pub fn gears(&self) -> Result<Vec<WantedGear>, Error> {
         let fault = |why: String| Err(Error::Wish { why });
         let optional = self.gears.iter().filter(|gear| gear.optional).count();
@@ -126,7 +127,7 @@ impl Wanted {
         Ok(gears)
     }
 
-    /// The free gears side by side with a gear, it among them.
+    /// Group of neighbouring free gears that contains this gear.
     fn run(&self, place: usize) -> Range<usize> {
         let is_free = |gear: &WantedRatio| gear.wanted == Ratio::Free;
         let before = self.gears[..place].iter().rev().take_while(|gear| is_free(gear)).count();
@@ -134,8 +135,8 @@ impl Wanted {
         place - before..place + after
     }
 
-    /// Of some gears those that are free and side by side, the highest ratio first, by their places among
-    /// these.
+    /// Groups of neighbouring free gears within a selection, the highest ratio first, by their places in the
+    /// selection.
     pub(super) fn side_by_side(&self, selection: &[usize], gears: &[WantedGear]) -> Vec<Vec<usize>> {
         let mut runs: Vec<Vec<usize>> = Vec::new();
         let mut last = None;
@@ -169,7 +170,7 @@ impl Wanted {
         }
     }
 
-    /// Draws in the bounds of gears without a wanted ratio to what the steps to their neighbours leave.
+    /// Narrows the bounds of gears without a required ratio to what the steps to their neighbours allow.
     fn draw_in(&self, gears: &mut [WantedGear]) {
         let Some(steps) = &self.limits.steps else { return };
         let bounds: Vec<Bounds> = gears.iter().map(WantedGear::bounds).collect();
@@ -189,12 +190,12 @@ impl Wanted {
         }
     }
 
-    /// The range of the k of a set.
+    /// Range of k of a set.
     pub(super) fn k_of(&self, double_planet: bool) -> &RangeInclusive<f64> {
         if double_planet { &self.k_double } else { &self.k }
     }
 
-    /// The ranges that a search with so many double-planet sets has: of these `k′ = k − 1`.
+    /// Ranges of k for a search with this number of double-planet sets; for these sets of `k′ = k − 1`.
     pub(super) fn ranges(&self, sets: usize, double_planets: usize) -> Vec<RangeInclusive<f64>> {
         let double = self.k_double.start() - 1.0..=self.k_double.end() - 1.0;
         let mut ranges = vec![self.k.clone(); sets - double_planets.min(sets)];
@@ -215,8 +216,8 @@ impl Wanted {
         })
     }
 
-    /// The gears that a search asks for, by their places: all of them, then without those that may be
-    /// missing, the more the earlier.
+    /// Gears for each search, by their places: all of them first, then without optional ones, with fewer left
+    /// out first.
     #[must_use]
     pub fn selections(&self) -> Vec<Vec<usize>> {
         let optional: Vec<usize> = (0..self.gears.len()).filter(|gear| self.gears[*gear].optional).collect();
@@ -232,8 +233,8 @@ impl Wanted {
     }
 }
 
-/// The bounds of one of several free gears between those before and after, which they do not touch. In
-/// falling order none touches the next either, so each is a number farther from the gears beyond.
+/// Bounds of one of several free gears between those before and after, which they do not touch. In decreasing
+/// order no two touch either, so each gear is one floating-point number farther from the end gears.
 fn between(fixed: &[Option<Bounds>], place: usize, run: Range<usize>) -> Option<Bounds> {
     let before = fixed[run.start.checked_sub(1)?]?;
     let after = (*fixed.get(run.end)?)?;
@@ -296,7 +297,8 @@ mod tests {
     fn steps_draw_in_what_is_free() {
         let gears = wanted(&["4", "?", "1"], Some(1.25..=2.5)).gears().unwrap();
         let [_, free, _] = gears[..] else { panic!("three gears") };
-        // 4/2.5 = 1.6 and 1·1.25 = 1.25, widened by the neighbours' tolerance; above 4/1.25 and 1·2.5 alike.
+        // Bounds 4/2.5 = 1.6 and 1·1.25 = 1.25, widened by the neighbours' tolerance; likewise 4/1.25 and
+        // 1·2.5 above.
         assert_eq!([free.least_ratio, free.greatest_ratio], [3.96 / 2.5, 1.01 * 2.5]);
         assert_eq!(gears[0].least_ratio, 3.96, "a wanted ratio keeps its tolerance");
     }
@@ -337,7 +339,7 @@ mod tests {
             }
             let (least, most) = if list[1].starts_with('-') { (-2.97, -0.707) } else { (0.707, 2.97) };
             assert!(bounds[2..5].iter().all(|[from, to]| *from > least && *to < most));
-            // Without one of them two are left; without two the last is free alone.
+            // Without one of them two remain; without two the last is free on its own.
             assert_eq!(wanted.side_by_side(&[0, 1, 2, 4, 5], &gears)[0].len(), 2);
             assert!(wanted.side_by_side(&[0, 1, 3, 5], &gears).is_empty());
         }

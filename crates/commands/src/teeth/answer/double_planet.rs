@@ -15,53 +15,54 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::ControlFlow;
 
-/// Double-planet sets that give a ratio, the most exact first: each pair of sun and ring once, since the
-/// ratio does not depend on the planets between them.
+/// Double-planet sets that give a ratio, the most exact first. Each pair of sun and ring occurs once, because
+/// the ratio does not depend on the planets.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct DoublePlanetTeeth {
-    /// The ratio wanted.
+    /// Required ratio, input speed over output speed.
     pub ratio: f64,
-    /// Which member drives, which is driven, which rests.
+    /// Driving, driven and fixed member.
     pub mode: Motion,
-    /// How far the ratio may be off, as a share of it.
+    /// Allowed relative deviation of the ratio.
     pub tolerance: f64,
-    /// How many pairs of sun and ring there are.
+    /// Number of pairs of sun and ring found.
     pub found: u64,
-    /// Pairs of sun and ring of this ratio that are left out since none of their planets passes the checks
-    /// of the teeth; `null` if no pair is left out.
+    /// Pairs of sun and ring of this ratio that are left out because the tooth checks fail with all planets;
+    /// null if no pair is left out.
     pub left_out: Option<TeethLeftOut>,
-    /// How many of them are told here.
+    /// Number of sets listed.
     pub shown: usize,
-    /// These.
+    /// Listed sets of tooth numbers.
     pub tooth_numbers: Vec<DoublePlanetNumbers>,
-    /// The checks of the teeth of one of them, the first unless another is asked for.
+    /// Tooth checks of one set, the first unless another is requested.
     pub tooth_checks: ToothChecks,
 }
 
-/// Tooth numbers of a double-planet set, and what follows from them.
+/// Tooth numbers of a double-planet set, with the properties that follow from them.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct DoublePlanetNumbers {
-    /// Teeth of the sun.
+    /// Tooth number of the sun.
     pub sun: u32,
-    /// Teeth of the inner planets, in mesh with the sun.
+    /// Tooth number of the inner planets, in mesh with the sun.
     pub inner_planet: u32,
-    /// Teeth of the outer planets, in mesh with the ring.
+    /// Tooth number of the outer planets, in mesh with the ring.
     pub outer_planet: u32,
-    /// Teeth of the ring.
+    /// Tooth number of the ring.
     pub ring: u32,
     /// Number of pairs of planets.
     pub pairs: u32,
-    /// The ratio, input speed over output speed.
+    /// Ratio, input speed over output speed.
     pub ratio: f64,
-    /// The same, exactly.
+    /// Exact ratio as a fraction.
     pub exact_ratio: Fraction,
-    /// How far it is from the ratio wanted, as a share of it.
+    /// Relative deviation from the required ratio.
     pub ratio_error: f64,
-    /// How many choices of both planets and of the number of pairs close, assemble and clear each other with
-    /// this sun and ring within the bounds, whether or not their teeth pass the checks. This one is the
-    /// first that passes them, by the most pairs, then the most teeth of the smaller planet.
+    /// Number of choices of both planets and of the number of pairs that fit this sun and ring within the
+    /// bounds. They have equal centre distances, can be assembled and clear each other; tooth checks are not
+    /// considered. The one given is the first that passes the checks, by the most pairs, then the most teeth
+    /// of the smaller planet.
     pub choices: u64,
     /// Whether the rack undercuts the sun.
     pub undercut_sun: bool,
@@ -69,11 +70,12 @@ pub struct DoublePlanetNumbers {
     pub undercut_inner_planet: bool,
     /// Whether the rack undercuts the outer planets.
     pub undercut_outer_planet: bool,
-    /// Whether the pairs stand at equal angles.
+    /// Whether the pairs are equally spaced.
     pub equal_spacing: bool,
-    /// Where each inner planet stands.
+    /// Angle of each inner planet about the axis, in rad.
     pub pair_angles_rad: Vec<f64>,
-    /// Distance of the pairs' common centre of mass from the axis over the radius of their centres.
+    /// Imbalance: distance of the pairs' common centre of mass from the axis over the radius of their
+    /// centres.
     pub imbalance: f64,
 }
 
@@ -81,11 +83,11 @@ impl Answer for DoublePlanetTeeth {
     const NAME: &'static str = "teeth-double-planet";
 }
 
-/// Every double-planet set for a ratio; `done` is told the share that is searched, from 0 to 1; a break ends
-/// the search.
+/// Finds all double-planet sets for a ratio. The closure `done` receives the finished part of the search,
+/// from 0 to 1, and may end it.
 ///
 /// # Errors
-/// [`Error::Gear`] where nothing is found, or of a bound that cannot be.
+/// [`Error::Gear`] if nothing is found, or for an impossible bound.
 pub fn answer(wanted: &Wanted, done: impl FnMut(f64) -> ControlFlow<()>) -> Result<DoublePlanetTeeth, Error> {
     let &Wanted { ratio, mode, tolerance, ref bounds, most, .. } = wanted;
     let found = bounds.double_planets_for_ratio(ratio, mode, tolerance, most.min(MOST_SETS), done)?;
@@ -106,10 +108,10 @@ pub fn answer(wanted: &Wanted, done: impl FnMut(f64) -> ControlFlow<()>) -> Resu
 }
 
 impl DoublePlanetNumbers {
-    /// The set as a gearbox without losses.
+    /// Set as a gearbox without losses.
     ///
     /// # Errors
-    /// None of a set that [`answer`] tells.
+    /// No error is known for a set that [`answer`] returns.
     pub fn gearbox(&self, wanted: &Wanted) -> Result<Gearbox, Error> {
         let members = gearbox::members(wanted.mode);
         let set = SetSpec::teeth(gearbox::NAME, SetKind::DoublePlanet, members, self.sun, self.ring)?;

@@ -22,18 +22,18 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
 
-/// What is wanted of the shifts.
+/// Requirements of the profile shifts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WantedShifts {
-    /// Offsets of the ring, `z_r − z_s − 2·z_p`.
+    /// Ring offsets, `z_r − z_s − 2·z_p`.
     pub offsets: RangeInclusive<i32>,
-    /// What picks the shifts.
+    /// Aim of the profile shifts.
     pub aim: ShiftAim,
-    /// Least normal thickness of the tips, modules.
+    /// Minimum normal tip thickness, in modules.
     pub tip_thickness: f64,
 }
 
-/// What picks the shifts of a set whose sums of shifts are fixed.
+/// Aims of the profile shifts of a set whose sums of shifts are fixed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ShiftAim {
@@ -44,7 +44,7 @@ pub enum ShiftAim {
 }
 
 impl WantedShifts {
-    /// Within these bounds: their rack and their gap between planets.
+    /// Profile shift for these bounds, with their rack and their gap between planets.
     #[must_use]
     pub fn within(&self, bounds: &Bounds) -> ProfileShift {
         let limits =
@@ -59,15 +59,15 @@ impl WantedShifts {
     }
 }
 
-/// What was wanted of the profile shifts of a search.
+/// Requirements of the profile shifts of a search.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct RequiredShifts {
-    /// The least and the greatest offset of a ring.
+    /// Least and greatest ring offset, `z_r − z_s − 2·z_p`.
     pub ring_offsets: [i32; 2],
-    /// What picks the shifts.
+    /// Aim of the profile shifts.
     pub aim: ShiftAim,
-    /// Least normal thickness of the tips, in modules.
+    /// Minimum normal tip thickness, in modules.
     pub least_tip_thickness_in_modules: f64,
 }
 
@@ -81,32 +81,33 @@ impl RequiredShifts {
     }
 }
 
-/// Profile shifts of a simple set that a search found; lengths in modules.
+/// Profile shifts of a simple set found by a search; lengths in modules.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SetShifts {
-    /// By how much the ring departs from the teeth of the sun and twice those of a planet.
+    /// Ring offset, `z_r − z_s − 2·z_p`.
     pub ring_offset: i32,
     /// Centre distance, in modules.
     pub centre_distance_in_modules: f64,
-    /// Profile shift coefficients of sun, planets and ring; of a ring above 0 inwards.
+    /// Profile shift coefficients of sun, planets and ring; for a ring positive inwards.
     pub profile_shifts: [f64; 3],
-    /// Tip alterations of sun, planets and ring, in modules; below 0 shorter.
+    /// Tip alterations of sun, planets and ring, in modules; negative for shorter teeth.
     pub tip_alterations: [f64; 3],
-    /// Whether the aim is met, or only as far as the limits allow.
+    /// Whether the aim is met; otherwise it is met only as far as the limits allow.
     pub aim_met: bool,
-    /// What cuts the ring.
+    /// Tool that cuts the ring.
     pub ring_tool: CuttingTool,
 }
 
 impl SetShifts {
-    /// Those of a set that a search with this shift found.
+    /// Profile shifts of a set that a search with this shift found.
     pub(crate) fn of(shift: &ProfileShift, teeth: &ToothNumbers) -> Result<Self, Error> {
         let choice = shift.close(teeth)?;
         let gears = choice.set.gears();
         Ok(Self {
             ring_offset: teeth.ring_offset(),
             centre_distance_in_modules: choice.set.centre_distance(),
+            // A sum of shifts that should be 0 leaves a rounding error, which is set to 0.
             profile_shifts: gears.map(|gear| rounded(gear.shift())),
             tip_alterations: gears.map(|gear| rounded(gear.tip_alteration())),
             aim_met: choice.limited_by.is_none(),
@@ -114,7 +115,7 @@ impl SetShifts {
         })
     }
 
-    /// A set with these shifts, cut so.
+    /// Set with these profile shifts and tools.
     pub(crate) fn put_into(&self, set: SetSpec) -> SetSpec {
         let hob = Cutting::default();
         set.shifted(Shifts { profile: self.profile_shifts, tips: Some(self.tip_alterations) }).cut([
@@ -138,72 +139,72 @@ impl From<ShiftAim> for Aim {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ShiftedTeeth {
-    /// The ratio wanted.
+    /// Required ratio, input speed over output speed.
     pub ratio: f64,
-    /// Which member drives, which is driven, which rests.
+    /// Driving, driven and fixed member.
     pub mode: Motion,
-    /// How far the ratio may be off, as a share of it.
+    /// Allowed relative deviation of the ratio.
     pub tolerance: f64,
-    /// What picks the shifts.
+    /// Aim of the profile shifts.
     pub aim: ShiftAim,
-    /// Least normal thickness of the tips, in modules.
+    /// Minimum normal tip thickness, in modules.
     pub least_tip_thickness_in_modules: f64,
-    /// How many sets there are.
+    /// Number of sets found.
     pub found: u64,
-    /// Sets of this ratio that are left out since a check of their teeth does not hold; `null` if no set is
-    /// left out.
+    /// Sets of this ratio that are left out because a tooth check fails; null if no set is left out.
     pub left_out: Option<TeethLeftOut>,
-    /// How many of them are told here.
+    /// Number of sets listed.
     pub shown: usize,
-    /// These.
+    /// Listed sets of tooth numbers.
     pub tooth_numbers: Vec<ShiftedNumbers>,
-    /// The checks of the teeth of one of them, the first unless another is asked for.
+    /// Tooth checks of one set, the first unless another is requested.
     pub tooth_checks: ToothChecks,
 }
 
-/// Tooth numbers of a simple set with its profile shifts, and what follows from them; lengths in modules.
+/// Tooth numbers of a simple set with its profile shifts, and the properties that follow; lengths in modules.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ShiftedNumbers {
-    /// Teeth of the sun.
+    /// Tooth number of the sun.
     pub sun: u32,
-    /// Teeth of a planet.
+    /// Tooth number of a planet.
     pub planet: u32,
-    /// Teeth of the ring.
+    /// Tooth number of the ring.
     pub ring: u32,
-    /// By how much the ring departs from the teeth of the sun and twice those of a planet.
+    /// Ring offset, `z_r − z_s − 2·z_p`.
     pub ring_offset: i32,
     /// Number of planets.
     pub planets: u32,
-    /// The ratio, input speed over output speed.
+    /// Ratio, input speed over output speed.
     pub ratio: f64,
-    /// The same, exactly.
+    /// Exact ratio as a fraction.
     pub exact_ratio: Fraction,
-    /// How far it is from the ratio wanted, as a share of it.
+    /// Relative deviation from the required ratio.
     pub ratio_error: f64,
     /// Centre distance, in modules.
     pub centre_distance_in_modules: f64,
-    /// Profile shift coefficients of sun, planets and ring; of a ring above 0 inwards.
+    /// Profile shift coefficients of sun, planets and ring; for a ring positive inwards.
     pub profile_shifts: [f64; 3],
-    /// Tip alterations of sun, planets and ring, in modules; below 0 shorter.
+    /// Tip alterations of sun, planets and ring, in modules; negative for shorter teeth.
     pub tip_alterations: [f64; 3],
-    /// Working pressure angles of the meshes of sun and planet, planet and ring.
+    /// Working pressure angles of the meshes of sun and planet, planet and ring, in rad.
     pub working_angles_rad: [f64; 2],
-    /// Transverse contact ratios of these meshes.
+    /// Transverse contact ratios of the meshes of sun and planet, planet and ring.
     pub contact_ratios: [f64; 2],
     /// Normal tip thicknesses of sun, planets and ring, in modules.
     pub tip_thicknesses_in_modules: [f64; 3],
     /// Gap between the tip circles of neighbouring planets, in modules.
     pub planet_gap_in_modules: f64,
-    /// What cuts the ring.
+    /// Tool that cuts the ring.
     pub ring_tool: CuttingTool,
-    /// Whether the aim is met, or only as far as the limits allow.
+    /// Whether the aim is met; otherwise it is met only as far as the limits allow.
     pub aim_met: bool,
-    /// Whether the planets stand at equal angles.
+    /// Whether the planets are equally spaced.
     pub equal_spacing: bool,
-    /// Where each planet stands.
+    /// Angle of each planet about the axis, in rad.
     pub planet_angles_rad: Vec<f64>,
-    /// Distance of the planets' common centre of mass from the axis over the radius of their centres.
+    /// Imbalance: distance of the planets' common centre of mass from the axis over the radius of their
+    /// centres.
     pub imbalance: f64,
 }
 
@@ -211,11 +212,11 @@ impl Answer for ShiftedTeeth {
     const NAME: &'static str = "teeth-shifted";
 }
 
-/// Every set with profile shift for a ratio; `done` is told the share that is searched, from 0 to 1; a break
-/// ends the search.
+/// Finds all sets with profile shift for a ratio. The closure `done` receives the finished part of the
+/// search, from 0 to 1, and may end it.
 ///
 /// # Errors
-/// [`Error::Gear`] where nothing is found, or of a bound that cannot be; [`Error::TooMany`].
+/// [`Error::Gear`] if nothing is found, or for an impossible bound; [`Error::TooMany`].
 pub fn answer(
     wanted: &Wanted,
     shifts: &WantedShifts,
@@ -225,6 +226,7 @@ pub fn answer(
     let search = shifts.within(bounds).within(bounds);
     let Ranked { found, first, left_out } =
         search.first_for_ratio(ratio, mode, tolerance, most.min(MOST_SETS), done)?;
+    // The list is refused only if it would be longer; a large maximum alone is harmless.
     if most > MOST_SETS && found > MOST_SETS as u64 {
         return Err(Error::TooMany { found, most: MOST_SETS });
     }
@@ -244,10 +246,10 @@ pub fn answer(
 }
 
 impl ShiftedNumbers {
-    /// The set as a gearbox without losses, with its shifts, tip alterations and tools.
+    /// Set as a gearbox without losses, with its shifts, tip alterations and tools.
     ///
     /// # Errors
-    /// None of a set that [`answer`] tells.
+    /// No error is known for a set that [`answer`] returns.
     pub fn gearbox(&self, wanted: &Wanted) -> Result<Gearbox, Error> {
         let members = gearbox::members(wanted.mode);
         let set = SetSpec::teeth(gearbox::NAME, SetKind::Simple, members, self.sun, self.ring)?;
@@ -282,6 +284,7 @@ impl ShiftedNumbers {
             aim_met: found.choice.limited_by.is_none(),
             equal_spacing: spacing.is_equal(),
             planet_angles_rad: spacing.angles().into_iter().map(Physical::si).collect(),
+            // Vectors of equally spaced planets cancel except for a rounding error.
             imbalance: if imbalance < ROUNDED { 0.0 } else { imbalance },
         }
     }

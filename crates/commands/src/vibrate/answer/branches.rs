@@ -1,8 +1,9 @@
-//! Natural frequencies over the speed of the input, and where orders of excitation meet them.
+//! Natural frequencies over the input speed, and their intersections with orders of excitation.
 //!
-//! In axes on the carrier the frequencies change with its speed by the gyroscopic effect
-//! ([`epicyclic_vibration::gyroscopic`]). A mode keeps its kind, so those of one kind are told apart by their
-//! order. A meeting is found between two speeds by the false position, with the modes solved at each.
+//! In coordinates that rotate with the carrier, the frequencies change with its speed by the gyroscopic
+//! effect ([`epicyclic_vibration::gyroscopic`]). A mode keeps its kind, so modes of one kind are identified
+//! by their order. An intersection between two speeds is found by the false position method, with the modes
+//! solved at each step.
 
 use super::records::{Branch, Campbell, ModeKind, Order, Resonance};
 use super::{Found, number};
@@ -13,25 +14,25 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 use uom::si::f64::AngularVelocity;
 
-/// Steps of the false position; some eight are usual.
+/// Maximum number of steps of the false position method; about eight are usual.
 const STEPS: u32 = 100;
 
-/// A mode: its number at rest, from 1, and its kind.
+/// Label of a mode: its number at rest, from 1, and its kind.
 type Label = (u32, ModeKind);
 
-/// The frequencies over the speeds.
+/// Frequencies over the speeds.
 pub(super) struct Branches<'a> {
-    /// Asked before each of them.
+    /// Called before each speed; a break ends the calculation.
     goes_on: &'a dyn Fn() -> ControlFlow<()>,
-    /// Speed of the carrier over that of the input.
+    /// Speed of the carrier relative to the input speed.
     carrier: f64,
     labels: Vec<Label>,
-    /// Speeds of the input, rad/s, with the frequencies, Hz.
+    /// Input speeds in rad/s with the frequencies in Hz.
     places: Vec<(f64, Vec<f64>)>,
 }
 
 impl<'a> Branches<'a> {
-    /// At these speeds of the input, rad/s.
+    /// Solves the modes at these input speeds in rad/s.
     pub(super) fn new(
         found: &Found,
         carrier: f64,
@@ -50,12 +51,12 @@ impl<'a> Branches<'a> {
         Ok(all)
     }
 
-    /// Refuses to go on where whoever waits ended it.
+    /// Error if the caller ended the calculation.
     pub(super) fn check(&self) -> Result<(), Error> {
         if (self.goes_on)().is_break() { Err(Error::Cancelled) } else { Ok(()) }
     }
 
-    /// Frequencies at a speed of the input, Hz, in the order of the labels.
+    /// Frequencies at an input speed in Hz, in the order of the labels.
     fn at(&self, found: &Found, speed: f64) -> Result<Vec<f64>, Error> {
         self.check()?;
         let turning = AngularVelocity::from_si(self.carrier * speed);
@@ -82,7 +83,8 @@ impl<'a> Branches<'a> {
             is_sorted_by_kind &= own.len() == places.len();
             places.into_iter().zip(own).for_each(|(place, frequency)| frequencies[place] = frequency);
         }
-        // Where two kinds meet in one frequency they are told as mixed; there all modes are in one order.
+        // Modes of two kinds with equal frequency are classified as mixed; the modes are then matched in one
+        // common order.
         if !is_sorted_by_kind {
             let mut order: Vec<usize> = (0..self.labels.len()).collect();
             if let Some((_, before)) = self.places.last() {
@@ -106,7 +108,7 @@ impl<'a> Branches<'a> {
             for pair in self.places.windows(2) {
                 let [(low, at_low), (high, at_high)] = pair else { continue };
                 let ends = [(*low, above(*low, at_low[place])), (*high, above(*high, at_high[place]))];
-                // A zero mode meets every order at rest.
+                // A zero mode meets every order at rest, which is not a resonance.
                 if at_low[place] == 0.0 && at_high[place] == 0.0
                     || ends[0].1 * ends[1].1 > 0.0
                     || ends[0].1 == 0.0
@@ -126,7 +128,7 @@ impl<'a> Branches<'a> {
                 });
             }
         }
-        // Modes of one frequency that the speed does not part are one.
+        // Modes of equal frequency that the speed does not separate count as one.
         all.dedup_by(|b, a| {
             let near = (a.input_speed_rad_s - b.input_speed_rad_s).abs();
             a.mode == b.mode && near <= MET.sqrt() * a.input_speed_rad_s.abs()
@@ -134,8 +136,8 @@ impl<'a> Branches<'a> {
         Ok(all)
     }
 
-    /// Where a function of speed and frequency that changes its sign is 0: the speed and the frequency, by
-    /// the false position (Illinois).
+    /// Zero of a function of speed and frequency between two ends of opposite sign: the speed and the
+    /// frequency, by the false position method (Illinois variant).
     fn meeting(
         &self,
         found: &Found,
@@ -162,7 +164,7 @@ impl<'a> Branches<'a> {
         Ok(last)
     }
 
-    /// The frequencies over the speeds as a record.
+    /// Converts the frequencies over the speeds into a record.
     pub(super) fn told(&self, set: &str, gear: &str, carrier: f64) -> Campbell {
         let branch = |(place, &(mode, kind)): (usize, &Label)| Branch {
             mode,

@@ -1,8 +1,8 @@
-//! All sets of a gearbox in a gear in the plane, on common links and centres.
+//! Planar model of all sets of a gearbox in a gear, on common links and centres.
 //!
-//! Members that ties join for ever, or that name one link, are one piece in the plane, too: one centre with
-//! their masses and supports together. Where one of them has no `support`, all are held. A member on the
-//! housing, members that a clutch joins and the two ends of a shaft have centres of their own; a shaft joins
+//! Members that are permanently connected, or that name one link, are also one piece in the plane: one centre
+//! with their total mass and support. If one of them has no `support`, the centre is held. Members on the
+//! housing, members joined by a clutch, and the two ends of a shaft have their own centres; a shaft joins
 //! them by its lateral stiffness.
 
 use super::links::{LaidShaft, Train, TrainSet};
@@ -23,14 +23,15 @@ use uom::si::f64::Mass;
 const MEMBERS: [Member; 3] = [Member::Sun, Member::Ring, Member::Carrier];
 const NAMES: [&str; 3] = ["sun", "ring", "carrier"];
 
-/// The modes of the whole gearbox in the plane in a gear, or which set lacks what.
+/// Modes of the whole gearbox in the plane in a gear, or the set that lacks data.
 pub(super) fn modes(
     train: &Train<'_>,
     gear: &Gear,
     sets: &[TrainSet<'_>],
 ) -> Result<Result<CoupledModes, NotCalculated>, Error> {
     let is_round = |one: &TrainSet<'_>| one.prepared.planets > 2 && one.prepared.is_equally_spaced();
-    // Among others that are round one set may stand anyhow.
+    // One set without rotational symmetry is allowed among symmetric ones, because its angle to them does not
+    // matter.
     if let Some(one) = sets.iter().filter(|one| !is_round(one)).nth(1) {
         return Ok(Err(NotCalculated {
             set: one.of.entry.id.clone(),
@@ -80,17 +81,17 @@ pub(super) fn modes(
     }))
 }
 
-/// What moves in the plane as one piece.
+/// Bodies that move in the plane as one piece.
 struct Centres {
     centres: Vec<Centre>,
-    /// Members of each: places of the set and of the member.
+    /// Members of each centre: places of the set and of the member.
     members: Vec<Vec<(usize, usize)>>,
     ids: Vec<String>,
     /// Centres of sun, ring and carrier of each set.
     of_sets: Vec<[usize; 3]>,
-    /// For every link the first of those that move with it, by [`LinkId::index`].
+    /// Representative of each link, by [`LinkId::index`]: the first of the links that move with it.
     roots: Vec<usize>,
-    /// Centres by these.
+    /// Centre of each representative.
     of_root: Vec<(usize, usize)>,
 }
 
@@ -136,7 +137,7 @@ impl Centres {
         place
     }
 
-    /// A shaft between two centres; one without a member of a set is at rest.
+    /// Shaft between two centres; an end without a member of a set is at rest.
     fn shaft(&mut self, shaft: &LaidShaft<'_>) -> Shaft {
         let lateral = shaft.entry.lateral_stiffness.map(|stiffness| stiffness.0);
         let centres = lateral.map(|stiffness| {
@@ -182,7 +183,7 @@ impl Centres {
     }
 }
 
-/// The model with the names of its parts.
+/// Model with the names of its parts.
 struct Whole<'a> {
     model: &'a Model,
     parts: &'a CoupledParts,

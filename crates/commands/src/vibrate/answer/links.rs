@@ -1,8 +1,8 @@
-//! A gearbox in a gear as links: what turns as one piece, with the sets and shafts on it.
+//! Links of a gearbox in a gear: the bodies that turn as one piece, with the sets and shafts on them.
 //!
-//! What turns as one piece in the gear is one inertia: links that ties and engaged shift elements join, but
-//! not by a tie that the file gives as a shaft. A member that is held stands alone: rigidly, or on its
-//! tangential support.
+//! Links that turn as one piece in the gear are one inertia: those joined by permanent connections or engaged
+//! shift elements. A connection that the file gives as a shaft does not join them. A member that is held is a
+//! separate body: held rigidly, or on its tangential support.
 
 use super::records::{NotCalculated, Reason, What};
 use super::{Of, Prepared, joined};
@@ -18,15 +18,15 @@ use epicyclic_vibration::PlanetarySet;
 use epicyclic_vibration::train::Link;
 use uom::si::f64::{MomentOfInertia, Torque};
 
-/// What a file says of the gearbox as a whole.
+/// Data of a file for the whole gearbox.
 pub(super) struct Train<'a> {
     pub(super) subject: &'a Subject<'a>,
     file: Option<&'a VibrationOfGearbox>,
-    /// Places of the links of each shaft.
+    /// Links at the ends of each shaft.
     shafts: Vec<(&'a ShaftEntry, [LinkId; 2])>,
 }
 
-/// A set of the train.
+/// Set of the train.
 pub(super) struct TrainSet<'a> {
     pub(super) of: Of<'a>,
     pub(super) set: &'a PlanetSet,
@@ -86,8 +86,7 @@ impl<'a> Train<'a> {
         Ok(Self { subject, file: entry, shafts })
     }
 
-    /// Links, sets and shafts in a gear, each set as it is where these of its members are held; or which set
-    /// lacks what.
+    /// Links, sets and shafts in a gear, each set with its held members; or the set that lacks data.
     pub(super) fn laid<'s>(
         &'s self,
         gear: &Gear,
@@ -124,7 +123,7 @@ impl<'a> Train<'a> {
             let stiffness = Torque::from_si(shaft.stiffness.0.si());
             let places = ends.map(|end| roots[end.index()]);
             let between = if places.contains(&housing) {
-                // A shaft between a link and one that is held.
+                // A shaft between a link and a held one acts as a support of that link.
                 if let Some(root) = places.into_iter().find(|root| *root != housing) {
                     let place = bodies.joined(root, gearbox, &roots);
                     bodies.links[place].support += stiffness;
@@ -145,51 +144,51 @@ impl<'a> Train<'a> {
         Ok(laid)
     }
 
-    /// Ties that are springs.
+    /// Connections that are springs.
     pub(super) fn springs(&self) -> Vec<[LinkId; 2]> {
         self.shafts.iter().map(|(_, ends)| *ends).collect()
     }
 
-    /// A refusal of the model in a gear.
+    /// Error of the model in a gear.
     pub(super) fn refused(&self, gear: &Gear, error: &epicyclic_vibration::Error) -> Error {
         let message = format!("gear {}: {error}", gear.name());
         refused(self.subject.document, &Path::root(), &["vibration"], &Named(error.name(), message))
     }
 }
 
-/// A gearbox in a gear.
+/// Gearbox in a gear.
 pub(super) struct Laid<'a> {
     pub(super) bodies: Bodies,
-    /// Each set with the places of its sun, ring and carrier among the bodies.
+    /// Sets with the places of their sun, ring and carrier among the bodies.
     pub(super) sets: Vec<(PlanetarySet, [usize; 3])>,
-    /// The shafts of the file, in their order.
+    /// Shafts in the order of the file.
     pub(super) shafts: Vec<LaidShaft<'a>>,
 }
 
-/// A shaft in a gear.
+/// Shaft in a gear.
 pub(super) struct LaidShaft<'a> {
     pub(super) entry: &'a ShaftEntry,
     pub(super) ends: [LinkId; 2],
-    /// Places of the bodies with the torsional stiffness; none where one end is held.
+    /// Places of the bodies with the torsional stiffness; `None` if one end is held.
     pub(super) between: Option<([usize; 2], Torque)>,
 }
 
-/// Links of the model with the names of those of the gearbox in each.
+/// Links of the model, with the names of the gearbox's links in each.
 #[derive(Default)]
 pub(super) struct Bodies {
     pub(super) links: Vec<Link>,
     pub(super) names: Vec<Vec<String>>,
-    /// Places by the root of what turns as one piece.
+    /// Places of the bodies by the representative of their links.
     pub(super) of_root: Vec<(usize, usize)>,
 }
 
-/// Whether two ties join the same links.
+/// Whether two connections join the same links.
 pub(super) fn is_same(one: [LinkId; 2], other: [LinkId; 2]) -> bool {
     one == other || one == [other[1], other[0]]
 }
 
 impl Bodies {
-    /// The place of what turns as one piece.
+    /// Place of the body that consists of the links with this representative.
     fn joined(&mut self, root: usize, gearbox: &epicyclic_train::Gearbox, roots: &[usize]) -> usize {
         if let Some((_, place)) = self.of_root.iter().find(|(own, _)| *own == root) {
             return *place;
@@ -200,7 +199,7 @@ impl Bodies {
         self.add(names, Torque::default(), false)
     }
 
-    /// The place of a member that is held, on its support or rigidly.
+    /// Place of a member that is held, on its support or rigidly.
     fn alone(&mut self, set: &str, member: usize, support: Option<Torque>) -> usize {
         let name = ["sun", "ring", "carrier"][member];
         self.add(vec![format!("{name} of {set}")], support.unwrap_or_default(), support.is_none())

@@ -1,22 +1,22 @@
-//! What excites a set in a gear, in axes on the carrier.
+//! Orders of excitation of a set in a gear, in coordinates on the carrier.
 //!
-//! In these axes planets stand still, and what turns with the sun or the ring passes them: with the speeds
-//! `n` of the members
+//! In these coordinates planets are at rest, and parts that turn with the sun or the ring pass them. With the
+//! speeds `n` of the members:
 //!
 //! | source | frequency | periods a turn `p` |
 //! |---|---|---|
 //! | harmonic `l` of the meshes | `l·z_s·|n_s − n_c| = l·z_r·|n_r − n_c|` | `l·z_s` |
 //! | a turn of the sun, of the ring | `|n_s − n_c|`, `|n_r − n_c|` | 1 |
-//! | `N` planets that pass a place of them | `N·|n_s − n_c|`, `N·|n_r − n_c|` | `N` |
+//! | `N` planets that pass a place of sun or ring | `N·|n_s − n_c|`, `N·|n_r − n_c|` | `N` |
 //! | a turn of a planet | `|n_p − n_c|` | each planet has its own phase |
 //!
-//! Which modes `p` excites, [`phasing`] tells of equally spaced planets; of others it can be all. A planet
-//! turns `z_s/z_p` times as fast on the carrier as the sun.
+//! The modes that `p` excites are given by [`phasing`] for equally spaced planets; with other spacings it may
+//! excite all. A planet turns `z_s/z_p` times as fast on the carrier as the sun.
 
 use super::records::{ModeKind, Order, Source};
 use epicyclic_vibration::phasing;
 
-/// All orders whose frequency is not 0, harmonics of the meshes last.
+/// Lists the orders whose frequency is not 0, harmonics of the meshes last.
 pub(super) fn all(
     set: &str,
     gear: &str,

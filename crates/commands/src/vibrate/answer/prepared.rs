@@ -1,4 +1,4 @@
-//! A set of a file as bodies and springs, as far as the file says enough.
+//! Set of a file as bodies and springs, as far as the file has enough data.
 
 use super::records::{Member, StiffnessOrigin, Stiffnesses, VibratingBody};
 use super::spacing::Spacing;
@@ -18,7 +18,7 @@ use epicyclic_units::{Physical, Quantity};
 use epicyclic_vibration::{Body, Central, Freedom, Planet, PlanetarySet, Support};
 use uom::si::f64::{Angle, Length, Mass, MassDensity, MomentOfInertia, Torque};
 
-/// A set of the file whose vibration is asked.
+/// Set of the file whose vibration is calculated.
 pub(super) struct Of<'a> {
     pub(super) subject: &'a Subject<'a>,
     pub(super) file: &'a GearboxFile,
@@ -28,10 +28,10 @@ pub(super) struct Of<'a> {
     pub(super) set: &'a PlanetSet,
 }
 
-/// What the file says of a set, whatever a gear holds of it.
+/// Data of a set in the file, for any held members.
 pub(super) struct Prepared {
     pub(super) planets: u32,
-    /// Teeth of sun, planet and ring.
+    /// Tooth numbers of sun, planet and ring.
     pub(super) teeth: Option<[u32; 3]>,
     pub(super) spacing: Spacing,
     members: [MemberBody; 3],
@@ -42,7 +42,7 @@ pub(super) struct Prepared {
     angles: [Angle; 2],
 }
 
-/// Sun, ring or carrier.
+/// Sun, ring or carrier with its inertia and support.
 struct MemberBody {
     of: Member,
     radius: Length,
@@ -52,18 +52,18 @@ struct MemberBody {
     tangential: Option<Stiffness>,
 }
 
-/// A set as it is in some gears.
+/// Set with its held members in some gears.
 pub(super) struct Built {
     pub(super) set: PlanetarySet,
     pub(super) bodies: Vec<VibratingBody>,
     pub(super) stiffness: Stiffnesses,
 }
 
-/// What a body has of inertia: given, or by its shape.
+/// Mass and inertia of a body: given, or from its shape.
 type Inertias = (Option<Mass>, Option<MomentOfInertia>);
 
 impl Of<'_> {
-    /// What the file says, or the keys that are missing.
+    /// Data of the set in the file, or the keys that are missing.
     pub(super) fn prepared(&self) -> Result<Result<Prepared, Vec<String>>, Error> {
         let (entry, Some(vibration)) = (self.entry, self.entry.vibration.as_ref()) else {
             return Ok(Err(vec!["vibration".to_owned()]));
@@ -76,6 +76,7 @@ impl Of<'_> {
             ));
         }
         let sized = toothed.as_ref().zip(entry.module.map(|module| module.0));
+        // Given values replace those of the teeth, so that sets without known teeth can be calculated.
         let radii = match vibration.base_radii {
             Some(radii) => Some(radii.map(|radius| radius.0)),
             None => sized.map(|(set, module)| set.gears().map(|gear| module * (gear.base_diameter() / 2.0))),
@@ -128,6 +129,7 @@ impl Of<'_> {
             }));
         }
         let teeth = missing_teeth(entry);
+        // Of the data for a shape, the message names the first that is missing: teeth, module, face width.
         let has = |is_known: bool, in_their_place: &str| {
             let missing = match (toothed.is_some(), entry.module.is_some()) {
                 (false, _) => teeth,
@@ -148,6 +150,7 @@ impl Of<'_> {
         .into_iter()
         .flatten()
         .collect();
+        // Several values may lack the same key, which is then named once.
         missing.dedup();
         Ok(Err(missing))
     }
@@ -230,7 +233,7 @@ impl Of<'_> {
         ])
     }
 
-    /// The inertia that is given, in one of its two ways.
+    /// Inertia in one of the two forms in which it can be given.
     fn inertia(
         &self,
         keys: &[&str],
@@ -250,7 +253,7 @@ impl Of<'_> {
         }
     }
 
-    /// A gear with outer teeth: tips and roots half filled, solid down to the bore.
+    /// External gear: half filled between tip and root circle, solid from there to the bore.
     fn shape(
         &self,
         [tip, root]: [Length; 2],
@@ -263,7 +266,7 @@ impl Of<'_> {
         Ok(teeth + ring(root, bore, width, self.density()).map_err(refuse)?)
     }
 
-    /// A gear with inner teeth below a rim.
+    /// Internal gear below a rim.
     fn rim(
         &self,
         [tip, root]: [Length; 2],
@@ -295,7 +298,7 @@ fn with_shape(given: Inertias, shape: Option<MassProperties>) -> Inertias {
 }
 
 impl Prepared {
-    /// The set where these of sun, ring and carrier are held, or the keys that are missing.
+    /// Set with these held members of sun, ring and carrier, or the keys that are missing.
     pub(super) fn built(&self, held: [bool; 3]) -> Result<Built, Vec<String>> {
         let mut missing = vec![];
         let mut built = self.members.iter().zip(held).map(|(member, held)| member.built(held, &mut missing));
@@ -340,12 +343,13 @@ impl Prepared {
 }
 
 impl Prepared {
-    /// The set for a torsional model in which these of sun, ring and carrier are held, or the keys that are
+    /// Set for a torsional model with these held members of sun, ring and carrier, or the keys that are
     /// missing.
     pub(super) fn torsional(&self, held: [bool; 3]) -> Result<PlanetarySet, Vec<String>> {
         let mut missing = vec![];
         let [sun, ring, carrier] = [0, 1, 2].map(|member| {
             let (own, held) = (&self.members[member], held[member]);
+            // A member that is held rotates only against an elastic support.
             let rotates = !held || own.tangential.is_some();
             if rotates && own.inertia.is_none() {
                 missing.push(own.needed("inertia"));
@@ -357,7 +361,7 @@ impl Prepared {
         if missing.is_empty() { Ok(self.with(sun, ring, carrier)) } else { Err(missing) }
     }
 
-    /// Whether its planets are equally spaced.
+    /// Whether the planets are equally spaced.
     pub(super) fn is_equally_spaced(&self) -> bool {
         self.spacing.is_equal
     }
@@ -367,12 +371,12 @@ impl Prepared {
         self.members[member].tangential.is_some()
     }
 
-    /// Radial stiffness of the support of sun, ring or carrier; `None` where its centre is held.
+    /// Radial stiffness of the support of sun, ring or carrier; `None` if its centre is held.
     pub(super) fn radial_support(&self, member: usize) -> Option<Stiffness> {
         self.members[member].support
     }
 
-    /// Torsional stiffness of what holds sun, ring or carrier; `None` of a rigid hold.
+    /// Torsional stiffness of the support that holds sun, ring or carrier; `None` for a rigid support.
     pub(super) fn support(&self, member: usize) -> Option<Torque> {
         let own = &self.members[member];
         let radius = own.radius.si();
@@ -405,7 +409,7 @@ impl Prepared {
 }
 
 impl MemberBody {
-    /// The key that is missing, and what stands in its place.
+    /// Name of the missing key, with the keys that can replace it.
     fn needed(&self, key: &str) -> String {
         match self.of {
             Member::Sun => format!("vibration.sun.{key} (or face_width)"),
@@ -414,7 +418,7 @@ impl MemberBody {
         }
     }
 
-    /// The member, and what of it moves; keys that are missing are added to the list.
+    /// Member with its mobile parts; missing keys are added to the list.
     fn built(&self, held: bool, missing: &mut Vec<String>) -> (Central, VibratingBody) {
         let translates = self.support.is_some();
         let rotates = !held || self.tangential.is_some();

@@ -1,89 +1,92 @@
-//! Records of vibration: modes of sets, orders that excite them, resonances, frequencies over the speed.
+//! Records of vibration: modes of sets, orders of excitation, resonances, frequencies over the speed.
 
 use epicyclic_vibration::Kind;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// The modes of a set in the gears that hold the same of its members.
+/// Modes of a set in the gears that hold the same members.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SetModes {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The gears; empty of a gearbox without gears.
+    /// Names of the gears; empty for a gearbox without gears.
     pub gears: Vec<String>,
-    /// Members whose links are held there.
+    /// Members whose links are held in these gears.
     pub held: Vec<Member>,
     /// Number of planets.
     pub planets: u32,
-    /// Their angles on the carrier from `x`.
+    /// Angles of the planets on the carrier from `x`, in rad.
     pub planet_angles_rad: Vec<f64>,
-    /// Whether they are equally spaced; of others modes can be of no one kind, and double ones part.
+    /// Whether the planets are equally spaced. With other spacings, modes may be mixed, and double modes
+    /// split.
     pub equally_spaced: bool,
     /// Sun, ring, carrier, and one planet.
     pub bodies: Vec<VibratingBody>,
-    /// The springs.
+    /// Stiffnesses of the springs.
     pub stiffness: Stiffnesses,
-    /// Working pressure angle of the meshes of the sun.
+    /// Working pressure angle of the sun meshes in rad.
     pub sun_pressure_angle_rad: f64,
-    /// Working pressure angle of the meshes of the ring.
+    /// Working pressure angle of the ring meshes in rad.
     pub ring_pressure_angle_rad: f64,
-    /// The modes at rest in ascending order of frequency, those of one frequency and kind together.
+    /// Modes at rest in increasing order of frequency; modes of equal frequency and kind are one entry.
     pub modes: Vec<Mode>,
 }
 
-/// A body of a set.
+/// Body of a set.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct VibratingBody {
-    /// Which.
+    /// Name of the body.
     pub body: Member,
-    /// Its mass; `null` where its centre is held.
+    /// Mass in kg; null if the centre of the body is held.
     pub mass_kg: Option<f64>,
-    /// Its inertia; `null` where it cannot rotate.
+    /// Moment of inertia in kg·m²; null if the body cannot rotate.
     pub inertia_kg_m2: Option<f64>,
-    /// Base radius of a gear; of the carrier that of the planets' circle.
+    /// Base radius of a gear in m; for the carrier the radius of the planet centres.
     pub radius_m: f64,
 }
 
-/// Stiffness of the springs of a set.
+/// Stiffnesses of the springs of a set.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Stiffnesses {
-    /// Where those of the meshes come from.
+    /// Origin of the mesh stiffness.
     pub meshes_by: StiffnessOrigin,
-    /// Of a mesh of the sun, along the line of action.
+    /// Stiffness of a sun mesh along the line of action, in N/m.
     pub sun_mesh_n_m: f64,
-    /// Of a mesh of the ring.
+    /// Stiffness of a ring mesh along the line of action, in N/m.
     pub ring_mesh_n_m: f64,
-    /// Radial, of the bearings of one planet.
+    /// Radial stiffness of the bearings of one planet, in N/m.
     pub planet_bearing_n_m: f64,
-    /// Radial, of the support of the sun; `null` of a rigid one.
+    /// Radial stiffness of the sun's support, in N/m; null for a rigid support.
     pub sun_support_n_m: Option<f64>,
-    /// Radial, of the support of the ring; `null` of a rigid one.
+    /// Radial stiffness of the ring's support, in N/m; null for a rigid support.
     pub ring_support_n_m: Option<f64>,
-    /// Radial, of the support of the carrier; `null` of a rigid one.
+    /// Radial stiffness of the carrier's support, in N/m; null for a rigid support.
     pub carrier_support_n_m: Option<f64>,
-    /// Of what holds the sun against rotation, over the square of its base radius; `null` where it is free or
-    /// held rigidly.
+    /// Torsional stiffness that holds the sun against rotation, over the square of its base radius, in N/m.
+    /// Null if the sun is free or held rigidly.
     pub sun_tangential_support_n_m: Option<f64>,
-    /// The same of the ring.
+    /// Torsional stiffness that holds the ring against rotation, over the square of its base radius, in N/m.
+    /// Null if the ring is free or held rigidly.
     pub ring_tangential_support_n_m: Option<f64>,
-    /// The same of the carrier, over the square of the radius of the planets' circle.
+    /// Torsional stiffness that holds the carrier against rotation, over the square of the radius of the
+    /// planet centres, in N/m. Null if the carrier is free or held rigidly.
     pub carrier_tangential_support_n_m: Option<f64>,
 }
 
-/// Where the stiffness of meshes comes from.
+/// Origins of the mesh stiffness.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum StiffnessOrigin {
-    /// The file gives it.
+    /// Given in the file.
     Given,
-    /// `c_γα·b` by ISO 6336-1.
+    /// Mesh stiffness `c_γα·b` by ISO 6336-1.
     Iso6336,
 }
 
-/// A body of a set.
+/// Bodies of a set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Member {
@@ -101,292 +104,295 @@ pub enum Member {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Mode {
-    /// Its number, from 1.
+    /// Number of the mode, from 1.
     pub mode: u32,
-    /// What central members do.
+    /// Motion of the central members.
     pub kind: ModeKind,
-    /// How many modes have this frequency.
+    /// Number of modes with this frequency.
     pub multiplicity: u32,
-    /// Natural frequency; 0 where all turn by their ratios and no spring is bent.
+    /// Natural frequency in Hz; 0 if all bodies turn by their ratios without deformation of a spring.
     pub frequency_hz: f64,
-    /// Shares of the bodies in the kinetic energy.
+    /// Parts of the bodies in the kinetic energy.
     pub kinetic: KineticShares,
-    /// Shares of the springs in the strain energy; `null` where no spring is bent. Half a share is by how
-    /// many per cent the frequency rises where the stiffness of these springs rises by one.
+    /// Parts of the springs in the strain energy; null if no spring is deformed. Half of a part is the
+    /// increase of the frequency in per cent if the stiffness of these springs increases by 1 %.
     pub strain: Option<StrainShares>,
-    /// What the bodies do: sun, ring, carrier, planets. Of several modes the one with the most of the first
-    /// of these that moves.
+    /// Motions of sun, ring, carrier and planets. If several modes have one frequency, the one with the
+    /// largest motion of the first moving body in this order is given.
     pub shape: Vec<BodyMotion>,
 }
 
-/// What a body does in a mode.
+/// Motion of a body in a mode.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct BodyMotion {
-    /// Which.
+    /// Name of the body.
     pub body: Member,
-    /// Number of a planet, from 1; `null` of the others.
+    /// Number of the planet, from 1; null for other bodies.
     pub planet: Option<u32>,
-    /// Displacement of its centre along `x`, towards the first planet, over the largest of the mode.
+    /// Displacement of the centre along `x`, towards the first planet, relative to the largest displacement
+    /// of the mode.
     pub x: f64,
-    /// Displacement along `y`.
+    /// Displacement of the centre along `y`, relative to the largest displacement of the mode.
     pub y: f64,
-    /// Its rotation times its radius.
+    /// Rotation times radius, relative to the largest displacement of the mode.
     pub u: f64,
 }
 
-/// Shares in the kinetic energy of a mode; they add up to 1.
+/// Parts of the bodies in the kinetic energy of a mode, with the sum 1.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct KineticShares {
-    /// Of the sun.
+    /// Part of the sun.
     pub sun: f64,
-    /// Of the ring.
+    /// Part of the ring.
     pub ring: f64,
-    /// Of the carrier.
+    /// Part of the carrier.
     pub carrier: f64,
-    /// Of all planets.
+    /// Part of all planets.
     pub planets: f64,
 }
 
-/// Shares in the strain energy of a mode; they add up to 1.
+/// Parts of the springs in the strain energy of a mode, with the sum 1.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct StrainShares {
-    /// Of the meshes of the sun with all planets.
+    /// Part of the sun meshes with all planets.
     pub sun_meshes: f64,
-    /// Of the meshes of the ring.
+    /// Part of the ring meshes with all planets.
     pub ring_meshes: f64,
-    /// Of the bearings of all planets.
+    /// Part of the bearings of all planets.
     pub planet_bearings: f64,
-    /// Of the supports of sun, ring and carrier.
+    /// Part of the supports of sun, ring and carrier.
     pub supports: f64,
 }
 
-/// What central members do in a mode.
+/// Kinds of modes by the motion of the central members.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ModeKind {
-    /// They rotate and do not translate.
+    /// Rotation of the central members without translation.
     Rotational,
-    /// They translate and do not rotate.
+    /// Translation of the central members without rotation.
     Translational,
-    /// They are at rest.
+    /// Central members at rest; only planets move.
     Planet,
-    /// They rotate and translate.
+    /// Rotation and translation of the central members.
     Mixed,
 }
 
 impl ModeKind {
-    /// A kind that the library does not name yet is none of the others.
+    /// Converts the kind; one that the library does not name yet counts as mixed.
     pub(super) const fn of(kind: Kind) -> Self {
         match kind {
             Kind::Rotational => Self::Rotational,
             Kind::Translational => Self::Translational,
             Kind::Planet => Self::Planet,
+            // The enum is non-exhaustive in its crate, so a match needs this arm.
             _ => Self::Mixed,
         }
     }
 }
 
-/// What excites the modes of a set with a frequency that follows from speeds.
+/// Sources of excitation with a frequency that follows from speeds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Source {
-    /// The teeth in mesh, with sun and ring alike.
+    /// Meshing teeth, with equal frequency at sun and ring.
     Mesh,
-    /// What turns with the sun, such as its runout, once a turn relative to the carrier.
+    /// Parts that turn with the sun, such as its runout: once per turn relative to the carrier.
     SunTurn,
-    /// What turns with the ring, or stands with it, once a turn relative to the carrier.
+    /// Parts that turn with the ring or are fixed with it: once per turn relative to the carrier.
     RingTurn,
     /// Planets that pass a place of the sun.
     SunPlanetPass,
     /// Planets that pass a place of the ring.
     RingPlanetPass,
-    /// What turns with a planet, once a turn relative to the carrier.
+    /// Parts that turn with a planet: once per turn relative to the carrier.
     PlanetTurn,
-    /// What drives or loads a link, once a turn; of torsional modes alone.
+    /// Drive or load of a link: once per turn, for torsional modes only.
     LinkTurn,
 }
 
-/// An order of excitation of a set in a gear.
+/// Order of excitation of a set in a gear.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Order {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The gear.
+    /// Name of the gear.
     pub gear: String,
-    /// What excites.
+    /// Source of the excitation.
     pub source: Source,
-    /// Which harmonic of it.
+    /// Number of the harmonic of the source.
     pub harmonic: u32,
-    /// Its frequency over the input's, in axes on the carrier.
+    /// Frequency in coordinates on the carrier, relative to the input's rotational frequency.
     pub of_input: f64,
-    /// The kind of modes that it can excite; `null` where it can excite all.
+    /// Kind of modes that the order can excite; null if it can excite all.
     pub excites: Option<ModeKind>,
 }
 
-/// A speed at which an order has the frequency of a mode that it can excite.
+/// Speed at which an order has the frequency of a mode that it can excite.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Resonance {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The gear.
+    /// Name of the gear.
     pub gear: String,
-    /// Speed of the input.
+    /// Input speed in rad/s.
     pub input_speed_rad_s: f64,
-    /// What excites.
+    /// Source of the excitation.
     pub source: Source,
-    /// Which harmonic of it.
+    /// Number of the harmonic of the source.
     pub harmonic: u32,
-    /// The mode at rest from which the one met comes.
+    /// Number of the mode at rest from which the excited mode develops.
     pub mode: u32,
-    /// Its kind.
+    /// Kind of the mode.
     pub kind: ModeKind,
-    /// The frequency, in axes on the carrier.
+    /// Frequency in Hz, in coordinates on the carrier.
     pub frequency_hz: f64,
 }
 
-/// Natural frequencies of a set over the speed in a gear, with the gyroscopic effect of the carrier's speed.
+/// Natural frequencies of a set over the speed in a gear, with the gyroscopic effect of the carrier speed.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Campbell {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The gear.
+    /// Name of the gear.
     pub gear: String,
-    /// Speed of the carrier over that of the input.
+    /// Speed of the carrier relative to the input speed.
     pub carrier_speed_of_input: f64,
-    /// Speeds of the input.
+    /// Input speeds in rad/s.
     pub input_speeds_rad_s: Vec<f64>,
-    /// Natural frequencies over them, one branch for each mode of a frequency.
+    /// Branches of the natural frequencies over these speeds, one for each mode of a frequency.
     pub branches: Vec<Branch>,
 }
 
-/// A natural frequency over the speed.
+/// Natural frequency over the speed.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Branch {
-    /// The mode at rest from which it comes.
+    /// Number of the mode at rest from which the branch starts.
     pub mode: u32,
-    /// Its kind.
+    /// Kind of the mode.
     pub kind: ModeKind,
-    /// Frequencies at the speeds, in axes on the carrier.
+    /// Frequencies at the speeds in Hz, in coordinates on the carrier.
     pub frequencies_hz: Vec<f64>,
 }
 
-/// Forces of the meshes of a set in a gear that transmission errors make, beside the mean ones.
+/// Dynamic mesh forces of a set in a gear caused by transmission errors, in addition to the mean forces.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Response {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The gear.
+    /// Name of the gear.
     pub gear: String,
     /// Damping ratio of every mode.
     pub damping_ratio: f64,
-    /// Whether the gyroscopic effect of the carrier's speed is part of it; without it, or where the carrier
-    /// rests, the matrices are those at rest.
+    /// Whether the gyroscopic effect of the carrier speed is included. Without it, or with the carrier at
+    /// rest, the matrices are those at rest.
     pub gyroscopic: bool,
-    /// What each harmonic of the meshes does.
+    /// Responses to the harmonics of the meshes.
     pub harmonics: Vec<HarmonicResponse>,
 }
 
-/// Forces that a harmonic of the meshes makes.
+/// Forces caused by a harmonic of the meshes.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct HarmonicResponse {
-    /// Which.
+    /// Number of the harmonic.
     pub harmonic: u32,
-    /// Amplitude of the transmission error of a mesh of the sun.
+    /// Amplitude of the transmission error of a sun mesh, in m.
     pub sun_error_m: f64,
-    /// The same of the ring.
+    /// Amplitude of the transmission error of a ring mesh, in m.
     pub ring_error_m: f64,
-    /// The greatest force of a mesh of the sun within the speeds.
+    /// Greatest force of a sun mesh within the speeds.
     pub greatest_sun: Greatest,
-    /// The same of the ring.
+    /// Greatest force of a ring mesh within the speeds.
     pub greatest_ring: Greatest,
-    /// Speeds of the input: those asked, and more about resonances.
+    /// Input speeds in rad/s: the requested ones, and further ones near resonances.
     pub input_speeds_rad_s: Vec<f64>,
-    /// Amplitudes of the force of the mesh of the sun that has most, at these speeds.
+    /// Force amplitudes in N at these speeds, of the sun mesh with the largest.
     pub sun_forces_n: Vec<f64>,
-    /// The same of the ring.
+    /// Force amplitudes in N at these speeds, of the ring mesh with the largest.
     pub ring_forces_n: Vec<f64>,
 }
 
-/// The greatest force that a harmonic makes in a mesh.
+/// Greatest force that a harmonic causes in a mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Greatest {
-    /// Its amplitude.
+    /// Amplitude of the force in N.
     pub force_n: f64,
-    /// Speed of the input.
+    /// Input speed in rad/s.
     pub input_speed_rad_s: f64,
-    /// Its frequency, in axes on the carrier.
+    /// Frequency in Hz, in coordinates on the carrier.
     pub frequency_hz: f64,
-    /// Torque on the sun, shared by all planets, below which the flanks part: the mean force is less than
-    /// this one.
+    /// Torque on the sun in N·m, shared by all planets, below which the flanks separate, because the mean
+    /// force is less than this amplitude.
     pub parts_below_sun_torque_n_m: f64,
 }
 
-/// A set without modes, or without orders, in a gear.
+/// Set without modes, or without orders, in a gear.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct NotCalculated {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The gear; `null` where it is so in all.
+    /// Name of the gear; null if the reason applies to all gears.
     pub gear: Option<String>,
-    /// What is not calculated.
+    /// Results that are not calculated.
     pub what: What,
-    /// Why.
+    /// Reason why they are not calculated.
     pub reason: Reason,
-    /// The keys of the set that are missing.
+    /// Keys of the set that are missing.
     pub missing: Vec<String>,
 }
 
-/// What is not calculated.
+/// Results that may not be calculated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum What {
-    /// Its modes.
+    /// Modes of the set.
     Modes,
     /// Orders and resonances.
     Resonances,
-    /// Torsional modes of the whole gearbox, for want of this set.
+    /// Torsional modes of the whole gearbox, because of this set.
     Torsional,
-    /// Modes of the whole gearbox in the plane, for want of this set.
+    /// Modes of the whole gearbox in the plane, because of this set.
     Coupled,
 }
 
-/// Why something is not calculated.
+/// Reasons why results are not calculated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Reason {
     /// The set is not simple.
     NotSimple,
-    /// The file does not say enough of it.
+    /// The file lacks keys of the set.
     KeysMissing,
-    /// Its planets cannot stand at equal angles, (z_s + z_r)/N is no integer.
+    /// The planets cannot be equally spaced: (z_s + z_r)/N is not an integer.
     UnequalPlanets,
-    /// Its teeth are helical: it moves along its axis and tilts, too, which the planar model has not.
+    /// The teeth are helical: the set would also move along its axis and tilt, which the planar model leaves
+    /// out.
     Helical,
-    /// Its members are joined, or several are held: no mesh turns.
+    /// The members are joined, or several are held, so that no mesh turns.
     DoesNotRoll,
-    /// No speeds follow in the gear.
+    /// No speeds can be computed in the gear.
     NoSpeeds,
-    /// It is the second set with fewer than three planets, or with planets at unequal angles: what two such
-    /// sets do depends on the angle between them.
+    /// The set is the second one with fewer than three planets, or with unequal spacing. The vibration of two
+    /// such sets depends on the angle between them.
     NoSymmetry,
-    /// The centrifugal forces of its planets, at unequal angles, have a resultant: its carrier does not turn
+    /// The centrifugal forces of unequally spaced planets have a resultant, so that the carrier does not turn
     /// about its centre.
     Unbalanced,
 }
 
 impl NotCalculated {
-    /// Why, in words.
+    /// Reason in words.
     #[must_use]
     pub fn why(&self) -> String {
         match self.reason {

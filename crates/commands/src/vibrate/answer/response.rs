@@ -1,21 +1,21 @@
-//! The forces of the meshes that transmission errors make, over the speed of the input.
+//! Mesh forces caused by transmission errors, over the input speed.
 //!
-//! In axes on the carrier the tooth `l·z_s·(θ_s − ψ_n)/2π` of the sun is at the mesh with planet `n`, and
-//! what its harmonic `l` does meets the planets one after the other. With `d = 1` where the sun drives the
-//! planets, and −1 where they drive it,
+//! In coordinates on the carrier, the tooth `l·z_s·(θ_s − ψ_n)/2π` of the sun is at the mesh with planet `n`.
+//! The error of harmonic `l` therefore reaches the planets one after the other. With `d = 1` if the sun
+//! drives the planets, and `d = −1` if they drive it, the errors are:
 //!
 //! ```text
 //! e_s,n = a_s·cos(ω·t − d·l·z_s·ψ_n)     e_r,n = a_r·cos(ω·t − d·l·z_s·ψ_n + π·l·(z_p + 1))
 //! ```
 //!
-//! since from the pitch point of the sun to that of the ring a planet has half its teeth and, from one flank
-//! to the other, half a pitch. `z_s + z_r` is divisible by the number of planets, so the phases of the ring
-//! are those of the sun.
+//! The last term follows because from the sun's pitch point to the ring's a planet has half its teeth and,
+//! from one flank to the other, half a pitch. The number of planets divides `z_s + z_r`, so the phases at the
+//! ring are those at the sun.
 //!
-//! Where the carrier turns, the matrices are those of its speed ([`epicyclic_vibration::response`]), with the
-//! damping of the modes at rest. The model has the flanks that carry where the torque on the sun is positive;
-//! of a negative one everything is seen from the other side, the speed of the carrier with it. A peak between
-//! two speeds is looked for where the order meets a mode, and found by the golden section.
+//! If the carrier turns, the matrices are those at its speed ([`epicyclic_vibration::response`]), with the
+//! damping of the modes at rest. The model has the flanks that carry at a positive torque on the sun. At a
+//! negative torque the set is seen from the other side, which also reverses the carrier speed. A peak between
+//! two speeds is searched near the intersection of order and mode by the golden section method.
 
 use super::branches::Branches;
 use super::records::{Greatest, HarmonicResponse, Order, Response, Source};
@@ -32,11 +32,12 @@ use epicyclic_vibration::{Centripetal, Error as Refusal, Modes};
 use std::f64::consts::{PI, TAU};
 use uom::si::f64::{Angle, AngularVelocity, Length};
 
-/// Speeds beside that of a resonance at which a curve is taken, over the damping ratio: where it bends.
+/// Speeds around a resonance at which the curve is sampled, relative to the damping ratio: there its
+/// curvature is large.
 const BESIDE_PEAK: [f64; 17] =
     [-16.0, -8.0, -4.0, -2.0, -1.0, -0.7, -0.4, -0.2, 0.0, 0.2, 0.4, 0.7, 1.0, 2.0, 4.0, 8.0, 16.0];
 
-/// A set in a gear with what excites it.
+/// Set in a gear with its excitation.
 pub(super) struct Excited<'a> {
     pub(super) of: &'a Of<'a>,
     pub(super) prepared: &'a Prepared,
@@ -44,15 +45,15 @@ pub(super) struct Excited<'a> {
     pub(super) teeth: [u32; 3],
     /// Whether the sun drives the planets.
     pub(super) sun_drives: bool,
-    /// Speed of the carrier over that of the input, seen from the side from which the torque on the sun is
-    /// positive; 0 without gyroscopic effect.
+    /// Speed of the carrier relative to the input speed, seen from the side from which the torque on the sun
+    /// is positive; 0 without gyroscopic effect.
     pub(super) frame: f64,
     pub(super) branches: &'a Branches<'a>,
     pub(super) excitation: &'a Excitation,
 }
 
 impl Excited<'_> {
-    /// The response to the harmonics of the meshes among the orders, at speeds of the input, rad/s.
+    /// Response to the harmonics of the meshes among the orders, at input speeds in rad/s.
     pub(super) fn response(&self, orders: &[Order], speeds: &[f64]) -> Result<Option<Response>, Error> {
         let refuse = |error: Refusal| self.of.refused(&["vibration"], &error);
         let modes = self.found.model.modes().map_err(refuse)?;
@@ -72,7 +73,7 @@ impl Excited<'_> {
         }))
     }
 
-    /// What the harmonic does to every mesh.
+    /// Displacements of all meshes by a harmonic.
     fn displacements(&self, harmonic: u32) -> Vec<Displacement> {
         let parts = &self.found.parts;
         let phases = phases(harmonic, self.teeth, &self.prepared.spacing.places, self.sun_drives);
@@ -100,7 +101,7 @@ impl Excited<'_> {
         let zeta = self.excitation.damping_ratio;
         let displacements = self.displacements(order.harmonic);
         let springs: Vec<SpringId> = found.model.springs().collect();
-        // The greatest amplitudes of the meshes with sun and ring at a speed of the input.
+        // Greatest force amplitudes of the meshes with sun and ring at an input speed.
         let forces = |speed: f64| -> Result<[f64; 2], Refusal> {
             self.branches.check()?;
             let omega = AngularVelocity::from_si(order.of_input * speed);
@@ -121,7 +122,7 @@ impl Excited<'_> {
         let (low, high) = speeds.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), speed| {
             (low.min(speed.abs()), high.max(speed.abs()))
         });
-        // At rest, and where the speed takes the modes.
+        // Resonances at rest, and at the speeds where the gyroscopic effect moves them.
         let at_rest = found.groups.iter().filter(|group| !group.is_zero());
         let at_rest = at_rest.map(|group| TAU * group.frequency.si() / order.of_input);
         let turning = if self.frame == 0.0 { vec![] } else { self.branches.resonances(found, order)? };
@@ -179,8 +180,8 @@ impl Excited<'_> {
     }
 }
 
-/// Phases of a harmonic at the meshes of sun and ring with each planet, at its place `κ` among all where the
-/// teeth let it stand.
+/// Phases of a harmonic at the meshes of sun and ring with each planet. The place `κ` is the planet's
+/// position among all positions allowed by the teeth.
 fn phases(
     harmonic: u32,
     [sun, planet, ring]: [u32; 3],
@@ -205,8 +206,9 @@ mod tests {
     use crate::shared::gearbox::{Choice, one};
     use epicyclic_formats::Document;
 
-    /// From the front, with gears in mesh: the sun drives with the flanks that lead, and a quarter of a pitch
-    /// beside its middle a tooth is at the pitch point. The teeth of the ring go the other way.
+    /// Seen from the front, with gears in mesh: the sun drives with its leading flanks. A tooth whose middle
+    /// is a quarter of a pitch away is at the pitch point. The teeth of the ring pass in the opposite
+    /// direction.
     #[test]
     fn phases_are_those_of_the_teeth_in_mesh() {
         for ([sun, planet, ring], planets) in

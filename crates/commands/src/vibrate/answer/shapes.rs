@@ -1,8 +1,8 @@
-//! The motion of a mode: one of each frequency, normalised.
+//! Normalized motion of a mode, one for each frequency.
 //!
-//! Modes of one frequency are as good in any basis. The one told is that with the most of the first
-//! coordinate that moves: `x` of sun, ring, carrier in this order, then their rotations, then what the first
-//! planet does; its sign is positive.
+//! Modes of equal frequency have no unique basis. The mode with the largest first moving coordinate is
+//! chosen, with a positive sign. The order is `x` of sun, ring, carrier, then their rotations, then the
+//! motion of the first planet.
 
 use super::Found;
 use super::records::{BodyMotion, Member};
@@ -11,7 +11,7 @@ use crate::tolerance::STILL;
 use epicyclic_numerics::values::largest_absolute;
 use epicyclic_vibration::{BodyId, Group};
 
-/// The motion of all bodies, over the largest displacement.
+/// Motion of all bodies, relative to the largest displacement.
 pub(super) fn of(found: &Found, group: &Group) -> Vec<BodyMotion> {
     let parts = &found.parts;
     let central = [parts.sun, parts.ring, parts.carrier];

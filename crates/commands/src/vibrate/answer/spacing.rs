@@ -1,4 +1,4 @@
-//! Where the planets of a set stand on its carrier, for the phases of their meshes.
+//! Places of the planets of a set on its carrier, for the phases of their meshes.
 
 use crate::shared::number::short;
 use crate::tolerance::{AT_POSITION, EQUAL_SPACING};
@@ -6,22 +6,22 @@ use epicyclic_train::PlanetSet;
 use epicyclic_units::Physical;
 use std::f64::consts::TAU;
 
-/// The places of the planets.
+/// Places of the planets.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Spacing {
-    /// Angles from `x`, of the first planet 0 where they are equally spaced.
+    /// Angles from `x` in rad; equally spaced planets begin at 0.
     pub(super) angles_rad: Vec<f64>,
     pub(super) is_equal: bool,
-    /// Assembly position of each planet; none of sets without teeth, and of planets that cannot be assembled
-    /// at equal angles.
+    /// Assembly position of each planet; empty for sets without tooth numbers, and for planets that cannot be
+    /// assembled equally spaced.
     pub(super) places: Vec<u64>,
 }
 
 impl Spacing {
-    /// Of the planets of a set; `None` where their number is not known.
+    /// Places of the planets of a set; `None` if their number is unknown.
     ///
     /// # Errors
-    /// Which planet is at no assembly position.
+    /// Message about a planet that is at no assembly position.
     pub(super) fn of(set: &PlanetSet) -> Option<Result<Self, String>> {
         let angles_rad: Vec<f64> = set.planet_angles()?.into_iter().map(Physical::si).collect();
         if let Some(at) = set.misplaced().first() {
@@ -68,7 +68,7 @@ mod tests {
 
     #[test]
     fn planets_stand_where_the_teeth_let_them() {
-        // 25 + 83 = 108 positions of 3.333… degrees.
+        // 25 + 83 = 108 positions, 3.333…° apart.
         let with = |keys: &str| spacing(&format!("teeth: [25, 83], planet_teeth: [29], {keys}"));
         let at = |degrees: &str| with(&format!("planet_angles: [{degrees}]"));
         let equal = with("planets: 4").unwrap();
@@ -82,7 +82,7 @@ mod tests {
         assert!(refused.starts_with("planet 2 at 88 deg from the first"), "{refused}");
         let free = spacing("k: 3, planet_angles: [0 deg, 88 deg, 180 deg, 270 deg]").unwrap();
         assert!(free.places.is_empty() && !free.is_equal);
-        // 108 positions and five planets.
+        // Five planets cannot be equally spaced on 108 positions.
         assert!(with("planets: 5").unwrap().places.is_empty());
         assert_eq!(with("planets: 5, spacing: least_unequal").unwrap().places, [0, 21, 43, 64, 86]);
     }

@@ -1,10 +1,9 @@
-//! The torsional model of the whole gearbox in a gear: links as inertias, all sets on them, shafts as
-//! springs; and what excites it.
+//! Torsional model of the whole gearbox in a gear: links as inertias, with all sets, and shafts as springs;
+//! and its excitation.
 //!
-//! Centres are at rest, so that the speed changes no frequency, and an order meets a mode at `n = f/order`.
-//! What the teeth and planets of a set do excites by [`phasing::torsional`] either modes in which links
-//! rotate, or those of the planets of this set alone; what turns with a link excites the modes in which it
-//! rotates.
+//! Centres are at rest, so no frequency depends on the speed, and an order meets a mode at `n = f/order`.
+//! Teeth and planets of a set excite, by [`phasing::torsional`], either modes in which links rotate, or only
+//! those of the planets of this set. A link excites the modes in which it rotates.
 
 use super::links::{Bodies, Train, TrainSet};
 use super::records::{ModeKind, NotCalculated, Order, Source, What};
@@ -23,7 +22,7 @@ use epicyclic_vibration::train::{Placed, Shaft, TrainParts, torsional};
 use epicyclic_vibration::{Group, Model, SpringId, phasing};
 use std::f64::consts::TAU;
 
-/// The torsional modes in a gear with what excites them, or which set lacks what.
+/// Torsional modes in a gear with their excitation, or the set that lacks data.
 pub(super) fn modes(
     train: &Train<'_>,
     gear: &Gear,
@@ -73,7 +72,7 @@ pub(super) fn modes(
     Ok(Ok(all))
 }
 
-/// A turn of each link that turns.
+/// Orders for a turn of each link that turns.
 fn of_links(analysis: &Analysis<'_>, bodies: &Bodies) -> Vec<TorsionalOrder> {
     let order = |(root, place): &(usize, usize)| {
         let of_input = analysis.speeds().get(*root).copied().flatten()?.abs();
@@ -88,8 +87,8 @@ fn of_links(analysis: &Analysis<'_>, bodies: &Bodies) -> Vec<TorsionalOrder> {
     bodies.of_root.iter().filter_map(order).collect()
 }
 
-/// What the teeth and planets of a set do, in axes on its carrier; nothing where its teeth or speeds are not
-/// known.
+/// Orders of the teeth and planets of a set, in coordinates on its carrier; empty if tooth numbers or speeds
+/// are unknown.
 fn of_set(analysis: &Analysis<'_>, place: usize, one: &TrainSet<'_>, harmonics: u32) -> Vec<TorsionalOrder> {
     let (planets, Some(teeth)) = (one.prepared.planets, one.prepared.teeth) else { return vec![] };
     let [Some(sun), Some(ring), Some(carrier)] = analysis.sets()[place].members[..] else { return vec![] };
@@ -98,7 +97,7 @@ fn of_set(analysis: &Analysis<'_>, place: usize, one: &TrainSet<'_>, harmonics: 
         Source::Mesh => Some(u64::from(order.harmonic) * u64::from(teeth[0])),
         Source::SunTurn | Source::RingTurn => Some(1),
         Source::SunPlanetPass | Source::RingPlanetPass => Some(u64::from(planets)),
-        // Each planet has a phase of its own.
+        // Each planet has its own phase, so no common rule applies.
         Source::PlanetTurn | Source::LinkTurn => None,
     };
     let is_equal = one.prepared.is_equally_spaced();
@@ -106,7 +105,7 @@ fn of_set(analysis: &Analysis<'_>, place: usize, one: &TrainSet<'_>, harmonics: 
     let all = orders::all(set, analysis.gear().name(), teeth, planets, is_equal, speeds, harmonics);
     all.into_iter()
         .map(|order| {
-            // The rule is of equally spaced planets.
+            // The rule applies only to equally spaced planets.
             let periods = periods(&order).filter(|_| is_equal);
             let excites = periods.and_then(|periods| phasing::torsional(periods, planets).ok());
             TorsionalOrder {
@@ -120,12 +119,12 @@ fn of_set(analysis: &Analysis<'_>, place: usize, one: &TrainSet<'_>, harmonics: 
         .collect()
 }
 
-/// Where an order has the frequency of a mode that it can excite.
+/// Resonances of an order with modes that it can excite.
 fn met(order: &TorsionalOrder, modes: &[TorsionalMode], [low, high]: [f64; 2]) -> Vec<TorsionalResonance> {
     let mut all = vec![];
     for mode in modes.iter().filter(|mode| mode.frequency_hz > 0.0) {
         let share = share(order, mode);
-        // Shares that rounding leaves are told as 0.
+        // A part that is only a rounding error is rounded to 0.
         if share == 0.0 || order.excites.is_some_and(|kind| kind != mode.kind) {
             continue;
         }
@@ -145,7 +144,7 @@ fn met(order: &TorsionalOrder, modes: &[TorsionalMode], [low, high]: [f64; 2]) -
     all
 }
 
-/// How much of a mode is where an order acts.
+/// Part of a mode's energy at the place where an order acts.
 fn share(order: &TorsionalOrder, mode: &TorsionalMode) -> f64 {
     if order.source == Source::LinkTurn {
         let own =

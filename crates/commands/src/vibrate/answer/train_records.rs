@@ -9,55 +9,55 @@ use serde::Serialize;
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct TorsionalModes {
-    /// The gear.
+    /// Name of the gear.
     pub gear: String,
-    /// How many modes have no frequency: the freedoms that the gear keeps.
+    /// Number of modes with frequency 0: the degrees of freedom that the gear keeps.
     pub freedoms: u32,
-    /// The modes in ascending order of frequency.
+    /// Modes in increasing order of frequency.
     pub modes: Vec<TorsionalMode>,
-    /// What excites them, in axes on the carrier of each set; empty without speeds.
+    /// Orders of excitation, in coordinates on the carrier of each set; empty without speeds.
     pub orders: Vec<TorsionalOrder>,
-    /// Where an order has the frequency of a mode that it can excite, ascending; empty without speeds.
+    /// Resonances in increasing order of speed; empty without speeds.
     pub resonances: Vec<TorsionalResonance>,
-    /// The least and the greatest speed of the input that were asked; `null` without.
+    /// Least and greatest requested input speed in rad/s; null without speeds.
     pub input_speeds_rad_s: Option<[f64; 2]>,
 }
 
-/// An order of excitation of the torsional modes in a gear.
+/// Order of excitation of the torsional modes in a gear.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct TorsionalOrder {
-    /// The set; of a turn of links, the links that turn as one piece.
+    /// Name of the set; for a turn of links, the links that turn as one piece.
     pub of: String,
-    /// What excites.
+    /// Source of the excitation.
     pub source: Source,
-    /// Which harmonic of it.
+    /// Number of the harmonic of the source.
     pub harmonic: u32,
-    /// Its frequency over that of a turn of the input.
+    /// Frequency relative to the input's rotational frequency.
     pub of_input: f64,
-    /// The kind of modes that it can excite by the phases of the planets of its set; `null` where it can
-    /// excite all.
+    /// Kind of modes that the order can excite by the phases of the planets of its set; null if it can excite
+    /// all.
     pub excites: Option<ModeKind>,
 }
 
-/// A speed at which an order has the frequency of a torsional mode that it can excite.
+/// Speed at which an order has the frequency of a torsional mode that it can excite.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct TorsionalResonance {
-    /// Speed of the input.
+    /// Input speed in rad/s.
     pub input_speed_rad_s: f64,
-    /// The set or the links.
+    /// Name of the set, or of the links.
     pub of: String,
-    /// What excites.
+    /// Source of the excitation.
     pub source: Source,
-    /// Which harmonic of it.
+    /// Number of the harmonic of the source.
     pub harmonic: u32,
-    /// The mode.
+    /// Number of the mode.
     pub mode: u32,
-    /// Its frequency.
+    /// Frequency of the mode in Hz.
     pub frequency_hz: f64,
-    /// How much of the mode is where the excitation is: the share of the meshes of the set in the strain
-    /// energy, or of the links in the kinetic energy.
+    /// Part of the mode's energy at the place of excitation: for a set that of its meshes in the strain
+    /// energy, for links their part in the kinetic energy.
     pub share: f64,
 }
 
@@ -65,61 +65,61 @@ pub struct TorsionalResonance {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct TorsionalMode {
-    /// Its number, from 1.
+    /// Number of the mode, from 1.
     pub mode: u32,
-    /// Rotational: links rotate; planet: they are at rest.
+    /// Kind of the mode. Rotational: links rotate; planet: links are at rest.
     pub kind: ModeKind,
-    /// How many modes have this frequency and kind.
+    /// Number of modes with this frequency and kind.
     pub multiplicity: u32,
-    /// Natural frequency.
+    /// Natural frequency in Hz.
     pub frequency_hz: f64,
-    /// Shares in the kinetic energy.
+    /// Parts of the bodies in the kinetic energy.
     pub kinetic: Vec<TorsionalKinetic>,
-    /// Shares in the strain energy; empty where no spring is twisted.
+    /// Parts of the springs in the strain energy; empty if no spring is twisted.
     pub strain: Vec<TorsionalStrain>,
 }
 
-/// Share of links that turn as one piece, or of the planets of a set about their axes, in the kinetic energy.
+/// Part of links that turn as one piece, or of the planets of a set about their axes, in the kinetic energy.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct TorsionalKinetic {
-    /// The links; a member on a support of its own by name and set; empty of planets.
+    /// Names of the links; a member on its own support by name and set. Empty for planets.
     pub links: Vec<String>,
-    /// The set of the planets; `null` of links.
+    /// Name of the set of the planets; null for links.
     pub planets_of: Option<String>,
-    /// The share.
+    /// Part of the kinetic energy, from 0 to 1.
     pub share: f64,
 }
 
-/// Share of springs in the strain energy.
+/// Part of springs in the strain energy.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct TorsionalStrain {
-    /// What springs.
+    /// Kind of the springs.
     pub part: StrainPart,
-    /// The set of the meshes, the name of the shaft, or what stands on the support.
+    /// Name of the set of the meshes, of the shaft, or of the supported part.
     pub of: String,
-    /// The share.
+    /// Part of the strain energy, from 0 to 1.
     pub share: f64,
 }
 
-/// What springs in a mode of the whole gearbox.
+/// Kinds of springs in a mode of the whole gearbox.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum StrainPart {
-    /// The meshes of a sun.
+    /// Meshes of a sun.
     SunMeshes,
-    /// The meshes of a ring.
+    /// Meshes of a ring.
     RingMeshes,
-    /// A shaft.
+    /// Torsion of a shaft.
     Shaft,
-    /// What holds a member against rotation.
+    /// Support that holds a member against rotation.
     Support,
-    /// The bearings of the planets of a set.
+    /// Bearings of the planets of a set.
     PlanetBearings,
-    /// What supports a centre.
+    /// Support of a centre.
     CentreSupport,
-    /// A shaft that bends.
+    /// Bending of a shaft.
     Bending,
 }
 
@@ -127,13 +127,14 @@ pub enum StrainPart {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct CoupledModes {
-    /// The gear.
+    /// Name of the gear.
     pub gear: String,
-    /// How many modes have no frequency: the freedoms that the gear keeps, and centres that float.
+    /// Number of modes with frequency 0: the degrees of freedom that the gear keeps, and centres without
+    /// support.
     pub freedoms: u32,
-    /// What moves in the plane as one piece.
+    /// Bodies whose centres move in the plane as one piece.
     pub centres: Vec<CentreBody>,
-    /// The modes at rest in ascending order of frequency.
+    /// Modes at rest in increasing order of frequency.
     pub modes: Vec<CoupledMode>,
 }
 
@@ -141,21 +142,21 @@ pub struct CoupledModes {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct CentreBody {
-    /// The members.
+    /// Members with this centre.
     pub members: Vec<CentreMember>,
-    /// Their mass together, carriers without planets; `null` where the centre is held.
+    /// Total mass of the members in kg, carriers without planets; null if the centre is held.
     pub mass_kg: Option<f64>,
-    /// Their radial supports together; `null` where the centre is held.
+    /// Total stiffness of the members' radial supports in N/m; null if the centre is held.
     pub support_n_m: Option<f64>,
 }
 
-/// A member of a set.
+/// Member of a set.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct CentreMember {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// The member.
+    /// Name of the member.
     pub member: Member,
 }
 
@@ -163,52 +164,52 @@ pub struct CentreMember {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct CoupledMode {
-    /// Its number, from 1.
+    /// Number of the mode, from 1.
     pub mode: u32,
-    /// What links and centres do.
+    /// Motion of links and centres.
     pub kind: ModeKind,
-    /// How many modes have this frequency and kind.
+    /// Number of modes with this frequency and kind.
     pub multiplicity: u32,
-    /// Natural frequency.
+    /// Natural frequency in Hz.
     pub frequency_hz: f64,
-    /// What the members of each set do.
+    /// Motion of the members of each set.
     pub sets: Vec<SetInMode>,
-    /// Shares in the kinetic energy.
+    /// Parts of the bodies in the kinetic energy.
     pub kinetic: Vec<CoupledKinetic>,
-    /// Shares in the strain energy; empty where no spring is bent.
+    /// Parts of the springs in the strain energy; empty if no spring is deformed.
     pub strain: Vec<TorsionalStrain>,
 }
 
-/// What a set does in a mode of the whole gearbox.
+/// Motion of a set in a mode of the whole gearbox.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SetInMode {
-    /// The set.
+    /// Name of the set.
     pub set: String,
-    /// What its sun, ring and carrier do; `null` where its planets are at rest, too.
+    /// Motion of sun, ring and carrier; null if the planets are at rest, too.
     pub kind: Option<ModeKind>,
 }
 
-/// Share of a body in the kinetic energy.
+/// Part of a body in the kinetic energy.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct CoupledKinetic {
-    /// What moves.
+    /// Kind of the moving body.
     pub part: KineticPart,
-    /// The links, the members of a centre as `sun of P`, or the set of the planets.
+    /// Names of the links, of the members of a centre as in `sun of P`, or of the set of the planets.
     pub of: Vec<String>,
-    /// The share.
+    /// Part of the kinetic energy, from 0 to 1.
     pub share: f64,
 }
 
-/// What moves in a mode of the whole gearbox.
+/// Kinds of moving bodies in a mode of the whole gearbox.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum KineticPart {
     /// Links that rotate.
     Rotation,
-    /// A centre that translates.
+    /// Centre that translates.
     Translation,
-    /// The planets of a set.
+    /// Planets of a set.
     Planets,
 }

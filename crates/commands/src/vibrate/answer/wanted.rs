@@ -1,4 +1,4 @@
-//! What is asked of a vibration: by options, or else by the keys of the file.
+//! Requirements of a vibration: from options, or otherwise from the keys of the file.
 
 use crate::error::Error;
 use crate::losses::answer::Places;
@@ -9,66 +9,67 @@ use epicyclic_formats::gearbox::{GearboxFile, VibrationOfGearbox};
 use epicyclic_units::{Physical, Quantity};
 use uom::si::f64::{AngularVelocity, Length};
 
-/// What is asked. What is not given here is that of the file.
+/// Requirements of a vibration. Values that are not given here are taken from the file.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Wanted {
-    /// One gear; all without.
+    /// Name of one gear; `None` for all.
     pub gear: Option<String>,
-    /// One set; all without.
+    /// Name of one set; `None` for all.
     pub set: Option<String>,
-    /// Speeds of the input, for resonances and frequencies over the speed.
+    /// Input speeds, for resonances and frequencies over the speed.
     pub speeds: Option<Places<AngularVelocity>>,
-    /// How many harmonics of the meshes are told.
+    /// Number of harmonics of the meshes.
     pub harmonics: Option<u32>,
     /// Amplitudes of the transmission error of the meshes, the first harmonic first, for forces over the
     /// speeds.
     pub transmission_error: Vec<Length>,
-    /// The same of the ring's meshes; that of all without.
+    /// Amplitudes of the transmission error of the ring meshes; if empty, those of all meshes apply.
     pub ring_transmission_error: Vec<Length>,
     /// Damping ratio of every mode, for these forces.
     pub damping: Option<f64>,
-    /// Forces without the gyroscopic effect of the carrier's speed.
+    /// Whether forces leave out the gyroscopic effect of the carrier speed.
     pub without_gyroscopic: bool,
-    /// The modes of the whole gearbox in the plane, too.
+    /// Whether the modes of the whole gearbox in the plane are computed, too.
     pub coupled: bool,
 }
 
 impl Wanted {
-    /// More harmonics than the teeth of real gears have.
+    /// Maximum number of harmonics, more than the teeth of real gears excite.
     pub const MOST_HARMONICS: u32 = 20;
-    /// Harmonics where neither options nor the file say how many.
+    /// Number of harmonics if neither options nor the file give it.
     const HARMONICS: u32 = 3;
-    /// Places in a range of speeds of the file.
+    /// Number of places in a range of speeds of the file.
     const PLACES: u32 = 61;
 }
 
-/// What is asked, with what the file says.
+/// Requirements from options and file together.
 pub(super) struct Settled {
-    /// Speeds of the input, rad/s; empty without.
+    /// Input speeds in rad/s; empty if none are given.
     pub(super) speeds: Vec<f64>,
     pub(super) harmonics: u32,
     pub(super) excitation: Option<Excitation>,
     pub(super) gyroscopic: bool,
 }
 
-/// What the teeth do, and how the set is damped.
+/// Excitation by the teeth, and damping of the set.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Excitation {
-    /// Amplitudes of the transmission error of a mesh of the sun, the first harmonic first.
+    /// Amplitudes of the transmission error of a sun mesh, the first harmonic first.
     sun: Vec<Length>,
-    /// The same of the ring.
+    /// Amplitudes of the transmission error of a ring mesh, the first harmonic first.
     ring: Vec<Length>,
     /// Damping ratio of every mode.
     pub(super) damping_ratio: f64,
 }
 
 impl Settled {
-    /// What the options say, and else the file.
+    /// Takes each value from the options, or otherwise from the file.
     ///
     /// # Errors
     /// - [`Error::Harmonics`], [`Error::DampingRatio`], [`Error::TransmissionError`],
-    ///   [`Error::ExcitationWithout`] of options.
-    /// - [`Error::Document`] for the same in the file.
+    /// - [`Error::Harmonics`], [`Error::DampingRatio`], [`Error::TransmissionError`],
+    ///   [`Error::ExcitationWithout`] for options.
+    /// - [`Error::Document`] for such faults in the file.
     pub(super) fn of(subject: &Subject<'_>, file: &GearboxFile, wanted: &Wanted) -> Result<Self, Error> {
         let none = VibrationOfGearbox::default();
         let keys = file.vibration.as_ref().unwrap_or(&none);
@@ -103,22 +104,22 @@ impl Settled {
         Ok(Self { speeds, harmonics, excitation, gyroscopic: !wanted.without_gyroscopic })
     }
 
-    /// The least and the greatest speed of the input, rad/s.
+    /// Least and greatest input speed in rad/s.
     pub(super) fn ends(&self) -> Option<[f64; 2]> {
         let [first, last] = [self.speeds.first()?, self.speeds.last()?];
         Some([first.min(*last), first.max(*last)])
     }
 }
 
-/// What is wrong, with the key of the file where it stands there.
+/// Error, with the key of the file if the fault is there.
 type Fault = (Error, Option<&'static str>);
 
 impl Excitation {
-    /// Damping ratios that are taken: a set with less would ring for thousands of periods, and one with more
-    /// does not vibrate.
+    /// Allowed damping ratios: a set with less would ring for thousands of periods, and one with more does
+    /// not vibrate.
     const DAMPING_RATIOS: [f64; 2] = [1e-4, 1.0];
 
-    /// What options and file say together.
+    /// Combines the values of options and file.
     fn of(keys: &VibrationOfGearbox, wanted: &Wanted, has_speeds: bool) -> Result<Option<Self>, Fault> {
         let given = |all: &[Quantity<Length>]| -> Vec<Length> { all.iter().map(|one| one.0).collect() };
         let (of_options, of_ring) = (&wanted.transmission_error, &wanted.ring_transmission_error);
@@ -154,7 +155,7 @@ impl Excitation {
             let key = is_of_file.then_some("transmission_error");
             return Err((without("transmission-error", "a damping ratio"), key));
         };
-        // What the file states waits for speeds; what is asked needs them.
+        // Values of the file apply only once speeds are given; options require speeds.
         let asked = [
             ("transmission-error", !is_of_file),
             ("ring-transmission-error", !of_ring.is_empty()),
@@ -189,13 +190,13 @@ impl Excitation {
         Ok(Some(Self { sun, ring, damping_ratio }))
     }
 
-    /// Amplitudes of a harmonic, from 1: of sun and ring.
+    /// Amplitudes of a harmonic, from 1, of sun and ring.
     pub(super) fn amplitudes(&self, harmonic: u32) -> [Length; 2] {
         let place = harmonic as usize - 1;
         [&self.sun, &self.ring].map(|all| all.get(place).copied().unwrap_or_default())
     }
 
-    /// Harmonics that are given.
+    /// Number of harmonics that are given.
     pub(super) fn harmonics(&self) -> u32 {
         self.sun.len().max(self.ring.len()) as u32
     }

@@ -1,5 +1,5 @@
-//! A gear with two inputs over a map of their speeds, calculated place by place: a map may have a million
-//! places.
+//! Gears with two inputs over a map of their speeds. Places are computed one by one, because a map may have a
+//! million.
 
 use super::{Given, Origin, Task};
 use crate::analyze::answer::warnings;
@@ -16,7 +16,7 @@ use serde::{Serialize, Serializer};
 use std::borrow::Cow;
 use uom::si::f64::{AngularVelocity, Torque};
 
-/// A range of speeds of a link, with a number of places.
+/// Range of speeds of a link, with a number of places.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Steps {
     link: String,
@@ -26,10 +26,10 @@ pub struct Steps {
 }
 
 impl Steps {
-    /// More places in a direction than anyone reads.
+    /// Maximum number of places in a direction.
     pub const MOST_PLACES: u32 = 1000;
 
-    /// Both ends are places.
+    /// Range with this number of places, both ends included.
     ///
     /// # Errors
     /// [`Error::Places`] for fewer than 2 places or more than [`Self::MOST_PLACES`].
@@ -47,53 +47,54 @@ impl Steps {
     }
 }
 
-/// A gear with two inputs over a map of their speeds.
+/// Gear with two inputs over a map of their speeds.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields, rename = "Map")]
 pub struct Map<Entries = Vec<MapEntry>> {
     /// Name of the gearbox.
     pub gearbox: String,
-    /// The gear.
+    /// Name of the gear.
     pub gear: String,
-    /// The link whose speed changes from one row of the map to the next.
+    /// Link whose speed changes from one row of the map to the next.
     pub first_link: String,
-    /// The link whose speed changes within a row.
+    /// Link whose speed changes within a row.
     pub second_link: String,
-    /// Torques that are given.
+    /// Given torques.
     pub torques: Vec<GivenTorque>,
-    /// Every link at every place of the map, row by row.
+    /// Entries for every link at every place of the map, row by row.
     pub map: Entries,
-    /// What the reader should know.
+    /// Warnings about the gear.
     pub warnings: Vec<Warning>,
 }
 
-/// A torque that is given.
+/// Given torque on a link.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct GivenTorque {
-    /// The link.
+    /// Name of the link.
     pub link: String,
-    /// The torque on it from outside.
+    /// Torque on the link from outside in N·m.
     pub torque_n_m: f64,
 }
 
-/// A link at a place of a map.
+/// Link at a place of a map.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct MapEntry {
-    /// Speed of the first link of the map.
+    /// Speed of the first link of the map in rad/s.
     pub first_speed_rad_s: f64,
-    /// Speed of the second link of the map.
+    /// Speed of the second link of the map in rad/s.
     pub second_speed_rad_s: f64,
-    /// The link that this entry is of.
+    /// Name of the link that this entry describes.
     pub link: String,
-    /// Its speed.
+    /// Speed of the link in rad/s; null if it does not follow from the given speeds.
     pub speed_rad_s: Option<f64>,
-    /// Torque on it from outside, where power enters or leaves there; none where the losses hold the gear.
+    /// Torque on the link from outside in N·m; null unless power enters or leaves there, or if the losses
+    /// hold the gear.
     pub torque_n_m: Option<f64>,
-    /// Power through it; none where the losses hold the gear.
+    /// Power through the link in W; null if the losses hold the gear.
     pub power_w: Option<f64>,
-    /// Efficiency of the whole at this place; none where the losses hold the gear.
+    /// Efficiency of the whole gearbox at this place; null if the losses hold the gear.
     pub efficiency: Option<f64>,
 }
 
@@ -101,14 +102,13 @@ impl<Entries: Serialize + JsonSchema> Answer for Map<Entries> {
     const NAME: &'static str = "analyze-map";
 }
 
-/// A gear with two inputs over ranges of their speeds; torques are those given, else those that the file
-/// states.
+/// Analyzes a gear with two inputs over ranges of their speeds, with the given torques, otherwise those of
+/// the file.
 ///
-/// The corners of the map are calculated at once, so that what refuses all of it is refused before anything
-/// is written.
+/// The corners of the map are computed at once, so that invalid input is refused before anything is written.
 ///
 /// # Errors
-/// Those of [`answer`](super::answer).
+/// Errors of [`answer`](super::answer).
 pub fn map<'a>(
     subject: &'a Subject<'a>,
     gear: &str,
@@ -130,13 +130,13 @@ pub fn map<'a>(
     Ok(places)
 }
 
-/// A map whose entries are calculated when they are asked for.
+/// Map whose entries are computed when they are requested.
 pub struct SpeedMap<'a> {
     task: Task<'a>,
     ranges: [Steps; 2],
     links: [LinkId; 2],
     torques: Vec<(LinkId, Torque)>,
-    /// Whether the torques are of the question and not of the file.
+    /// Whether the torques come from the question and not from the file.
     own_torques: bool,
 }
 
@@ -148,7 +148,7 @@ impl SpeedMap<'_> {
         first.places as usize * second.places as usize * self.link_count()
     }
 
-    /// Every link at every place of the map, row by row.
+    /// Entries for every link at every place of the map, row by row.
     pub fn entries(&self) -> impl Iterator<Item = Result<MapEntry, Error>> + '_ {
         let [first, second] = &self.ranges;
         let places = first.speeds().flat_map(move |one| second.speeds().map(move |other| [one, other]));
@@ -163,15 +163,15 @@ impl SpeedMap<'_> {
         })
     }
 
-    /// The map with all of its entries.
+    /// Computes the map with all of its entries.
     ///
     /// # Errors
-    /// What a place refuses.
+    /// The error of the first place that is refused.
     pub fn answer(&self) -> Result<Map, Error> {
         Ok(self.with(self.entries().collect::<Result<_, _>>()?))
     }
 
-    /// The map with entries that are calculated, and checked to be finite, while they are written.
+    /// Map with entries that are computed, and checked to be finite, while they are written.
     #[must_use]
     pub fn streamed(&self) -> Map<Streamed<'_>> {
         self.with(Streamed(self))
@@ -202,7 +202,7 @@ impl SpeedMap<'_> {
         let at = Origin::Question(Given::Map);
         let given = [(self.links[0], speeds[0]), (self.links[1], speeds[1])];
         match self.task.state(&given, &self.torques, at, self.own_torques) {
-            // Where the losses hold the gear there are speeds alone.
+            // If the losses hold the gear, there are speeds only.
             Err(Error::Inputs { fault: InputsFault::SelfLocking, .. }) => {
                 self.task.state(&given, &[], at, self.own_torques)
             }
@@ -225,7 +225,7 @@ impl SpeedMap<'_> {
     }
 }
 
-/// The entries of a map, calculated while they are written.
+/// Entries of a map, computed while they are written.
 pub struct Streamed<'a>(&'a SpeedMap<'a>);
 
 impl Serialize for Streamed<'_> {

@@ -1,4 +1,4 @@
-//! Leaks and friction of a motor, and its efficiencies over speed and pressure.
+//! Leakage and friction of a motor, and its efficiencies over speed and pressure.
 
 use super::{Inputs, LossInputs, Point};
 use crate::error::Error;
@@ -14,112 +14,114 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{AngularVelocity, Pressure};
 
-/// Parts of the speed and of the pressure given, at which the map stands.
+/// Number of steps of the map, up to the given speed and up to the given pressure.
 const PARTS: u32 = 20;
 
-/// Losses by models of gaps and friction from what is given of them; nothing is measured.
+/// Losses by models of gaps and friction; nothing is measured.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Losses {
-    /// Through the gaps at the end faces; null without gaps, oil, width and pressure.
+    /// Leakage through the gaps at the end faces; null without gaps, oil, width and pressure.
     pub leakage: Option<Leakage>,
-    /// Of the flanks; null without friction, width and pressure.
+    /// Friction of the flanks; null without friction, width and pressure.
     pub friction: Option<Friction>,
-    /// At the speed and pressure given, with all losses; null where something is missing.
+    /// Efficiencies at the given speed and pressure, with all losses; null if a value is missing.
     pub at_point: Option<Efficiency>,
-    /// Over twentieths of the speed and of the pressure given; null with it.
+    /// Efficiencies in steps of a twentieth of the given speed and pressure; null if a value is missing.
     pub map: Option<EfficiencyMap>,
-    /// What is missing for the efficiencies, by its key.
+    /// Keys of the values that are missing for the efficiencies.
     pub missing: Vec<String>,
 }
 
-/// Leaks through gaps.
+/// Leakage through gaps.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Leakage {
-    /// Gap at a face of a satellite, warm.
+    /// Axial gap at a face of a satellite at operating temperature, in m.
     pub satellite_gap_m: f64,
-    /// Gap at a face of the rotor, warm.
+    /// Axial gap at a face of the rotor at operating temperature, in m.
     pub rotor_gap_m: f64,
-    /// At one satellite that parts the pressures, both faces.
+    /// Leakage at both faces of one satellite that separates the pressures.
     pub satellite: Gap,
-    /// How many do.
+    /// Number of satellites that separate the pressures.
     pub loaded_satellites: u32,
-    /// At the rotor, both faces.
+    /// Leakage at both faces of the rotor.
     pub rotor: Gap,
-    /// All together.
+    /// Total leakage in m³/s.
     pub flow_m3_s: f64,
 }
 
-/// The flow through the gaps of a wheel.
+/// Flow through the gaps of a wheel.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Gap {
-    /// The flow.
+    /// Flow in m³/s.
     pub flow_m3_s: f64,
-    /// Its Reynolds number.
+    /// Reynolds number of the flow.
     pub reynolds: f64,
-    /// Whether the law of turbulent flow that was given holds, and not the laminar one.
+    /// Whether the flow is turbulent, so that the given law of turbulent flow applies instead of the laminar
+    /// one.
     pub is_turbulent: bool,
 }
 
-/// Friction of the flanks. Of two values the first is with the greatest coefficient.
+/// Friction of the flanks. The first of two values is with the greatest coefficient.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Friction {
-    /// Coefficients, the greatest first.
+    /// Coefficients of friction, the greatest first.
     pub coefficients: [f64; 2],
-    /// Mean torque that it takes.
+    /// Mean friction torque in N·m.
     pub torque_n_m: [f64; 2],
-    /// The same over the mean torque without losses.
+    /// Mean friction torque over the mean torque without losses.
     pub share: [f64; 2],
-    /// Least torque at the start, at the worst angle, with the contacts where they are there; null without
-    /// teeth.
+    /// Least torque at the start in N·m, at the worst angle, with the contacts at their places there; null
+    /// without teeth.
     pub starting_torque_n_m: Option<[f64; 2]>,
-    /// The same without friction.
+    /// Least torque at the start without friction, in N·m; null without teeth.
     pub starting_torque_without_n_m: Option<f64>,
-    /// That angle.
+    /// Rotor angle of the least starting torque, in rad; null without teeth.
     pub worst_at_rad: Option<f64>,
 }
 
-/// The motor at a speed and a pressure. Of two values the first is with the greatest friction.
+/// Efficiencies of the motor at a speed and a pressure. The first of two values is with the greatest
+/// friction.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Efficiency {
-    /// Speed.
+    /// Rotor speed in rad/s.
     pub speed_rad_s: f64,
-    /// Pressure drop.
+    /// Pressure drop in Pa.
     pub pressure_pa: f64,
-    /// What flows in.
+    /// Inlet flow in m³/s.
     pub inlet_flow_m3_s: f64,
-    /// Of it through gaps.
+    /// Leakage through gaps in m³/s, a part of the inlet flow.
     pub leakage_m3_s: f64,
-    /// Of it to compress the oil; 0 without a bulk modulus.
+    /// Flow that compresses the oil in m³/s, a part of the inlet flow; 0 without a bulk modulus.
     pub charge_m3_s: f64,
-    /// Torque of the shaft.
+    /// Torque of the shaft in N·m.
     pub torque_n_m: [f64; 2],
-    /// Friction of the flanks.
+    /// Friction torque of the flanks in N·m.
     pub flank_friction_n_m: [f64; 2],
-    /// Drag of the gaps.
+    /// Drag torque of the gaps in N·m.
     pub gap_drag_n_m: f64,
-    /// Power that the ports take; 0 without their discharge coefficient.
+    /// Power lost by throttling in the ports, in W; 0 without a discharge coefficient.
     pub throttling_w: f64,
     /// Volumetric efficiency.
     pub volumetric: f64,
-    /// Mechanical efficiency; below 0 where the losses are more than the torque.
+    /// Mechanical efficiency; below 0 if the losses exceed the torque.
     pub mechanical: [f64; 2],
     /// Total efficiency.
     pub total: [f64; 2],
 }
 
-/// Efficiencies over speed and pressure; a row for each pressure with a value for each speed, of two with the
-/// greatest friction.
+/// Efficiencies over speed and pressure: a row for each pressure with a value for each speed. Of two values
+/// the one with the greatest friction is given.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct EfficiencyMap {
-    /// Speeds.
+    /// Rotor speeds in rad/s.
     pub speeds_rad_s: Vec<f64>,
-    /// Pressure drops.
+    /// Pressure drops in Pa.
     pub pressures_pa: Vec<f64>,
     /// Volumetric efficiencies.
     pub volumetric: Vec<Vec<f64>>,
@@ -167,6 +169,7 @@ impl Losses {
                 let whole = si(motor.theoretical_torque(width, drop)?);
                 let [least, most] = range.ends();
                 Some(Friction {
+                    // The worst case comes first, as in all pairs of this answer.
                     coefficients: [most, least],
                     torque_n_m: [si(high), si(low)],
                     share: [si(high) / whole, si(low) / whole],
@@ -183,6 +186,7 @@ impl Losses {
                 missing.push(key.to_owned());
             }
         };
+        // All keys are checked, so that one message lists everything that is missing.
         lacks(inputs.gaps.is_none(), "gaps");
         for key in fluid.as_ref().err().into_iter().flatten() {
             lacks(true, key);
@@ -250,6 +254,7 @@ impl EfficiencyMap {
         drop: Pressure,
     ) -> Result<Self, Error> {
         let part = |place: u32| f64::from(place) / f64::from(PARTS);
+        // The map begins at the first step, because no efficiency is defined at speed or pressure 0.
         let speeds: Vec<AngularVelocity> = (1..=PARTS).map(|place| speed * part(place)).collect();
         let drops: Vec<Pressure> = (1..=PARTS).map(|place| drop * part(place)).collect();
         let map = motor.efficiency_map(inputs, &speeds, &drops)?;

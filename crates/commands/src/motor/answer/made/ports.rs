@@ -1,5 +1,5 @@
-//! Ports as made: when they open and close, what closed chambers do to the pressure, what the openings
-//! throttle.
+//! Ports as manufactured: opening and closing angles, pressure in closed chambers, throttling in the
+//! openings.
 
 use super::{Inputs, Point};
 use crate::answer::Warning;
@@ -16,139 +16,139 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Angle, Pressure};
 
-/// Ports as made; phases are those of a chamber, 0 where it is greatest.
+/// Ports as manufactured. Phases are those of a chamber, 0 at its greatest area.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct MadePorts {
-    /// The port at high pressure of the first crest.
+    /// High-pressure port of the first crest.
     pub high: Port,
-    /// The port at low pressure.
+    /// Low-pressure port of the first crest.
     pub low: Port,
-    /// Least distance of a high-pressure from a low-pressure port.
+    /// Least distance between a high-pressure and a low-pressure port, in m.
     pub land_m: f64,
-    /// Rotation of the rotor in which a chamber comes to the same state again.
+    /// Rotation of the rotor in rad after which a chamber is in the same state again.
     pub cycle_rad: f64,
-    /// To what a chamber is open, in the order of its phase.
+    /// Openings of a chamber in the order of its phase.
     pub states: Vec<PortState>,
-    /// Each stretch in which it is closed.
+    /// Parts of the cycle in which a chamber is closed.
     pub closed: Vec<ClosedStretch>,
-    /// The chamber at its least and at its greatest.
+    /// Chamber at its least and at its greatest area.
     pub extremes: [ChamberExtreme; 2],
-    /// Oil that the chambers take a revolution to come to the high pressure; null without bulk modulus, width
-    /// and pressure.
+    /// Oil that the chambers take per revolution to reach the high pressure, in m³; null without bulk
+    /// modulus, width and pressure.
     pub charge_m3: Option<f64>,
-    /// The same over the displacement.
+    /// Oil for compression over the displacement; null without bulk modulus, width and pressure.
     pub charge_share: Option<f64>,
-    /// Throttling by the ports at high and at low pressure; empty without discharge coefficient, density,
-    /// width and speed.
+    /// Throttling by the high-pressure and the low-pressure ports; empty without discharge coefficient,
+    /// density, width and speed.
     pub throttling: Vec<Throttling>,
 }
 
-/// A port: a hole or a kidney.
+/// Port: a hole or a kidney.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Port {
-    /// Polar angle of its middle from the crest.
+    /// Polar angle of the port's middle from the crest, in rad.
     pub angle_rad: f64,
-    /// Diameter of a hole.
+    /// Diameter of a hole in m; null for a kidney.
     pub diameter_m: Option<f64>,
-    /// Distance of its centre from the axis.
+    /// Distance of a hole's centre from the axis, in m; null for a kidney.
     pub pitch_radius_m: Option<f64>,
-    /// Inner radius of a kidney.
+    /// Inner radius of a kidney in m; null for a hole.
     pub inner_radius_m: Option<f64>,
-    /// Its outer radius.
+    /// Outer radius of a kidney in m; null for a hole.
     pub outer_radius_m: Option<f64>,
-    /// Angle from end to end of it.
+    /// Angle from end to end of a kidney, in rad; null for a hole.
     pub span_rad: Option<f64>,
-    /// Radius of its corners.
+    /// Corner radius of a kidney in m; null for a hole.
     pub corner_radius_m: Option<f64>,
-    /// Its area.
+    /// Area of the port in m².
     pub area_m2: f64,
-    /// The widest opening of a chamber to it and its neighbours of the same pressure.
+    /// Widest opening of a chamber to this port and its neighbours of the same pressure, in m².
     pub widest_opening_m2: f64,
 }
 
-/// A stretch of a chamber's cycle.
+/// Part of a chamber's cycle with one state of opening.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct PortState {
-    /// To what the chamber is open.
+    /// Pressure to which the chamber is open.
     pub open_to: OpenTo,
-    /// Phase at which it begins.
+    /// Phase at the beginning in rad, 0 at the greatest area.
     pub from_rad: f64,
-    /// Phase at which it ends.
+    /// Phase at the end in rad, 0 at the greatest area.
     pub to_rad: f64,
 }
 
-/// To what a chamber is open.
+/// Pressures to which a chamber is open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum OpenTo {
-    /// The high pressure.
+    /// High pressure.
     High,
-    /// The low pressure.
+    /// Low pressure.
     Low,
-    /// Both: a short circuit.
+    /// High and low pressure: a short circuit.
     Both,
-    /// Neither.
+    /// Neither pressure: closed.
     Neither,
 }
 
-/// A stretch in which a chamber is closed.
+/// Part of a cycle in which a chamber is closed.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ClosedStretch {
-    /// Phase at which it begins.
+    /// Phase at which the chamber closes, in rad, 0 at the greatest area.
     pub from_rad: f64,
-    /// Phase at which it ends.
+    /// Phase at which the chamber opens, in rad, 0 at the greatest area.
     pub to_rad: f64,
-    /// The extreme of the chamber within it.
+    /// Extreme of the chamber's area within this part; null if none exists.
     pub extreme: Option<Extreme>,
-    /// Closed angle before the extreme.
+    /// Closed angle before the extreme, in rad.
     pub before_rad: f64,
-    /// Closed angle after it.
+    /// Closed angle after the extreme, in rad.
     pub after_rad: f64,
-    /// The greatest change of the pressure since it closed, below 0 where it falls; null without a bulk
-    /// modulus.
+    /// Greatest change of pressure since the chamber closed, in Pa, negative for a decrease; null without a
+    /// bulk modulus.
     pub change_pa: Option<f64>,
 }
 
-/// An extreme of a chamber.
+/// Extremes of a chamber's area.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Extreme {
-    /// The greatest area.
+    /// Greatest area.
     Greatest,
-    /// The least.
+    /// Least area.
     Least,
 }
 
-/// A chamber at an extreme.
+/// Chamber at an extreme of its area.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ChamberExtreme {
-    /// Its area.
+    /// Area of the chamber in m².
     pub area_m2: f64,
-    /// Second derivative of its area by the rotor's angle.
+    /// Second derivative of the area with respect to the rotor angle, in m².
     pub bend_m2: f64,
-    /// Closed angle before the extreme in which it comes to the high pressure on its own; null without bulk
-    /// modulus and pressure.
+    /// Closed angle before the extreme in which the chamber reaches the high pressure by compression alone,
+    /// in rad; null without bulk modulus and pressure.
     pub precompression_rad: Option<f64>,
 }
 
-/// What the ports of a pressure take of the flow's power.
+/// Throttling of the flow by the ports of one pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Throttling {
-    /// Of high or of low pressure.
+    /// Pressure of the ports: high or low.
     pub ports: OpenTo,
-    /// The smallest sum of the openings.
+    /// Smallest sum of the openings in m².
     pub smallest_opening_m2: f64,
-    /// Pressure drop there.
+    /// Pressure drop at the smallest opening, in Pa.
     pub drop_pa: f64,
-    /// The greatest over a revolution.
+    /// Greatest pressure drop over a revolution, in Pa.
     pub greatest_drop_pa: f64,
-    /// Mean power.
+    /// Mean power loss in W.
     pub power_w: f64,
 }
 
@@ -163,6 +163,7 @@ impl MadePorts {
         let trapped = inputs.bulk_modulus.map(|modulus| plate.trapped(timing, modulus, inputs.dead_area));
         let trapped = trapped.transpose()?;
         let extremes = motor.extremes_of_chambers();
+        // Incompressible oil neither needs a charge nor a closed angle to reach the pressure.
         let compression = inputs.bulk_modulus.zip(point.pressure);
         let extreme = |one: &epicyclic_hydromotor::ports::trapped::Extreme| {
             let angle =
@@ -205,12 +206,12 @@ impl MadePorts {
         })
     }
 
-    /// What a maker has to mend.
-    /// The greatest change of the pressure in a closed chamber.
+    /// Greatest change of pressure in a closed chamber, in Pa; `None` without a bulk modulus.
     pub(in crate::motor::answer) fn greatest_change(&self) -> Option<f64> {
         self.closed.iter().filter_map(|one| one.change_pa.map(f64::abs)).reduce(f64::max)
     }
 
+    /// Warnings about faults of the ports that the manufacturer has to correct.
     pub(in crate::motor::answer) fn warnings(&self, most_trapped: Option<Pressure>) -> Vec<Warning> {
         let degrees = |rad: f64| format::quantity(Angle::from_si(rad), 4);
         let short = self.states.iter().filter(|state| state.open_to == OpenTo::Both);
@@ -224,6 +225,7 @@ impl MadePorts {
                 ),
             })
             .collect();
+        // Without a given limit, the practical limits of the motor apply instead.
         let Some(most) = most_trapped.map(si) else { return all };
         for one in self.closed.iter().filter(|one| one.change_pa.is_some_and(|change| change.abs() > most)) {
             let change = one.change_pa.unwrap_or_default();
@@ -287,7 +289,7 @@ impl Throttling {
     }
 }
 
-/// Every stretch in order.
+/// Lists the states of opening in the order of the phase.
 fn states(timing: &Timing) -> Vec<PortState> {
     let state = |open_to| {
         move |stretch: &Stretch| PortState { open_to, from_rad: si(stretch.from), to_rad: si(stretch.to) }
@@ -296,6 +298,7 @@ fn states(timing: &Timing) -> Vec<PortState> {
     all.extend(timing.low.iter().map(state(OpenTo::Low)));
     all.extend(timing.short_circuits.iter().map(state(OpenTo::Both)));
     all.extend(timing.closed.iter().map(|one| state(OpenTo::Neither)(&one.stretch)));
+    // The four kinds were collected separately; by phase they form the cycle of a chamber.
     all.sort_by(|one, other| one.from_rad.total_cmp(&other.from_rad));
     all
 }

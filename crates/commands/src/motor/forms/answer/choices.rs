@@ -1,5 +1,4 @@
-//! What a search with free tooth forms chooses from and judges by, with the names that options and records
-//! have of it.
+//! Choices and objectives of a search with free tooth forms, with their names in options and records.
 
 use crate::shared::named::named;
 use crate::shared::number::{maybe_si, si};
@@ -8,49 +7,49 @@ use epicyclic_hydromotor::search::forms::{self, FamilyKind, FlankFigures, FormDe
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// What designs are good for.
+/// Objectives of designs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Objective {
-    /// The most displacement over volume.
+    /// Greatest displacement per volume.
     Volume,
-    /// The least ripple, satellites sealing at the pitch points.
+    /// Least ripple if satellites seal at the pitch points.
     Ripple,
-    /// The greatest least curvature radius over the module.
+    /// Largest least curvature radius, in modules.
     Radius,
-    /// The greatest contact ratio.
+    /// Greatest contact ratio.
     ContactRatio,
-    /// The least ripple, satellites sealing at the flanks.
+    /// Least ripple if satellites seal at the flanks.
     FlankRipple,
-    /// The greatest least torque over the mean, satellites sealing at the flanks.
+    /// Largest least torque over mean torque if satellites seal at the flanks.
     LeastTorque,
-    /// The least contact stress of Hertz.
+    /// Least Hertzian contact stress.
     ContactStress,
-    /// The least bending stress at the roots.
+    /// Least bending stress at the roots.
     RootStress,
-    /// The greatest pressure drop that the material allows.
+    /// Greatest pressure drop that the material allows.
     AllowedPressure,
 }
 
-/// A family of motors.
+/// Families of motors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Family {
-    /// A stator of two arcs.
+    /// Stator of two arcs.
     Arcs,
-    /// A rotor by the cosine law.
+    /// Rotor by the cosine law.
     Cosine,
-    /// A rotor with a second harmonic.
+    /// Rotor with a second harmonic.
     SecondHarmonic,
 }
 
-/// What lies in the middle of the stator's crests.
+/// Tooth or space in the middle of the stator's crests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Crest {
-    /// The middle of a space.
+    /// Middle of a space.
     Space,
-    /// The middle of a tooth.
+    /// Middle of a tooth.
     Tooth,
 }
 
@@ -92,7 +91,7 @@ impl Objective {
         }
     }
 
-    /// As a search takes it.
+    /// Converts the objective for the search.
     #[must_use]
     pub const fn of_search(self) -> forms::Objective {
         match self {
@@ -108,12 +107,14 @@ impl Objective {
         }
     }
 
-    /// Its figure of a design, the less the better; what a design lacks comes last.
+    /// Cost of a design by this objective, the less the better; a missing value comes last.
     pub(crate) fn cost(self, design: &FormDesign) -> f64 {
+        // A design without flanks under load must not win by a missing value, so it costs infinity.
         let of = |figure: &dyn Fn(&FlankFigures) -> Option<f64>| {
             design.flanks.as_ref().and_then(figure).unwrap_or(f64::INFINITY)
         };
         match self {
+            // Values to be maximized are negated, so that the least cost is always the best.
             Self::Volume => -design.displacement_by_volume,
             Self::Ripple => design.ripple,
             Self::Radius => -design.least_radius,
@@ -136,7 +137,7 @@ impl Family {
         }
     }
 
-    /// As a search takes it.
+    /// Converts the family for the search.
     #[must_use]
     pub const fn of_search(self) -> FamilyKind {
         match self {
@@ -155,7 +156,7 @@ impl Crest {
         }
     }
 
-    /// As a search takes it.
+    /// Converts the choice for the search.
     #[must_use]
     pub const fn of_search(self) -> profile::Crest {
         match self {

@@ -1,4 +1,4 @@
-//! The space of a search with free tooth forms, and what became of its points.
+//! Search space with free tooth forms, and the results for its points.
 
 use crate::motor::search::answer::funnel::{self as motor_search, Reason};
 use epicyclic_hydromotor::search::forms::{FormFound, FormRefusal, ShapeReason};
@@ -6,44 +6,45 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt;
 
-/// The space of motors and tooth forms, and what became of its points: those of refused motors, those
-/// refused, those left out and the admissible ones add up to it.
+/// Search space of motors and tooth forms, and the results for its points. The points of refused motors, the
+/// refused points, those left out and the admissible ones add up to the whole.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Funnel {
-    /// Sets of lobes and teeth within the bounds.
+    /// Number of sets of lobes and teeth within the bounds.
     pub sets: usize,
-    /// Of these, outside the limits of the rotor.
+    /// Number of these sets outside the limits of the rotor.
     pub outside_limits: usize,
-    /// Of the rest, those with which no motor of the families closes.
+    /// Number of the remaining sets with which no motor of the families closes.
     pub without_motors: usize,
-    /// Motors at the places of their families.
+    /// Number of motors at the places of their families.
     pub motors: usize,
-    /// Tooth forms within the steps.
+    /// Number of tooth forms within the steps.
     pub forms: usize,
-    /// Points: motors times forms.
+    /// Number of points: motors times forms.
     pub points: u64,
-    /// Motors refused, whatever their form, each by what fails first.
+    /// Motors refused with any tooth form, counted by the first failed check.
     pub motors_refused: Vec<motor_search::Refused>,
-    /// The points of these motors.
+    /// Number of points of these motors.
     pub points_of_refused_motors: u64,
-    /// Points refused, each by what is found to fail first.
+    /// Refused points, counted by the first check found to fail.
     pub refused: Vec<Refused>,
-    /// Points left out because a design is as good as they can be, or their contact ratio is below the least.
+    /// Number of points left out because a design is at least as good as they can be, or their contact ratio
+    /// is too low.
     pub as_good: u64,
-    /// Points tried to the end that are admissible.
+    /// Number of fully computed points that are admissible.
     pub admissible: u64,
-    /// Of these, the designs.
+    /// Number of admissible points that are designs.
     pub front: usize,
 }
 
-/// How many points were refused for a reason.
+/// Number of points refused for a reason.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Refused {
-    /// Why.
+    /// Reason of the refusal.
     pub reason: Reason,
-    /// How many.
+    /// Number of points refused.
     pub points: u64,
 }
 
@@ -86,7 +87,7 @@ impl Funnel {
 }
 
 impl fmt::Display for Funnel {
-    /// What refused every point, the most frequent reason first.
+    /// Lists the reasons why every point was refused, the most frequent first.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,

@@ -1,4 +1,4 @@
-//! What a search tried, and why motors were refused.
+//! Numbers of motors computed by a search, and reasons why motors were refused.
 
 use epicyclic_hydromotor::checks::Subject;
 use epicyclic_hydromotor::profile::limits::LimitKind;
@@ -8,45 +8,45 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt;
 
-/// Motors tried, and why the others were refused.
+/// Number of motors computed, and the reasons why others were refused.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Funnel {
-    /// Sets of lobes and teeth within the bounds.
+    /// Number of sets of lobes and teeth within the bounds.
     pub sets: usize,
-    /// Of these, outside the limits of the rotor.
+    /// Number of these sets outside the limits of the rotor.
     pub outside_limits: usize,
-    /// Of the rest, those with which no motor closes.
+    /// Number of the remaining sets with which no motor closes.
     pub without_family: usize,
-    /// Motors at even places.
+    /// Number of motors at even places.
     pub places: usize,
-    /// Motors added by refinement.
+    /// Number of motors added by refinement.
     pub refined: usize,
-    /// Motors refused, each by what fails first.
+    /// Refused motors, counted by the first failed check.
     pub refused: Vec<Refused>,
-    /// Motors that pass; of teeth and ports those on the front alone are judged.
+    /// Number of accepted motors; teeth and ports are checked only for those on the front.
     pub accepted: usize,
-    /// Of these, those that no other surpasses.
+    /// Number of accepted motors that are non-dominated.
     pub front: usize,
-    /// Of these, designs, of motors that are alike one.
+    /// Number of designs: similar non-dominated motors count as one.
     pub apart: usize,
 }
 
-/// How many motors were refused for a reason.
+/// Number of motors refused for a reason.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Refused {
-    /// Why.
+    /// Reason of the refusal.
     pub reason: Reason,
-    /// How many.
+    /// Number of motors refused.
     pub motors: usize,
 }
 
-/// Why a motor, with its teeth or without, is refused.
+/// Reasons why a motor, with or without its teeth, is refused.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Reason {
-    /// It does not close, at an end of its family.
+    /// The motor does not close, at an end of its family.
     NotClosed,
     /// The roots do not fit into the stator's bulges.
     StatorBulge,
@@ -64,13 +64,13 @@ pub enum Reason {
     RotorInStator,
     /// The least chamber has no area.
     NoChamber,
-    /// The least curvature radius is below the wanted one.
+    /// The least curvature radius is below the required one.
     LeastRadius,
     /// No size is within the limits.
     Size,
-    /// The ripple, satellites sealing at the pitch points, is above the wanted one.
+    /// The ripple if satellites seal at the pitch points is above the required one.
     Ripple,
-    /// The form gives no teeth.
+    /// The form yields no teeth.
     NoTeeth,
     /// The cutter's tip removes a part of the flank.
     Undercut,
@@ -82,11 +82,11 @@ pub enum Reason {
     WheelRoot,
     /// The tip is too thin.
     TipThickness,
-    /// A pair of flanks parts before the next one meets.
+    /// A pair of flanks separates before the next one meets.
     ContactPath,
-    /// The root's parallel of the centrode has cusps.
+    /// The root curve, a parallel of the centrode, has cusps.
     RootCurve,
-    /// The tip's parallel of the centrode has cusps.
+    /// The tip curve, a parallel of the centrode, has cusps.
     TipCurve,
     /// Tip circles of neighbouring satellites meet.
     TipCircles,
@@ -96,16 +96,15 @@ pub enum Reason {
     Ports,
     /// The flanks cannot hold a loaded satellite.
     CannotHold,
-    /// The contact stress is above the wanted one.
+    /// The contact stress is above the required one.
     ContactStress,
-    /// The bending stress at a root is above the wanted one.
+    /// The bending stress at a root is above the required one.
     RootStress,
-    /// The material allows less than the wanted pressure.
+    /// The material allows less than the required pressure.
     AllowedPressure,
-    /// The ripple, satellites sealing at the flanks, is above the wanted one.
+    /// The ripple if satellites seal at the flanks is above the required one.
     FlankRipple,
-    /// The least torque over the mean, satellites sealing at the flanks, is below the wanted one, or
-    /// vanishes.
+    /// Least over mean torque, if satellites seal at the flanks, is below the required value or 0.
     LeastTorque,
 }
 
@@ -160,7 +159,7 @@ impl Reason {
         }
     }
 
-    /// Its name, as in JSON.
+    /// Name of the reason, as in JSON.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -197,7 +196,7 @@ impl Reason {
         }
     }
 
-    /// In words.
+    /// Reason in words.
     #[must_use]
     pub const fn words(self) -> &'static str {
         match self {
@@ -238,7 +237,7 @@ impl Reason {
 impl Funnel {
     pub(crate) fn of(found: &Found) -> Self {
         let funnel = &found.funnel;
-        // A check of the centrodes and the same with the heights of the teeth count as one.
+        // A check of the centrodes counts as one reason with the same check by the heights of the teeth.
         let mut refused: Vec<Refused> = vec![];
         for &of in &search::Reason::ALL {
             let (reason, motors) = (Reason::of(of), funnel.refused(of));
@@ -262,7 +261,7 @@ impl Funnel {
 }
 
 impl fmt::Display for Funnel {
-    /// What refused every motor, the most frequent reason first.
+    /// Lists the reasons why every motor was refused, the most frequent first.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,

@@ -1,23 +1,23 @@
-//! What the designs of a search are held against each other by, and ordered by.
+//! Objectives by which the designs of a search are compared and ordered.
 
 use crate::shared::named::named;
 use epicyclic_hydromotor::search::{self, Design};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// What designs are good for.
+/// Objectives of designs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Objective {
-    /// The most displacement over volume.
+    /// Greatest displacement per volume.
     Volume,
-    /// The least ripple, satellites sealing at the pitch points.
+    /// Least ripple if satellites seal at the pitch points.
     Ripple,
-    /// The greatest least curvature radius over the module.
+    /// Largest least curvature radius, in modules.
     Radius,
-    /// The least ripple, satellites sealing at the flanks.
+    /// Least ripple if satellites seal at the flanks.
     FlankRipple,
-    /// The greatest least torque over the mean, satellites sealing at the flanks.
+    /// Largest least torque over mean torque if satellites seal at the flanks.
     LeastTorque,
 }
 
@@ -42,7 +42,7 @@ impl Objective {
         }
     }
 
-    /// As a search takes it.
+    /// Converts the objective for the search.
     #[must_use]
     pub const fn of_search(self) -> search::Objective {
         match self {
@@ -54,7 +54,7 @@ impl Objective {
         }
     }
 
-    /// Its figure of a design, the less the better; what a design lacks comes last.
+    /// Cost of a design by this objective, the less the better; a missing value comes last.
     pub(crate) fn cost(self, design: &Design) -> f64 {
         match self {
             Self::Volume => -design.displacement_by_volume,

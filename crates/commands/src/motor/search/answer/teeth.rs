@@ -1,5 +1,4 @@
-//! The teeth of a design: whether they keep their limits, and flow and torque where satellites seal at their
-//! flanks.
+//! Teeth of a design: their limits, and flow and torque if satellites seal at their flanks.
 
 use super::shown_size;
 use crate::motor::answer::{contact_stresses, practice, steel};
@@ -11,34 +10,34 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::Pressure;
 
-/// Whether teeth of the form keep their limits on a design.
+/// Results of the check whether teeth are within their limits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum TeethLimits {
-    /// They do.
+    /// Within the limits.
     Hold,
-    /// They do not.
+    /// Beyond a limit.
     Fail,
-    /// There are no teeth of that form.
+    /// No teeth of this form.
     None,
 }
 
-/// Flow and torque, satellites sealing at the flanks.
+/// Flow and torque if satellites seal at the flanks.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct AtFlanks {
-    /// Ripple of flow and torque, satellites sealing at the flanks.
+    /// Ripple of flow and torque if satellites seal at the flanks.
     pub ripple: f64,
-    /// Least over mean flow, which is that of the torque.
+    /// Least over mean flow, equal to least over mean torque.
     pub least_over_mean: f64,
 }
 
-/// What the form makes of a design.
+/// Teeth of a design with the given form.
 pub(crate) struct Teeth {
     pub(crate) limits: TeethLimits,
-    /// Or why there is none.
+    /// Flow and torque at the flanks, or the reason why there are none.
     pub(crate) at_flanks: Result<AtFlanks, String>,
-    /// Of steel, at the pressure of the search.
+    /// Contact stress of steel teeth in Pa at the pressure of the search; `None` if it cannot be computed.
     pub(crate) contact_stress_pa: Option<f64>,
 }
 
@@ -58,20 +57,20 @@ impl Teeth {
     }
 }
 
-/// The greatest contact stress where one pair of flanks carries alone; none where the flanks cannot hold a
+/// Greatest contact stress in Pa while a single pair of flanks carries; `None` if the flanks cannot hold a
 /// satellite.
 fn contact(profile: &Profile, drop: Pressure) -> Option<f64> {
     practice::greatest_contact(&contact_stresses(profile, steel().ok()?, drop).ok()?)
 }
 
-/// The teeth of a design, or why there are none.
+/// Tooth profile of a design, or the reason why none exists.
 fn profile(design: &search::Design, form: ToothForm) -> Result<Profile, String> {
     let size = shown_size(design).ok_or_else(|| "no size is within the limits".to_owned())?;
     let motor = design.motor(size.module).map_err(|error| error.to_string())?;
     Profile::new(&motor, form).map_err(|error| error.to_string())
 }
 
-/// Flow and torque at the flanks, as the library has them; none without teeth.
+/// Flow and torque at the flanks, as a record of the library; `None` without teeth.
 pub(crate) fn at_flanks(design: &search::Design, form: ToothForm) -> Option<search::AtFlanks> {
     search::AtFlanks::of_profile(&profile(design, form).ok()?)
 }

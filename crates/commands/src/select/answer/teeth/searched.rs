@@ -1,4 +1,4 @@
-//! The extent of a search over tooth numbers.
+//! Extent of a search over tooth numbers.
 
 use crate::shared::tooth_checks::answer::TeethLeftOut;
 use epicyclic_gears::involute::left_out::LeftOut;
@@ -10,18 +10,18 @@ use serde::Serialize;
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Searched {
-    /// Combinations of tooth numbers of a set.
+    /// Number of combinations of tooth numbers of a set.
     pub tooth_numbers: usize,
-    /// Combinations that are left out since a check of their teeth does not hold, of one set only those near
-    /// the wanted ratio; `null` if no combination is left out.
+    /// Combinations left out because a tooth check fails, for one set only those near the required ratio;
+    /// null if none is left out.
     pub left_out: Option<TeethLeftOut>,
-    /// Structures, each counted once for every assignment of the ratios.
+    /// Number of structures, each counted once for every assignment of the ratios.
     pub structures: usize,
-    /// Designs in all: combinations of tooth numbers, of two sets pairs of them, in all structures.
+    /// Number of designs: combinations of tooth numbers (for two sets pairs of them) in all structures.
     pub designs: u128,
-    /// Ring-to-sun ratios, of two sets pairs of them, tried in full.
+    /// Number of ring-to-sun ratios (for two sets pairs of them) that were fully computed.
     pub tried: u64,
-    /// Of these, how many meet every required criterion.
+    /// Number of these that meet every required criterion.
     pub accepted: u64,
 }
 

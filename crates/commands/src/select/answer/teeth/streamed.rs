@@ -1,4 +1,4 @@
-//! An answer whose designs are made while they are written.
+//! Answer whose designs are computed while they are written.
 
 use super::{BestOfStructure, RequiredSize, Searched, Searches, SelectTeeth};
 use crate::answer::Answer;
@@ -11,7 +11,7 @@ use serde::ser::{Error as _, SerializeSeq as _};
 use serde::{Serialize, Serializer};
 use std::borrow::Cow;
 
-/// A [`SelectTeeth`] whose designs are made while they are written, and checked one by one.
+/// Answer [`SelectTeeth`] whose designs are computed, and checked one by one, while they are written.
 #[derive(Serialize)]
 pub struct Streamed<'a> {
     pub(super) shown_in_full: Option<u32>,

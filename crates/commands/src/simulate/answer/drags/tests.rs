@@ -1,4 +1,4 @@
-//! Drags in motion against `losses` and closed forms.
+//! Drags in motion compared with `losses` and closed forms.
 
 use crate::losses::answer as losses;
 use crate::shared::gearbox::{Choice, one};
@@ -21,7 +21,7 @@ drags:
 gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }]
 ";
 
-/// The gearbox in motion: its file beside the scenario.
+/// Simulation of the gearbox with its file beside the scenario.
 fn moved(text: &str) -> Result<Simulation, crate::error::Error> {
     let document = document(text);
     let gearbox = Some(Document::parse_one("box.yaml", BOX.as_bytes()).unwrap());
@@ -37,7 +37,8 @@ fn steady(gear: &str, load: f64) -> String {
     )
 }
 
-/// With the torques that `losses` balances the motion is even, and each drag loses what it tells.
+/// With the torques in balance according to `losses`, the speeds stay constant and each drag loses the power
+/// given there.
 #[test]
 fn an_even_motion_is_the_balance_of_losses() {
     let file = Document::parse_one("box.yaml", BOX.as_bytes()).unwrap();
@@ -64,7 +65,7 @@ fn an_even_motion_is_the_balance_of_losses() {
         close(found.energies.drag_loss_j, 5.0 * due.gears[0].drag_loss_w, 1e-9);
         assert!((found.energies.mesh_loss_j - 5.0 * due.gears[0].mesh_loss_w).abs() < 1e-6);
         assert!(found.energies.residual.abs() < 1e-11);
-        // What sets and shift elements give is what the load and the oil on the output take.
+        // The torque of sets and shift elements equals the load plus the oil drag on the output.
         let oil = found.drags.iter().find(|drag| drag.id == "churning").unwrap();
         let given = -due.gears[0].output_torque_n_m + oil.end_torque_n_m;
         close(*found.samples.output_torques_n_m.last().unwrap(), given, 1e-9);
@@ -81,7 +82,8 @@ fn the_losses_of_each_drag_grow_to_what_it_loses_in_all() {
         assert_eq!(*samples.losses_j.last().unwrap(), drag.loss_j);
         assert_eq!(*samples.torques_n_m.last().unwrap(), drag.end_torque_n_m);
         assert_eq!(*samples.slips_rad_s.last().unwrap(), drag.end_slip_rad_s);
-        // Trapezia of the power: every sample beside the loss that is integrated with the motion.
+        // Trapezoidal rule for the power: at every sample it must agree with the loss integrated with the
+        // motion.
         let powers: Vec<f64> = samples
             .torques_n_m
             .iter()
@@ -98,7 +100,7 @@ fn the_losses_of_each_drag_grow_to_what_it_loses_in_all() {
     assert!(bare.drags.is_empty() && bare.samples.drags.is_empty() && bare.energies.drag_loss_j == 0.0);
     assert_eq!(bare.warnings[0].name, "drags");
     assert!(found.warnings.is_empty(), "{:?}", found.warnings);
-    // What brakes and clutches engaged for good would drag, nobody turns.
+    // Brakes and clutches that are always engaged have no slip, so that their drags lose nothing.
     let engaged = text
         .replace("gear: slow\n", "gear: slow\nengaged: [K1]\n")
         .replace("{ id: K1, holding: 900 N·m }, ", "");
@@ -109,7 +111,8 @@ fn the_losses_of_each_drag_grow_to_what_it_loses_in_all() {
     );
 }
 
-/// A rotor with a dry seal alone: `t = J·ω_0/M`, all its energy in the seal, and at rest it stays.
+/// Rotor with a dry seal alone: it stops after `t = J·ω_0/M`, all its energy goes into the seal, and it stays
+/// at rest.
 #[test]
 fn a_seal_brings_to_rest_in_a_line() {
     let text = "\
