@@ -28,7 +28,8 @@ fn no_key_has_gone() {
     if std::env::var_os("UPDATE_BOOK").is_some() {
         let mut text = String::new();
         for (name, keys) in &now {
-            writeln!(text, "{name}: {}", keys.iter().map(String::as_str).collect::<Vec<_>>().join(" ")).unwrap();
+            writeln!(text, "{name}: {}", keys.iter().map(String::as_str).collect::<Vec<_>>().join(" "))
+                .unwrap();
         }
         std::fs::write(file, text).unwrap();
     }

@@ -3,7 +3,8 @@
 use crate::refusal::{DutyProblem, Given, LoadQuantity, SizeName, SizeProblem};
 
 /// A question without an answer.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug, thiserror::Error, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Error {
     /// A number of an answer that no double holds.
@@ -14,6 +15,7 @@ pub enum Error {
     },
     /// An answer that cannot be put in its format.
     #[error("the answer cannot be written as text: {0}")]
+    #[strum(serialize = "not-writable")]
     Json(String),
     /// More things than are written at once.
     #[error("{found} are found and at most {most} are written")]
@@ -45,6 +47,7 @@ pub enum Error {
     NoMotor(Box<crate::motor::search::answer::funnel::Funnel>),
     /// A search with free tooth forms in which no motor passes with any.
     #[error("no motor within the limits: {0}")]
+    #[strum(serialize = "no-motor")]
     NoMotorForm(Box<crate::motor::forms::answer::funnel::Funnel>),
     /// A number of a design that a search has not found.
     #[error("{design}: there are designs 1 to {designs}")]
@@ -70,6 +73,7 @@ pub enum Error {
     },
     /// A construction of arcs of a motor that has none.
     #[error("a rotor by the cosine law is not made of arcs; it has no construction (1)-(8)")]
+    #[strum(serialize = "no-construction")]
     NoArcs,
     /// A stator of more teeth than a list of all its satellites takes.
     #[error(
@@ -234,6 +238,7 @@ pub enum Error {
     },
     /// A one-way clutch that lets go at a load.
     #[error("gear `{gear}` relies on the one-way clutch `{clutch}`, which lets go at this load")]
+    #[strum(serialize = "one-way-clutch")]
     Released {
         /// The clutch.
         clutch: String,
@@ -385,64 +390,20 @@ impl Error {
     #[must_use]
     pub fn name(&self) -> &'static str {
         match self {
-            Self::NotFinite { .. } => "not-finite",
-            Self::Json(_) => "not-writable",
-            Self::TooMany { .. } => "too-many",
             Self::Document(error) => error.name(),
             Self::Placed { why, .. } => why.name(),
             Self::Drive(error) => error.name(),
             Self::Motor(error) => error.name(),
-            Self::NoMotor(_) | Self::NoMotorForm(_) => "no-motor",
-            Self::NoSuchDesign { .. } => "no-such-design",
-            Self::PressureDrop => "pressure-drop",
-            Self::RotorSpeed => "rotor-speed",
             Self::NoConstruction { why, .. } => why.name(),
-            Self::NoArcs => "no-construction",
-            Self::TooManyToList { .. } => "too-many-to-list",
-            Self::MotorKey { .. } => "motor-key",
-            Self::CentrodePoints { .. } => "centrode-points",
             Self::Gear(error) => error.name(),
             Self::Gearbox(error) => error.name(),
-            Self::OneGearbox => "one-gearbox",
-            Self::SeveralTransmissions { .. } => "several-transmissions",
-            Self::NoTransmission { .. } => "no-transmission",
-            Self::AmbiguousTransmission { .. } => "ambiguous-transmission",
-            Self::NoGear { .. } => "no-gear",
-            Self::Load { .. } => "load",
-            Self::ProgressionFactor { .. } => "progression-factor",
-            Self::ManyGears { .. } => "many-gears",
-            Self::NoLink { .. } => "no-link",
-            Self::Inputs { .. } => "inputs",
-            Self::Places { .. } => "places",
             Self::Design(error) => error.name(),
-            Self::SchemeSize { .. } => "scheme-size",
             Self::Selection(error) => error.name(),
             Self::Synthesis(error) => error.name(),
-            Self::Duty(_) => "duty",
-            Self::TooManyDesigns { .. } => "too-many-designs",
-            Self::ModuleRange { .. } => "module-range",
-            Self::Released { .. } => "one-way-clutch",
-            Self::NoLoad => "no-load",
-            Self::Shares { .. } => "shares",
-            Self::LoadWithoutSpeed => "load-without-speed",
-            Self::OfOnePoint => "of-one-point",
-            Self::NothingRated { .. } => "nothing-rated",
-            Self::NothingDescribed { .. } => "nothing-described",
-            Self::NothingVibrates { .. } => "nothing-vibrates",
-            Self::Harmonics { .. } => "harmonics",
-            Self::Cooling { .. } => "cooling",
-            Self::DampingRatio { .. } => "damping-ratio",
-            Self::TransmissionError { .. } => "transmission-error",
-            Self::ExcitationWithout { .. } => "excitation-without",
-            Self::NoSet { .. } => "no-set",
             Self::Sizing(error) => error.name(),
-            Self::Sweep { .. } => "sweep",
-            Self::SweptLength { .. } => "swept-length",
             Self::SweptVariant { why, .. } => why.name(),
             Self::Motion(error) => error.name(),
-            Self::NothingToSize { .. } => "nothing-to-size",
-            Self::NoSize { .. } => "no-size",
-            Self::NoChute => "no-chute",
+            named => named.into(),
         }
     }
 

@@ -44,10 +44,12 @@ Exit codes:
      found where there is something to show, and no file half-written";
 
 /// A refusal, shown after `error: `.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug, thiserror::Error, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Failure {
     /// A file that cannot be read.
     #[error("{}: cannot be read: {source}", file.display())]
+    #[strum(serialize = "cannot-be-read")]
     Read {
         /// The file.
         file: PathBuf,
@@ -56,6 +58,7 @@ pub enum Failure {
     },
     /// An answer that cannot be written.
     #[error("{}: cannot be written: {source}{}", file.display(), if file.is_file() { "; it is unchanged" } else { "" })]
+    #[strum(serialize = "cannot-be-written")]
     Write {
         /// The file.
         file: PathBuf,
@@ -81,6 +84,7 @@ pub enum Failure {
     Answer(#[from] crate::error::Error),
     /// An answer that cannot be shown.
     #[error(transparent)]
+    #[strum(serialize = "not-finite")]
     View(crate::table::text::Error),
     /// Requirements that no gear meets.
     #[error(transparent)]
@@ -116,6 +120,7 @@ pub enum Failure {
     },
     /// A picture that cannot be made.
     #[error(transparent)]
+    #[strum(serialize = "no-picture")]
     Picture(#[from] epicyclic_pictures::Error),
     /// An answer that says that there is none.
     #[error("{0}")]
@@ -173,6 +178,7 @@ pub enum Failure {
     },
     /// An answer that cannot be put in its format.
     #[error("the answer cannot be written as text: {0}")]
+    #[strum(serialize = "not-writable")]
     Format(String),
 }
 
@@ -245,30 +251,16 @@ impl Failure {
     #[must_use]
     pub fn name(&self) -> &'static str {
         match self {
-            Self::Read { .. } => "cannot-be-read",
-            Self::Write { .. } => "cannot-be-written",
-            Self::WrittenDash { .. } => "written-dash",
-            Self::StandardOutput(_) => "standard-output",
             Self::Document(error) => error.name(),
             Self::Answer(error) => error.name(),
-            Self::View(_) => "not-finite",
             Self::Gear(error) | Self::NoToothNumbers { error, .. } => error.name(),
             Self::Gearbox(error) => error.name(),
             Self::Design(error) => error.name(),
             Self::Selection(error) => error.name(),
-            Self::SelfCrossing { .. } => "self-crossing",
-            Self::Picture(_) => "no-picture",
-            Self::NothingFound(_) => "nothing-found",
-            Self::Interrupted(_) => "interrupted",
-            Self::TooLong(_) => "too-long",
-            #[cfg(feature = "tables")]
-            Self::Table(_) => "table",
             Self::Motor(error) => error.name(),
             Self::Option { name, .. } => name,
             Self::Range { .. } => INVALID,
-            Self::AllUndercut { .. } => "all-undercut",
-            Self::OneFile { .. } => "one-file",
-            Self::Format(_) => "not-writable",
+            named => named.into(),
         }
     }
 

@@ -6,7 +6,8 @@ use epicyclic_gears::with_unit;
 use epicyclic_train::State;
 
 /// A mechanism that cannot move as described.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Error {
     /// A mass, inertia or radius that no body has.
@@ -121,22 +122,11 @@ pub enum Error {
 impl Error {
     /// Name of the fault, which does not change with the message: `impossible`.
     #[must_use]
-    pub const fn name(&self) -> &'static str {
+    pub fn name(&self) -> &'static str {
         match self {
-            Self::Impossible { .. } => "impossible",
-            Self::NotFinite { .. } => "not-finite",
-            Self::LoadNotFinite { .. } => "load-not-finite",
-            Self::NotPositive { .. } => "not-positive",
-            Self::NoInertia => "no-inertia",
-            Self::DoesNotStart { .. } => "does-not-start",
-            Self::SelfLocking => "self-locking",
-            Self::UnequalCentreDistances { .. } => "unequal-centre-distances",
-            Self::BoreTooLarge { .. } => "bore-too-large",
-            Self::Overflow { .. } => "overflow",
-            Self::UnknownPart { .. } => "unknown-part",
-            Self::NoSpeed { .. } => "no-speed",
             Self::Gearbox(error) => error.name(),
             Self::Gear(error) => error.name(),
+            named => named.into(),
         }
     }
 }

@@ -63,7 +63,8 @@ impl fmt::Display for Place {
 }
 
 /// What may be wrong with a document.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Problem {
     /// Bytes that are not UTF-8.
@@ -221,32 +222,11 @@ impl Problem {
     /// The name of the fault, which does not change: `unknown-key`; of a quantity or a calculation that of
     /// its error.
     #[must_use]
-    pub const fn name(&self) -> &'static str {
+    pub fn name(&self) -> &'static str {
         match self {
-            Self::NotUtf8 { .. } => "not-utf8",
-            Self::ControlCharacter { .. } => "control-character",
-            Self::TooLarge { .. } => "too-large",
-            Self::EmptyFile => "empty-file",
-            Self::EmptyDocument => "empty-document",
-            Self::SeveralDocuments { .. } => "several-documents",
-            Self::Syntax { .. } => "syntax",
-            Self::ReadTwoWays => "read-two-ways",
-            Self::TooDeep { .. } => "too-deep",
-            Self::TooManyValues { .. } => "too-many-values",
-            Self::DuplicateKey { .. } => "duplicate-key",
-            Self::ComplexKey => "complex-key",
-            Self::MergeKey => "merge-key",
-            Self::Anchor => "anchor",
-            Self::Tag { .. } => "tag",
-            Self::UnknownKey { .. } => "unknown-key",
-            Self::RenamedKey { .. } => "renamed-key",
-            Self::MissingKey { .. } => "missing-key",
-            Self::UnknownName { .. } => "unknown-name",
-            Self::WrongType { .. } => "wrong-type",
-            Self::OutOfRange { .. } => "out-of-range",
-            Self::WrongLength { .. } => "wrong-length",
             Self::Refused { name, .. } => name,
             Self::Quantity(error) => error.name(),
+            named => named.into(),
         }
     }
 }

@@ -93,7 +93,8 @@ pub use vibration::{
 pub use written::{NotWritable, WrittenSize, written, written_with_sizes};
 
 /// A description that is no gearbox.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum DescriptionError {
     /// A set known in no way, or in two.
@@ -258,28 +259,12 @@ pub enum DescriptionError {
 impl DescriptionError {
     /// Name of the fault, which does not change with the message: `row-known-in-one-way`.
     #[must_use]
-    pub const fn name(&self) -> &'static str {
+    pub fn name(&self) -> &'static str {
         match self {
-            Self::RowKnownInOneWay { .. } => "row-known-in-one-way",
-            Self::Carrier { .. } => "carrier",
-            Self::Losses { .. } => "losses",
-            Self::LossesTwice { .. } => "losses-twice",
-            Self::Friction { .. } => "friction",
             Self::Rack(source) => source.name(),
-            Self::PlanetTeeth { .. } => "planet-teeth",
-            Self::ToolsOfKind { .. } => "tools-of-kind",
-            Self::Tools { .. } => "tools",
-            Self::Shifts { .. } => "shifts",
-            Self::HelixAngle { .. } => "helix-angle",
-            Self::Missing { .. } => "missing",
-            Self::MemberInNoLink { .. } => "member-in-no-link",
-            Self::MemberInTwoLinks { .. } => "member-in-two-links",
             Self::Set { source, .. } => source.name(),
-            Self::NoSuchPlanet { .. } => "no-such-planet",
-            Self::Clutch { .. } => "clutch",
-            Self::Values { .. } => "values",
-            Self::SpacingTwice { .. } => "spacing-twice",
             Self::Gearbox(error) => error.name(),
+            named => named.into(),
         }
     }
 }

@@ -10,7 +10,8 @@ use crate::quantity::{Counted, Quantity, SimpleGear};
 use crate::tolerance;
 
 /// An input that describes no gear, or a requirement that no gear meets.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Error {
     /// A search that the caller cancelled.
@@ -417,48 +418,8 @@ pub enum Error {
 impl Error {
     /// Name of the fault, which does not change with the message: `no-teeth`.
     #[must_use]
-    pub const fn name(&self) -> &'static str {
-        match self {
-            Self::Cancelled => "cancelled",
-            Self::NoTeeth => "no-teeth",
-            Self::RingToSunRatio { .. } => "ring-to-sun-ratio",
-            Self::BasicRatio { .. } => "basic-ratio",
-            Self::SameMember(_) => "same-member",
-            Self::CarrierUndetermined => "carrier-undetermined",
-            Self::KnownSpeeds { .. } => "known-speeds",
-            Self::Efficiency { .. } => "efficiency",
-            Self::EfficiencyTooSmall { .. } => "efficiency-too-small",
-            Self::ToothRange { .. } => "tooth-range",
-            Self::PlanetNumber { .. } => "planet-number",
-            Self::RingToSunRange { .. } => "ring-to-sun-range",
-            Self::Tolerance { .. } => "tolerance",
-            Self::Ratio { .. } => "ratio",
-            Self::NoToothNumbers { .. } => "no-tooth-numbers",
-            Self::NoDoublePlanetSet { .. } => "no-double-planet-set",
-            Self::TooFew { .. } => "too-few",
-            Self::NotPositive { .. } => "not-positive",
-            Self::Negative { .. } => "negative",
-            Self::OutOfRange { .. } => "out-of-range",
-            Self::NotAbove { .. } => "not-above",
-            Self::WrongGearKind { .. } => "wrong-gear-kind",
-            Self::NoRoot { .. } => "no-root",
-            Self::NoInternalTip { .. } => "no-internal-tip",
-            Self::ModulesDiffer { .. } => "modules-differ",
-            Self::PressureAnglesDiffer { .. } => "pressure-angles-differ",
-            Self::HelixAnglesDiffer { .. } => "helix-angles-differ",
-            Self::ShiftOutOfRange { .. } => "shift-out-of-range",
-            Self::ShiftSumOutOfRange { .. } => "shift-sum-out-of-range",
-            Self::Uncut { .. } => "uncut",
-            Self::NoShifts { .. } => "no-shifts",
-            Self::RingOffset { .. } => "ring-offset",
-            Self::Deviation { .. } => "deviation",
-            Self::BothInternal { .. } => "both-internal",
-            Self::InternalNotLarger { .. } => "internal-not-larger",
-            Self::NoStandardDiameter { .. } => "no-standard-diameter",
-            Self::UnknownBearing { .. } => "unknown-bearing",
-            Self::NoSuchBore { .. } => "no-such-bore",
-            Self::NoBearingForShaft { .. } => "no-bearing-for-shaft",
-        }
+    pub fn name(&self) -> &'static str {
+        self.into()
     }
 }
 

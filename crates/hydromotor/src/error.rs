@@ -3,7 +3,8 @@
 use crate::quantity::{ArcsFault, Choice, FamilyFault, OpenPair, PortSide, Quantity, WheelKind};
 
 /// An input that describes no motor.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Error {
     /// A wheel without lobes.
@@ -477,56 +478,8 @@ pub enum Error {
 impl Error {
     /// Name of the fault, which does not change with the message: `no-lobes`.
     #[must_use]
-    pub const fn name(&self) -> &'static str {
-        match self {
-            Self::NoLobes { .. } => "no-lobes",
-            Self::NoTeeth { .. } => "no-teeth",
-            Self::TooManyTeeth { .. } => "too-many-teeth",
-            Self::LobesNotMore { .. } => "lobes-not-more",
-            Self::LobesTooDifferent { .. } => "lobes-too-different",
-            Self::TeethPerLobe { .. } => "teeth-per-lobe",
-            Self::TeethPerLobeDiffer { .. } => "teeth-per-lobe-differ",
-            Self::SatelliteTooLarge { .. } => "satellite-too-large",
-            Self::EmptyRange { .. } => "empty-range",
-            Self::NotPositive { .. } => "not-positive",
-            Self::NotFinite { .. } => "not-finite",
-            Self::OutOfRange { .. } => "out-of-range",
-            Self::PairUndetermined { .. } => "pair-undetermined",
-            Self::NoArcs { .. } => "no-arcs",
-            Self::OutsideFamily { .. } => "outside-family",
-            Self::OutsideFamilyByCrest { .. } => "outside-family-by-crest",
-            Self::NoFamily { .. } => "no-family",
-            Self::RotorInStator { .. } => "rotor-in-stator",
-            Self::NoChamber { .. } => "no-chamber",
-            Self::NoCosineRotor { .. } => "no-cosine-rotor",
-            Self::OutsideHarmonic { .. } => "outside-harmonic",
-            Self::NoSecondHarmonicRotor { .. } => "no-second-harmonic-rotor",
-            Self::PointedTip { .. } => "pointed-tip",
-            Self::FilletTooLarge { .. } => "fillet-too-large",
-            Self::NoTip { .. } => "no-tip",
-            Self::NoFlank { .. } => "no-flank",
-            Self::CannotHold { .. } => "cannot-hold",
-            Self::NoModules => "no-modules",
-            Self::EmptyLimits { .. } => "empty-limits",
-            Self::EmptySteps { .. } => "empty-steps",
-            Self::TooManyForms { .. } => "too-many-forms",
-            Self::NothingToChoose { .. } => "nothing-to-choose",
-            Self::NoFlankOrder => "no-flank-order",
-            Self::NoPressureDrop { .. } => "no-pressure-drop",
-            Self::Cancelled => "cancelled",
-            Self::TooManySets { .. } => "too-many-sets",
-            Self::PortOutside { .. } => "port-outside",
-            Self::PortsOverlap => "ports-overlap",
-            Self::SteepCentrode { .. } => "steep-centrode",
-            Self::SatelliteAcrossRay { .. } => "satellite-across-ray",
-            Self::SatelliteInWheel { .. } => "satellite-in-wheel",
-            Self::PortNeverOpens { .. } => "port-never-opens",
-            Self::PortNeverCloses { .. } => "port-never-closes",
-            Self::NoOpening { .. } => "no-opening",
-            Self::OtherMotor => "other-motor",
-            Self::NotLaminar { .. } => "not-laminar",
-            Self::PlayClosed { .. } => "play-closed",
-        }
+    pub fn name(&self) -> &'static str {
+        self.into()
     }
 }
 

@@ -3,7 +3,8 @@
 use epicyclic_gears::with_unit;
 
 /// A model that cannot be built, or a motion that does not exist.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Error {
     /// A number that is not allowed.
@@ -294,32 +295,10 @@ impl Error {
 
     /// Name of the fault, which does not change with the message: `no-inertia`.
     #[must_use]
-    pub const fn name(&self) -> &'static str {
+    pub fn name(&self) -> &'static str {
         match self {
-            Self::Value { .. } => "value",
-            Self::Unknown { .. } => "unknown",
-            Self::Duplicate { .. } => "duplicate",
-            Self::Order { .. } => "order",
-            Self::NoPoints { .. } => "no-points",
-            Self::PlanetSpeed { .. } => "planet-speed",
-            Self::OnePiece { .. } => "one-piece",
-            Self::NoFreedom => "no-freedom",
-            Self::Overdetermined { .. } => "overdetermined",
-            Self::NoInertia { .. } => "no-inertia",
-            Self::NotUnique { .. } => "not-unique",
-            Self::OpenSplit { .. } => "open-split",
-            Self::TooManyMeshes { .. } => "too-many-meshes",
-            Self::TooManyAtRest { .. } => "too-many-at-rest",
-            Self::NoMotion { .. } => "no-motion",
-            Self::DragSpeed { .. } => "drag-speed",
-            Self::InitialSpeeds { .. } => "initial-speeds",
-            Self::InitialOpen { .. } => "initial-open",
-            Self::InitialSlip { .. } => "initial-slip",
-            Self::InitialDog { .. } => "initial-dog",
-            Self::Accumulating { .. } => "accumulating",
-            Self::StepTooShort { .. } => "step-too-short",
-            Self::TooManySteps { .. } => "too-many-steps",
             Self::Gearbox(error) => error.name(),
+            named => named.into(),
         }
     }
 }

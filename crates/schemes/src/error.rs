@@ -6,7 +6,8 @@ use crate::quantity::{ConnectionPart, FlightFault, Quantity, SeriesParameter};
 use epicyclic_gears::with_unit;
 
 /// An invalid input, or requirements that nothing meets.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Error {
     /// A name that no scheme bears.
@@ -173,28 +174,11 @@ pub enum Error {
 impl Error {
     /// Name of the fault, which does not change with the message: `unknown-scheme`.
     #[must_use]
-    pub const fn name(&self) -> &'static str {
+    pub fn name(&self) -> &'static str {
         match self {
-            Self::UnknownScheme { .. } => "unknown-scheme",
-            Self::BoomAngle { .. } => "boom-angle",
-            Self::UnknownStructure { .. } => "unknown-structure",
-            Self::NotAStructure { .. } => "not-a-structure",
-            Self::RingToSunRange { .. } => "ring-to-sun-range",
-            Self::RatioOutOfReach { .. } => "ratio-out-of-reach",
-            Self::ConnectionRatio { .. } => "connection-ratio",
-            Self::SpeedCount { .. } => "speed-count",
-            Self::SpeedsOutOfOrder { .. } => "speeds-out-of-order",
-            Self::SpeedRange { .. } => "speed-range",
-            Self::MiddleSpeed { .. } => "middle-speed",
-            Self::RatioCount { .. } => "ratio-count",
-            Self::Ratio { .. } => "ratio",
-            Self::EqualRatios { .. } => "equal-ratios",
-            Self::DirectPlace { .. } => "direct-place",
-            Self::NotPositive { .. } => "not-positive",
-            Self::NoFlight { .. } => "no-flight",
-            Self::UnknownMachine { .. } => "unknown-machine",
             Self::GearSet(error) => error.name(),
             Self::Gearbox(error) => error.name(),
+            named => named.into(),
         }
     }
 }

@@ -4,7 +4,8 @@ use crate::objective::Objective;
 use crate::quantity::{KRange, Limited, Rated};
 
 /// Invalid requirements, or a search too large.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Error {
     /// Too few or too many speeds.
@@ -179,30 +180,12 @@ pub enum Error {
 impl Error {
     /// Name of the fault, which does not change with the message: `speed-count`.
     #[must_use]
-    pub const fn name(&self) -> &'static str {
+    pub fn name(&self) -> &'static str {
         match self {
-            Self::SpeedCount { .. } => "speed-count",
-            Self::RatioCount { .. } => "ratio-count",
-            Self::OneRatio { .. } => "one-ratio",
-            Self::Tolerance { .. } => "tolerance",
-            Self::RingToSunCount { .. } => "ring-to-sun-count",
-            Self::RingToSunRange { .. } => "ring-to-sun-range",
-            Self::Limit { .. } => "limit",
-            Self::Rating { .. } => "rating",
-            Self::PlanetNumber { .. } => "planet-number",
-            Self::RepeatedObjective { .. } => "repeated-objective",
-            Self::NoObjectiveOfTeeth { .. } => "no-objective-of-teeth",
-            Self::UnknownObjective { .. } => "unknown-objective",
-            Self::SizeWithoutTorque => "size-without-torque",
-            Self::TooManyToothSets { .. } => "too-many-tooth-sets",
-            Self::TooManyNear { .. } => "too-many-near",
-            Self::TooManyWindows { .. } => "too-many-windows",
-            Self::TooManyPairs { .. } => "too-many-pairs",
-            Self::FrontTooLarge { .. } => "front-too-large",
-            Self::Cancelled => "cancelled",
             Self::GearSet(error) => error.name(),
             Self::Scheme(error) => error.name(),
             Self::Gearbox(error) => error.name(),
+            named => named.into(),
         }
     }
 }

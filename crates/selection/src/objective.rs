@@ -3,15 +3,18 @@
 use std::fmt;
 
 /// One objective.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Objective {
     /// The least efficiency over the braked gears.
     Efficiency,
     /// The largest speed of links, and of planets relative to their carriers.
     Speed,
     /// Σ distance of ln k from the preferred range.
+    #[strum(serialize = "k")]
     RingToSun,
     /// The largest relative error of a ratio.
+    #[strum(serialize = "error")]
     RatioError,
     /// The largest ring.
     Size,
@@ -26,15 +29,8 @@ impl Objective {
 
     /// Name of the objective.
     #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Efficiency => "efficiency",
-            Self::Speed => "speed",
-            Self::RingToSun => "k",
-            Self::RatioError => "error",
-            Self::Size => "size",
-            Self::Circulation => "circulation",
-        }
+    pub fn name(self) -> &'static str {
+        self.into()
     }
 }
 

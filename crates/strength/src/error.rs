@@ -65,7 +65,8 @@ epicyclic_gears::words! {
 }
 
 /// An input that describes no gear, no load or no duty, or one outside what the standard holds for.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Error {
     /// A search that the caller cancelled.
@@ -230,24 +231,10 @@ impl Error {
 
     /// Name of the fault, which does not change with the message: `not-positive`.
     #[must_use]
-    pub const fn name(&self) -> &'static str {
+    pub fn name(&self) -> &'static str {
         match self {
-            Self::Cancelled => "cancelled",
-            Self::NotPositive { .. } => "not-positive",
-            Self::Negative { .. } => "negative",
-            Self::OutOfRange { .. } => "out-of-range",
-            Self::NotAbove { .. } => "not-above",
-            Self::GivenFactor { .. } => "given-factor",
-            Self::MissingFactor { .. } => "missing-factor",
-            Self::NoRootSection { .. } => "no-root-section",
-            Self::Shares { .. } => "shares",
-            Self::IdleDuty => "idle-duty",
-            Self::NothingToSearch { .. } => "nothing-to-search",
-            Self::SpaceTooLarge { .. } => "space-too-large",
-            Self::BearingColumn { .. } => "bearing-column",
-            Self::BearingCell { .. } => "bearing-cell",
-            Self::NoBearings => "no-bearings",
             Self::Gears(error) => error.name(),
+            named => named.into(),
         }
     }
 }

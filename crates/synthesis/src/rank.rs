@@ -43,7 +43,8 @@ use std::str::FromStr;
 const COUNT: usize = 10;
 
 /// Objective by which a solution is rated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Objective {
     /// Whether its scheme can be drawn without links that cross.
     Drawable,
@@ -92,19 +93,8 @@ impl Objective {
 
     /// Name of the objective.
     #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Drawable => "drawable",
-            Self::Shifts => "shifts",
-            Self::Efficiency => "efficiency",
-            Self::Drag => "drag",
-            Self::Torque => "torque",
-            Self::Speed => "speed",
-            Self::Circulation => "circulation",
-            Self::Progression => "progression",
-            Self::Deviation => "deviation",
-            Self::Reverse => "reverse",
-        }
+    pub fn name(self) -> &'static str {
+        self.into()
     }
 
     /// Order of all objectives that begins with the given ones.

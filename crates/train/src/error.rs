@@ -107,7 +107,8 @@ impl fmt::Display for Place {
 }
 
 /// A description that is not a gearbox, or a request that the gearbox cannot answer.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Error {
     /// An unknown name.
@@ -320,34 +321,8 @@ pub enum Error {
 impl Error {
     /// Name of the fault, which does not change with the message: `unknown`.
     #[must_use]
-    pub const fn name(&self) -> &'static str {
-        match self {
-            Self::Unknown { .. } => "unknown",
-            Self::EngagedTwice { .. } => "engaged-twice",
-            Self::Duplicate { .. } => "duplicate",
-            Self::CoincidentMembers { .. } => "coincident-members",
-            Self::RingToSunRatio { .. } => "ring-to-sun-ratio",
-            Self::BasicRatio { .. } => "basic-ratio",
-            Self::Spread { .. } => "spread",
-            Self::StepsMissing { .. } => "steps-missing",
-            Self::PlanetCount { .. } => "planet-count",
-            Self::Spacing { .. } => "spacing",
-            Self::Compound { .. } => "compound",
-            Self::ShiftElementJoinsItself { .. } => "shift-element-joins-itself",
-            Self::CyclicGrounds { .. } => "cyclic-grounds",
-            Self::GroundedTerminal { .. } => "grounded-terminal",
-            Self::TooMany { .. } => "too-many",
-            Self::NoSets => "no-sets",
-            Self::ForeignGear { .. } => "foreign-gear",
-            Self::Drag { .. } => "drag",
-            Self::Inputs(_) => "inputs",
-            Self::NoTerminal { .. } => "no-terminal",
-            Self::NotDriven { .. } => "not-driven",
-            Self::OperatingPoint { .. } => "operating-point",
-            Self::ValueCount { .. } => "value-count",
-            Self::NotVaried { .. } => "not-varied",
-            Self::VariedTwice { .. } => "varied-twice",
-        }
+    pub fn name(&self) -> &'static str {
+        self.into()
     }
 }
 

@@ -5,11 +5,13 @@ use crate::visible::one_line;
 
 /// A text that is not the number or quantity it should be. Each message shows the text, what is wrong, and
 /// what to write instead.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum QuantityError {
     /// A text of nothing but white space.
     #[error("empty text; write a number{}", example(*expected))]
+    #[strum(serialize = "empty-text")]
     Empty {
         /// The required dimension, if it is known.
         expected: Option<Dimension>,
@@ -150,20 +152,8 @@ impl QuantityError {
 
     /// The name of the variant, which does not change: `decimal-comma`.
     #[must_use]
-    pub const fn name(&self) -> &'static str {
-        match self {
-            Self::Empty { .. } => "empty-text",
-            Self::NotANumber { .. } => "not-a-number",
-            Self::NotFinite { .. } => "not-finite",
-            Self::TooLarge { .. } => "too-large",
-            Self::DecimalComma { .. } => "decimal-comma",
-            Self::ThousandsSeparator { .. } => "thousands-separator",
-            Self::MissingUnit { .. } => "missing-unit",
-            Self::UnexpectedUnit { .. } => "unexpected-unit",
-            Self::UnknownUnit { .. } => "unknown-unit",
-            Self::AmbiguousUnit { .. } => "ambiguous-unit",
-            Self::WrongDimension { .. } => "wrong-dimension",
-        }
+    pub fn name(&self) -> &'static str {
+        self.into()
     }
 }
 

@@ -1,7 +1,8 @@
 //! Errors of this crate.
 
 /// An input that describes no vibrating system, or none that the calculation holds for.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Error {
     /// A sweep that whoever waits for it ended.
@@ -188,27 +189,7 @@ pub enum Error {
 impl Error {
     /// Name of the fault, which does not change with the message: `not-positive`.
     #[must_use]
-    pub const fn name(&self) -> &'static str {
-        match self {
-            Self::Cancelled => "cancelled",
-            Self::NotPositive { .. } => "not-positive",
-            Self::Negative { .. } => "negative",
-            Self::OutOfRange { .. } => "out-of-range",
-            Self::TooFew { .. } => "too-few",
-            Self::SameAngle { .. } => "same-angle",
-            Self::NoSuchBody { .. } => "no-such-body",
-            Self::NoSuchSpring { .. } => "no-such-spring",
-            Self::NothingMoves => "nothing-moves",
-            Self::Sizes { .. } => "sizes",
-            Self::NotSymmetric { .. } => "not-symmetric",
-            Self::MassNotPositive => "mass-not-positive",
-            Self::StiffnessNegative { .. } => "stiffness-negative",
-            Self::NotConverged { .. } => "not-converged",
-            Self::AboveCritical { .. } => "above-critical",
-            Self::Unbalanced { .. } => "unbalanced",
-            Self::Assembly { .. } => "assembly",
-            Self::Speeds { .. } => "speeds",
-            Self::Count { .. } => "count",
-        }
+    pub fn name(&self) -> &'static str {
+        self.into()
     }
 }

@@ -28,7 +28,8 @@ fn schema(name: &str) -> Result<Value, String> {
 /// # Errors
 /// As [`schemas`].
 pub fn tables() -> Result<String, String> {
-    let of_answer = |(name, schema): (String, Value)| Some((name.strip_prefix("answer-")?.to_owned(), schema));
+    let of_answer =
+        |(name, schema): (String, Value)| Some((name.strip_prefix("answer-")?.to_owned(), schema));
     let schemas: Vec<(String, Value)> = schemas()?.into_iter().filter_map(of_answer).collect();
     let by_keys = schemas.iter().map(|(name, schema)| (keys(schema), name.clone())).collect();
     let mut page = String::new();

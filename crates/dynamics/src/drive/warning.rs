@@ -3,7 +3,8 @@
 use super::part::{BoredGear, Shaft};
 
 /// A finding about a drive that does not stop the calculation.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Warning {
     /// A given shaft is thinner than the formula requires.
@@ -144,24 +145,7 @@ pub enum Warning {
 impl Warning {
     /// Name, which does not change: `shaft-too-thin`.
     #[must_use]
-    pub const fn name(&self) -> &'static str {
-        match self {
-            Self::ShaftTooThin { .. } => "shaft-too-thin",
-            Self::BearingTooNarrow { .. } => "bearing-too-narrow",
-            Self::NoBearing { .. } => "no-bearing",
-            Self::UnverifiedBearing { .. } => "unverified-bearing",
-            Self::StressOutsideUsualRange { .. } => "stress-outside-usual-range",
-            Self::Undercut { .. } => "undercut",
-            Self::NoPlanetClearance { .. } => "no-planet-clearance",
-            Self::TipGapBelowWanted { .. } => "tip-gap-below-wanted",
-            Self::UnequalSpacing { .. } => "unequal-spacing",
-            Self::RatioDeparts { .. } => "ratio-departs",
-            Self::RatioOutsideUsualRange { .. } => "ratio-outside-usual-range",
-            Self::PlanetPinOffCentre { .. } => "planet-pin-off-centre",
-            Self::PlanetBearingTooLarge { .. } => "planet-bearing-too-large",
-            Self::PlanetBoreTooNarrow { .. } => "planet-bore-too-narrow",
-            Self::PartUnlikeShape { .. } => "part-unlike-shape",
-            Self::CarrierNeglected => "carrier-neglected",
-        }
+    pub fn name(&self) -> &'static str {
+        self.into()
     }
 }

@@ -45,7 +45,8 @@ pub enum Severity {
 }
 
 /// Rule that a check applies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Rule {
     /// Whether the tool cuts the gear at all: 1 where it does.
@@ -68,11 +69,14 @@ pub enum Rule {
     /// Backlash at the working circles, modules.
     Backlash,
     /// A tip stays outside the base circle of its mate: radius of curvature of the mate's flank, modules.
+    #[strum(serialize = "involute-interference")]
     Involute,
     /// A tip stays out of the fillet of its mate: radius of curvature between the tip and the end of the
     /// mate's involute, modules.
+    #[strum(serialize = "fillet-interference")]
     Fillet,
     /// Tips of planet and ring miss each other outside the mesh: angle of the ring, rad.
+    #[strum(serialize = "trochoidal-interference")]
     Trochoidal,
     /// The planets enter the ring radially: angle of the planet, rad.
     RadialAssembly,
@@ -83,23 +87,8 @@ pub enum Rule {
 impl Rule {
     /// Name in output for programs.
     #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Tool => "tool",
-            Self::Undercut => "undercut",
-            Self::TipThickness => "tip-thickness",
-            Self::ToolTips => "tool-tips",
-            Self::ToolTrochoidal => "tool-trochoidal",
-            Self::ToolFeed => "tool-feed",
-            Self::ContactRatio => "contact-ratio",
-            Self::TipClearance => "tip-clearance",
-            Self::Backlash => "backlash",
-            Self::Involute => "involute-interference",
-            Self::Fillet => "fillet-interference",
-            Self::Trochoidal => "trochoidal-interference",
-            Self::RadialAssembly => "radial-assembly",
-            Self::PlanetGap => "planet-gap",
-        }
+    pub fn name(self) -> &'static str {
+        self.into()
     }
 
     /// Severity of a failed check.

@@ -70,7 +70,8 @@ pub struct ToothLimit {
 }
 
 /// Kinds of limits of the teeth.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "snake_case")]
 pub enum LimitKind {
     /// Undercut: the cutter's tip removes a part of the flank.
@@ -130,19 +131,8 @@ impl LimitKind {
 
     /// Name of the limit, which is also that of its warning.
     #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Undercut => "undercut",
-            Self::TipCusp => "tip-cusp",
-            Self::SatelliteRoot => "satellite-root",
-            Self::WheelRoot => "wheel-root",
-            Self::TipThickness => "tip-thickness",
-            Self::ContactPath => "contact-path",
-            Self::RootCurve => "root-curve",
-            Self::TipCurve => "tip-curve",
-            Self::Neighbours => "neighbours",
-            Self::Wheels => "wheels",
-        }
+    pub fn name(self) -> &'static str {
+        self.into()
     }
 }
 
