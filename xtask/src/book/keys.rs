@@ -16,7 +16,7 @@ pub fn schemas() -> Result<Vec<(String, Value)>, String> {
 }
 
 fn schema(name: &str) -> Result<Value, String> {
-    let desk = epicyclic::Memory::default();
+    let desk = epicyclic::desk::captured::Captured::default();
     let code = epicyclic::call(["schema", name], &desk);
     let said = desk.into_told();
     serde_json::from_slice(&said.answer)

@@ -226,7 +226,7 @@ impl Profile {
     pub fn most_fillet(&self) -> f64 {
         let alpha = self.rack.pressure_angle.si();
         let half = PI / 4.0 - self.dedendum() * libm::tan(alpha) + self.protuberance / libm::cos(alpha);
-        // ISO 53 rounds what there is room for: 0.39 of profile D at 0.3978, so nothing more is asked than
+        // ISO 53 rounds what there is room for: 0.39 of profile D at 0.3939, so nothing more is asked than
         // the arc's own width.
         half / libm::tan(PI / 4.0 - alpha / 2.0) + ROUNDED_FILLET
     }
