@@ -7,7 +7,7 @@ use epicyclic_formats::document::{SIZE_LIMIT, too_large};
 use std::io;
 use std::path::Path;
 
-/// Name that stands in the command line for standard input.
+/// File name on the command line that means standard input.
 const STANDARD_INPUT: &str = "-";
 
 /// Name of standard input in messages.

@@ -293,7 +293,7 @@ pub(crate) fn refuse(error: Error) -> Failure {
     Failure::named(error.name(), option, message)
 }
 
-/// Reads the gearbox of a file; refuses a list of transmissions of which none is chosen.
+/// Reads the gearbox of a file; refuses a list of several transmissions without a choice of one.
 pub(crate) fn subject<'d>(choice: &Choice, document: &'d Document) -> Result<Subject<'d>, Failure> {
     gearbox::one(document, &choice.question()?).map_err(refuse)
 }
