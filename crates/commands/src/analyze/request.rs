@@ -259,7 +259,7 @@ fn below_each_other<'n>(names: impl IntoIterator<Item = &'n str>) -> String {
     names.into_iter().map(|name| format!("\n  {name}")).collect()
 }
 
-/// Names the option that caused the error.
+/// Converts an error to a failure with the option that caused it.
 pub(crate) fn refuse(error: Error) -> Failure {
     let listed = |names: &[String]| below_each_other(names.iter().map(String::as_str));
     let (option, message) = match &error {

@@ -322,7 +322,7 @@ fn basis(call: &Call<'_>, args: &Args) -> Result<Basis, Failure> {
     Ok(basis)
 }
 
-/// Names the option that caused the error.
+/// Converts an error to a failure with the option that caused it.
 fn refuse_of(error: Error) -> Failure {
     match &error {
         Error::NoSuchDesign { .. } => Failure::of_option("--tooth-design", &error),

@@ -229,7 +229,7 @@ impl Rotor {
     }
 }
 
-/// Names the option that caused the error.
+/// Converts an error to a failure with the option that caused it.
 fn refuse(error: Error) -> Failure {
     let Error::Design(error) = error else { return error.into() };
     let option = match &error {

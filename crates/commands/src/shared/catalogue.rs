@@ -184,15 +184,15 @@ impl SetLinks {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SetSpeeds {
-    /// Speed of the sun.
+    /// Speed of the sun over that of the input.
     pub sun_of_input: Option<f64>,
-    /// Speed of the ring.
+    /// Speed of the ring over that of the input.
     pub ring_of_input: Option<f64>,
-    /// Speed of the carrier.
+    /// Speed of the carrier over that of the input.
     pub carrier_of_input: Option<f64>,
-    /// Speed of the planets.
+    /// Speed of the planets about their own axes, over that of the input.
     pub planet_of_input: Option<f64>,
-    /// Speed of the planets relative to their carrier.
+    /// Speed of the planets relative to their carrier, over that of the input.
     pub relative_planet_of_input: Option<f64>,
 }
 

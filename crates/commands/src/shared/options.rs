@@ -31,7 +31,7 @@ pub(crate) fn of_teeth(error: &Error, planets: &'static str) -> Option<&'static 
     })
 }
 
-/// Names the option that caused an error of the synthesis.
+/// Converts an error of the synthesis to a failure with the option that caused it.
 pub(crate) fn of_synthesis(error: crate::error::Error) -> Failure {
     match error {
         crate::error::Error::Synthesis(epicyclic_synthesis::Error::Teeth(error)) => {

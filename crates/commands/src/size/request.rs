@@ -185,7 +185,7 @@ impl Options {
     }
 }
 
-/// Names the option that caused the error.
+/// Converts an error to a failure with the option that caused it.
 pub(crate) fn refuse(error: Error) -> Failure {
     use epicyclic_strength::Error as E;
     let option = match &error {

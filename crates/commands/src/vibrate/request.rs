@@ -125,7 +125,7 @@ impl Exciting {
         })
     }
 
-    /// Names the option that caused the error.
+    /// Converts an error to a failure with the option that caused it.
     pub(crate) fn refuse(error: Error) -> Failure {
         let option = match &error {
             Error::Harmonics { .. } => "--harmonics",

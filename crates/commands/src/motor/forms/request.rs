@@ -278,7 +278,7 @@ fn search(args: &Args) -> Result<FormSearch, Failure> {
     })
 }
 
-/// Names the option that caused the error.
+/// Converts an error to a failure with the option that caused it.
 fn refuse(error: crate::error::Error) -> Failure {
     let option = match &error {
         crate::error::Error::Motor(error) => of_forms(error),

@@ -65,7 +65,7 @@ pub(crate) fn form(teeth: &Teeth) -> ToothForm {
     }
 }
 
-/// Names the option that caused the error.
+/// Converts an error to a failure with the option that caused it.
 pub(crate) fn refuse(error: crate::error::Error) -> Failure {
     let key = match &error {
         crate::error::Error::MotorKey { key, .. } => Some((*key).to_owned()),

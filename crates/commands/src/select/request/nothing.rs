@@ -9,7 +9,7 @@ pub(super) fn nothing_found(way_out: Option<&String>) -> Failure {
     Failure::NothingFound(format!("no design meets every required criterion{way_out}"))
 }
 
-/// Advice after a search for tooth numbers found nothing. One way is to leave out `--teeth`, which lists the
+/// Advice after a search for tooth numbers that found nothing. Without `--teeth` the answer lists the
 /// criteria that no design meets.
 pub(super) fn with_teeth_more(args: &Args) -> Option<String> {
     let mut more = vec![];
