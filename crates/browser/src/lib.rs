@@ -34,7 +34,7 @@ pub fn front(file: &str, question: &str) -> String {
     reply::told(gearbox::front(file, question))
 }
 
-/// Answers of [`look`] with other numbers at places that it has named, and the text of the changed file.
+/// Answers of `look` with other numbers at places that it has named, and the text of the changed file.
 #[wasm_bindgen]
 #[must_use]
 pub fn adjusted(file: &str, question: &str, changes: &str) -> String {

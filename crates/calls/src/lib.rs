@@ -109,7 +109,7 @@ impl Called {
         self.written.iter().map(|(name, _)| name.clone()).collect()
     }
 
-    /// Content of a written file, by its index in [`written`](Self::written).
+    /// Content of a written file, by its index in `written`.
     #[must_use]
     pub fn file(&self, place: usize) -> Option<Vec<u8>> {
         self.written.get(place).map(|(_, content)| content.clone())

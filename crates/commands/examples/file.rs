@@ -1,4 +1,4 @@
-//! The gears of a gearbox that stands in a file.
+//! Prints the gears of a gearbox file.
 
 use epicyclic_commands::shared::gearbox::{Choice, one};
 use epicyclic_formats::Document;

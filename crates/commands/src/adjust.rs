@@ -6,7 +6,7 @@ use crate::shared::gearbox::Subject;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What can be changed in a gearbox.
+/// Numbers that can be changed in a gearbox file.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Adjustable {
@@ -24,11 +24,11 @@ impl Answer for Adjustable {
 pub struct AdjustableNumber {
     /// Name of the set.
     pub set: String,
-    /// What it is.
+    /// Quantity that the number gives.
     pub of: AdjustableKind,
-    /// What it is now.
+    /// Present value.
     pub value: f64,
-    /// As the file has it.
+    /// Number as written in the file.
     pub text: String,
     /// Line of the file, from 1.
     pub line: usize,
@@ -36,7 +36,7 @@ pub struct AdjustableNumber {
     pub column: usize,
 }
 
-/// What a number is.
+/// Quantity that an adjustable number gives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum AdjustableKind {
@@ -49,7 +49,7 @@ pub enum AdjustableKind {
 }
 
 impl AdjustableKind {
-    /// Its name in messages.
+    /// Name for messages.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -91,7 +91,8 @@ pub fn answer(subject: &Subject<'_>) -> Adjustable {
     Adjustable { numbers }
 }
 
-/// The text of a file with another number at a place; nothing where the number does not stand there.
+/// Returns the file's text with the number replaced by `to`; `None` if the number is not at its recorded
+/// place.
 #[must_use]
 pub fn changed(file: &str, number: &AdjustableNumber, to: &str) -> Option<String> {
     let mut lines: Vec<String> = file.split_inclusive('\n').map(str::to_owned).collect();

@@ -140,9 +140,8 @@ pub trait Desk: Sync {
         let _ = hears;
     }
 
-    /// The seconds left for an answer when the call is asked to end, 0 where there are none; `None`
-    /// while it goes on. Every search, motion and table asks from its thread after at most some 50
-    /// ms of work.
+    /// Seconds left for an answer after the call was asked to end, 0 if no time is left; `None` while the
+    /// call goes on. Every search, motion and table asks from its thread after at most about 50 ms of work.
     fn asked_to_end(&self) -> Option<f64> {
         None
     }

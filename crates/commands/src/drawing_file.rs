@@ -28,7 +28,7 @@ pub(crate) fn format_of(end: &str) -> Option<FileFormat> {
     }
 }
 
-/// The same of a file that an option names; SVG without an end.
+/// Returns the format of a file that an option names; SVG if the name has no extension.
 pub(crate) fn format_by_name(file: &Path, option: &'static str) -> Result<FileFormat, Failure> {
     let Some(end) = end_of(file) else { return Ok(FileFormat::Svg) };
     format_of(&end).ok_or_else(|| {
@@ -49,7 +49,7 @@ pub(crate) fn check_dpi(
     Ok(())
 }
 
-/// What a file of this format holds.
+/// Writes a scene in the given format. `dpi` applies to PNG only.
 pub(crate) fn content(scene: &Scene, format: FileFormat, dpi: Option<Number>) -> Result<Vec<u8>, Failure> {
     let content = match format {
         FileFormat::Svg => svg::write(scene).map(String::into_bytes),

@@ -1,4 +1,4 @@
-//! What is refused instead of answered.
+//! Errors of the answers: questions that are refused or have no answer.
 
 use crate::refusal::{DutyProblem, Given, LoadQuantity, SizeName, SizeProblem};
 
@@ -10,7 +10,7 @@ pub enum Error {
     /// A number of an answer that no double holds.
     #[error("not a finite number: {figure}; a given number is too small or too large for it")]
     NotFinite {
-        /// Its key in the answer.
+        /// Key of the number in the answer.
         figure: String,
     },
     /// An answer that cannot be put in its format.
@@ -20,9 +20,9 @@ pub enum Error {
     /// More things than are written at once.
     #[error("{found} are found and at most {most} are written")]
     TooMany {
-        /// How many there are.
+        /// Number of things found.
         found: u64,
-        /// How many can be written.
+        /// Largest number that can be written.
         most: usize,
     },
     /// A fault in a file, with its line and column.
@@ -36,10 +36,10 @@ pub enum Error {
         /// The refusal itself.
         why: Box<Error>,
     },
-    /// What the design of a drive refuses.
+    /// An error of the design of a drive.
     #[error(transparent)]
     Drive(Box<epicyclic_dynamics::Error>),
-    /// What a hydromotor refuses.
+    /// An error of the hydromotor calculation.
     #[error(transparent)]
     Motor(#[from] epicyclic_hydromotor::Error),
     /// A search that no hydromotor passes.
@@ -54,7 +54,7 @@ pub enum Error {
     NoSuchDesign {
         /// The number.
         design: usize,
-        /// How many there are.
+        /// Number of designs found.
         designs: usize,
     },
     /// A pressure drop of a hydromotor that is not above 0.
@@ -85,12 +85,12 @@ pub enum Error {
         /// The most.
         most: u32,
     },
-    /// What is said of a hydromotor beside its geometry and does not go together.
+    /// Data of a hydromotor besides its geometry that contradict each other.
     #[error("{message}")]
     MotorKey {
         /// The key that it is about: `oil.viscosity`.
         key: &'static str,
-        /// What is wrong, and what is allowed.
+        /// Error and allowed values.
         message: String,
     },
     /// Too few or too many points of a hydromotor's centrodes.
@@ -101,19 +101,19 @@ pub enum Error {
         /// The most there can be.
         most: u32,
     },
-    /// What a gear or a simple set refuses.
+    /// An error of a gear or a simple set.
     #[error(transparent)]
     Gear(#[from] epicyclic_gears::Error),
-    /// What the solver refuses.
+    /// An error of the solver.
     #[error(transparent)]
     Gearbox(#[from] epicyclic_train::Error),
     /// A transmission chosen in a file that holds one gearbox.
     #[error("the file holds one gearbox, and no transmissions to choose from")]
     OneGearbox,
-    /// Transmissions of which one must be named.
+    /// A list of several transmissions without a choice of one.
     #[error("the file has {}; name one of: {}", names.len(), names.join("; "))]
     SeveralTransmissions {
-        /// All of them.
+        /// Names of all transmissions.
         names: Vec<String>,
     },
     /// A name that is part of no transmission's.
@@ -121,7 +121,7 @@ pub enum Error {
     NoTransmission {
         /// The name.
         name: String,
-        /// Those that there are.
+        /// Names of the transmissions in the file.
         names: Vec<String>,
     },
     /// A name that is part of several transmissions'.
@@ -129,7 +129,7 @@ pub enum Error {
     AmbiguousTransmission {
         /// The name.
         name: String,
-        /// Those that it is part of.
+        /// Names that contain the given one.
         names: Vec<String>,
     },
     /// A gear that the gearbox does not have.
@@ -137,13 +137,13 @@ pub enum Error {
     NoGear {
         /// The name.
         name: String,
-        /// Those that there are.
+        /// Names of the gearbox's gears.
         gears: Vec<String>,
     },
     /// A load that a gear cannot take.
     #[error("{why} (gear {gear})")]
     Load {
-        /// Of which quantity.
+        /// Quantity of the load.
         quantity: LoadQuantity,
         /// The gear.
         gear: String,
@@ -159,7 +159,7 @@ pub enum Error {
         factor: f64,
         /// The first gear of the progression.
         first: String,
-        /// Its last gear.
+        /// The last gear of the progression.
         last: String,
         /// The factor must be above this.
         least: f64,
@@ -181,13 +181,13 @@ pub enum Error {
         given: Given,
         /// The name.
         name: String,
-        /// Those that there are.
+        /// Names of the gearbox's links.
         links: Vec<String>,
     },
     /// Speeds or torques of several links that do not settle the others.
     #[error("{fault}")]
     Inputs {
-        /// Which of them.
+        /// Kind of the given values.
         given: Given,
         /// Why.
         fault: epicyclic_train::InputsFault,
@@ -200,18 +200,18 @@ pub enum Error {
         /// The most.
         most: u32,
     },
-    /// What a scheme or a machine refuses.
+    /// An error of a scheme or a machine.
     #[error(transparent)]
     Design(#[from] epicyclic_schemes::Error),
     /// A size of a scheme.
     #[error("{size}: {problem}")]
     SchemeSize {
-        /// Which.
+        /// Name of the size.
         size: SizeName,
-        /// What is wrong with it.
+        /// Error of the size.
         problem: SizeProblem,
     },
-    /// What a selection refuses.
+    /// An error of a selection.
     #[error(transparent)]
     Selection(#[from] epicyclic_selection::Error),
     /// A list of ratios that no gearbox of the classes asked for can have.
@@ -220,12 +220,12 @@ pub enum Error {
     /// A speed or load of an input.
     #[error(transparent)]
     Duty(#[from] DutyProblem),
-    /// More designs than are told at once.
+    /// More designs than are listed in one answer.
     #[error("{wanted} designs, each measured and written in full: at most {most}")]
     TooManyDesigns {
         /// How many are wanted.
         wanted: usize,
-        /// How many can be told.
+        /// Largest number of designs listed.
         most: usize,
     },
     /// Limits of a module that leave none.
@@ -259,7 +259,7 @@ pub enum Error {
     /// Strength at a load without a speed: its cycles follow from it.
     #[error("the load cycles of teeth follow from a speed: give it, too")]
     LoadWithoutSpeed,
-    /// What is of one operating point, asked over a duty.
+    /// An option of one operating point, given with a duty.
     #[error(
         "a gear and a speed are of one operating point: give a torque or power, or leave them out for the duty of the file"
     )]
@@ -295,36 +295,36 @@ pub enum Error {
     Cooling {
         /// Of what: `conductance`, `cooler`, `allowed-rise`.
         quantity: &'static str,
-        /// What was given.
+        /// Given value.
         given: f64,
-        /// Its unit.
+        /// Unit of the given value.
         unit: &'static str,
-        /// What is allowed.
+        /// Allowed range in words.
         allowed: &'static str,
     },
     /// A damping ratio with which nothing rings, or for ever.
     #[error("damping ratio {given}: {low} to {high} are allowed")]
     DampingRatio {
-        /// What was given.
+        /// Given damping ratio.
         given: f64,
         /// The least allowed.
         low: f64,
         /// The greatest.
         high: f64,
     },
-    /// An amplitude that is none, or nothing but zeros.
+    /// A negative or infinite amplitude of the transmission error, or amplitudes that are all zero.
     #[error("a transmission error of {} µm: amplitudes are 0 or above, and one above 0", crate::shared::number::short(given_m * 1e6))]
     TransmissionError {
-        /// What was given.
+        /// Given amplitude, m.
         given_m: f64,
     },
-    /// What excites a vibration, given without what it needs.
+    /// An excitation option without another one that it needs.
     #[error("{given} needs {lacks}: as an option, or as a key of `vibration` of the file")]
     ExcitationWithout {
-        /// What was given: `harmonics`, `transmission-error`, `ring-transmission-error`, `damping`,
+        /// Given option: `harmonics`, `transmission-error`, `ring-transmission-error`, `damping`,
         /// `without-gyroscopic`.
         given: &'static str,
-        /// What it needs.
+        /// Missing option.
         lacks: &'static str,
     },
     /// A set that does not exist.
@@ -335,7 +335,7 @@ pub enum Error {
         /// The sets.
         sets: Vec<String>,
     },
-    /// What a search for a size refuses of its space.
+    /// An error of the space of a size search.
     #[error(transparent)]
     Sizing(#[from] epicyclic_strength::Error),
     /// A key of a scenario that cannot be swept, or a value that it does not take.
@@ -359,15 +359,15 @@ pub enum Error {
     /// A variant of a sweep that is refused.
     #[error("variant {variant}: {why}")]
     SweptVariant {
-        /// Its place, from 0.
+        /// Index of the variant, from 0.
         variant: usize,
         /// Why.
         why: epicyclic_train::Error,
     },
-    /// What a simulated motion refuses.
+    /// An error of the simulation of motion.
     #[error(transparent)]
     Motion(#[from] epicyclic_motion::Error),
-    /// No set whose size can be sought.
+    /// No set whose size can be calculated.
     #[error("no set can be sized: {}", sets.join("; "))]
     NothingToSize {
         /// Why not, set by set.
@@ -384,7 +384,7 @@ pub enum Error {
     NoChute,
 }
 
-/// What would close instead.
+/// Name of an error, and whether the error means that nothing was found.
 impl Error {
     /// The name of the error, which does not change: `no-tooth-numbers`.
     #[must_use]

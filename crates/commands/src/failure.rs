@@ -1,12 +1,10 @@
-//! What ends the program, and with which exit code.
+//! Failures that end the program, with their exit codes.
 //!
-//! | code | means |
-//! |---|---|
-//! | 0 | answered |
-//! | 1 | nothing found: the question is sound and has no answer within its bounds |
-//! | 2 | wrong usage, or an input that cannot be |
-//! | 3 | a file or stream that cannot be read or written |
-//! | 130 | asked to end: Ctrl-C, or SIGTERM |
+//! - 0: answered
+//! - 1: nothing found: the question is sound and has no answer within its bounds
+//! - 2: wrong usage, or an invalid input
+//! - 3: a file or stream that cannot be read or written
+//! - 130: asked to end: Ctrl-C, or SIGTERM
 
 use crate::refused::{Place, Refused};
 use crate::shared::drawability::answer::Conflict;
@@ -28,10 +26,10 @@ const INPUT_OUTPUT: u8 = 3;
 /// Asked to end.
 pub const INTERRUPTED: u8 = 130;
 
-/// What is told of a call that was ended before there was anything to show.
+/// Message of a call that was ended before any result existed.
 pub const NOTHING_TO_SHOW: &str = "interrupted: ended before there was an answer; no file is half-written";
 
-/// The exit codes, as the help tells them.
+/// Exit codes, as shown in the help.
 pub const EXIT_CODES: &str = "\
 Exit codes:
   0  answered
@@ -115,14 +113,14 @@ pub enum Failure {
     SelfCrossing {
         /// The gearbox.
         gearbox: String,
-        /// What stands in each other's way.
+        /// Links and sets that prevent the drawing.
         conflict: Box<Conflict>,
     },
     /// A picture that cannot be made.
     #[error(transparent)]
     #[strum(serialize = "no-picture")]
     Picture(#[from] epicyclic_pictures::Error),
-    /// An answer that says that there is none.
+    /// An answer that lists no solution.
     #[error("{0}")]
     NothingFound(String),
     /// A call that was asked to end.
@@ -138,7 +136,7 @@ pub enum Failure {
     /// A hydromotor that cannot be.
     #[error(transparent)]
     Motor(#[from] epicyclic_hydromotor::Error),
-    /// What an option says cannot be.
+    /// An invalid value of an option.
     #[error("{option}: {message}")]
     Option {
         /// The name of the fault.
@@ -173,7 +171,7 @@ pub enum Failure {
         one: String,
         /// The other option, or what is read, and its file.
         other: String,
-        /// What to change.
+        /// Change that resolves the conflict.
         remedy: &'static str,
     },
     /// An answer that cannot be put in its format.
@@ -282,8 +280,8 @@ impl Failure {
         Refused { name: self.name(), message: self.to_string(), exit_code: self.code(), option, place }
     }
 
-    /// What is told of it: one line, whatever the names in it hold, but for messages that list several
-    /// things.
+    /// Text of the failure for people. Names cannot break the line; only messages that list several things
+    /// have several lines.
     pub fn told(&self) -> String {
         let text = self.to_string();
         match self {
@@ -302,8 +300,8 @@ impl Failure {
 }
 
 impl Failure {
-    /// What a picture or a figure refuses, at its place in the file that describes the thing: a gear's name,
-    /// else where the thing itself is described.
+    /// Adds the place in the file to an error of a picture or a figure: the name of a gear, otherwise the
+    /// description of the gearbox or motor.
     pub fn in_file(self, document: &Document, base: &Path) -> Self {
         use epicyclic_pictures::Error as E;
         let gearbox = |key: &str| {

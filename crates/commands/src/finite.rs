@@ -1,5 +1,5 @@
-//! That every number of an answer is one: JSON has no word for infinity, and `null` means that there is
-//! nothing.
+//! Rejects answers with infinite numbers or NaN: JSON cannot express them, and `null` means that a value is
+//! missing.
 
 use crate::error::Error;
 use serde::ser::{self, Impossible, Serialize};
@@ -18,7 +18,7 @@ struct Walk {
     path: String,
 }
 
-/// The key of a number that is none.
+/// Key of a number that is infinite or NaN.
 #[derive(Debug)]
 struct Found(String);
 

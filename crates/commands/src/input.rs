@@ -7,10 +7,10 @@ use epicyclic_formats::document::{SIZE_LIMIT, too_large};
 use std::io;
 use std::path::Path;
 
-/// What is written in place of a file for standard input.
+/// File name on the command line that means standard input.
 const STANDARD_INPUT: &str = "-";
 
-/// Its name in messages.
+/// Name of standard input in messages.
 const ITS_NAME: &str = "standard input";
 
 /// Whether standard input is meant.
@@ -38,13 +38,13 @@ pub fn text(call: &Call<'_>, file: &Path) -> Result<String, Failure> {
     })
 }
 
-/// The same, and the file as it stands.
+/// Reads the YAML document of a file and the file's bytes.
 pub(crate) fn with_bytes(call: &Call<'_>, file: &Path) -> Result<(Document, Vec<u8>), Failure> {
     let (name, bytes) = named(call, file)?;
     Ok((Document::parse_one(&name, &bytes)?, bytes))
 }
 
-/// What stands in a file, and its name in messages.
+/// Reads the bytes of a file and its name for messages.
 fn named(call: &Call<'_>, file: &Path) -> Result<(String, Vec<u8>), Failure> {
     let file = (!is_standard_input(file)).then_some(file);
     let name = file.map_or_else(|| ITS_NAME.to_owned(), |file| file.display().to_string());

@@ -55,7 +55,7 @@ pub(crate) trait Reply {
     /// Those of the writer.
     fn json(&self, out: &mut dyn io::Write) -> io::Result<()>;
 
-    /// The report, of which tables and CSV are made.
+    /// Report from which tables and CSV are written.
     fn as_report(&self) -> Report;
 }
 
@@ -96,7 +96,8 @@ impl OutputArgs {
         Some((file, drawing_file::format_of(&drawing_file::end_of(file)?)?))
     }
 
-    /// The same where a drawing does not take the answer's place: that goes to standard output.
+    /// Options for the answer beside a drawing: if `--output` names the drawing, the answer goes to standard
+    /// output.
     pub(crate) fn but_for_drawings(&self) -> Self {
         let output = self.target.output.clone().filter(|_| self.drawing().is_none());
         Self { format: self.format, target: Target { output } }
@@ -153,7 +154,7 @@ impl OutputArgs {
         self.deliver_with(call, vec![], answer)
     }
 
-    /// The same with other files of the same call, all of them or none.
+    /// Delivers the answer together with other files of the call: either all are written or none.
     pub(crate) fn deliver_with(
         &self,
         call: &Call<'_>,
@@ -266,7 +267,7 @@ impl OutputArgs {
     }
 }
 
-/// Tells what a report warns of.
+/// Shows the warnings of a report.
 fn tell(call: &Call<'_>, report: &Report) {
     report.warnings.iter().flatten().for_each(|(_, warning)| tell_warning(call, warning));
 }
@@ -364,8 +365,8 @@ pub fn asks_for_json(words: &[OsString]) -> bool {
     is_json && !words.iter().any(|word| goes_to_a_file(word))
 }
 
-/// Writes why there is no answer, in its place, unless something was written. What fails here has been told
-/// already.
+/// Writes the reason of a failure in place of the answer, unless an answer was written. Errors of this
+/// writing are ignored: the failure was already shown.
 pub fn in_place_of_an_answer(call: &Call<'_>, refused: &Refused) {
     if !call.has_answered() {
         let _ = call.answer(&mut |out| write_json(refused, out));

@@ -1,16 +1,16 @@
-//! How large a long search is and how far, where anybody wants to know.
+//! Size and progress of a long search, if the desk shows progress.
 
 use crate::desk::{Call, Desk, goes_on};
 use std::ops::ControlFlow;
 use std::sync::{Mutex, Once};
 
-/// How often it is shown, in s; what is done sooner shows nothing.
+/// Interval between two progress lines, s; shorter searches show none.
 const SHOWN_EVERY: f64 = 0.1;
 
-/// How long a search runs before it is told how long it will, in s.
+/// Running time from which on the remaining time is shown, s.
 const TOLD_AFTER: f64 = 3.0;
 
-/// How long a search takes by its size from which on the size is told, in s.
+/// Estimated duration from which on the size of a search is shown, s.
 const TOLD: f64 = 1.0;
 
 /// A duration in words: `40 s`, `12 min`, `3.5 h`, `8 days`.
@@ -28,15 +28,15 @@ pub(crate) fn duration(seconds: f64) -> String {
     }
 }
 
-/// Progress of one search, from any of its threads. The line goes when this does.
+/// Progress of one search, reported from any of its threads. The line is removed when the value is dropped.
 pub(crate) struct Progress<'d> {
     desk: &'d dyn Desk,
-    /// When it was shown last; `None` where nobody wants to know.
+    /// Time of the last progress line, s; `None` if the desk shows no progress.
     last: Option<Mutex<f64>>,
     begun: f64,
-    /// What was done before it began.
+    /// Share done before the search began.
     before: f64,
-    /// What it does: `searching`.
+    /// Activity in the line: `searching`.
     doing: &'static str,
     sized: Once,
 }
@@ -62,7 +62,7 @@ impl<'d> Progress<'d> {
         Self::of(call, "running", 0.0)
     }
 
-    /// A search of which this share is done already.
+    /// Progress of a search that resumes with this share already done.
     pub(crate) fn from(call: &Call<'d>, before: f64) -> Self {
         Self::of(call, "searching", before)
     }
@@ -74,7 +74,7 @@ impl<'d> Progress<'d> {
         Self { desk, last, begun, before, doing, sized: Once::new() }
     }
 
-    /// Tells once how large the search is, of so many parts, where so many of them a second take long.
+    /// Shows the size of a search once, if `parts` at `in_a_second` parts per second take long.
     pub(crate) fn size(&self, parts: f64, in_a_second: f64, words: impl FnOnce() -> String) {
         if self.last.is_some() && parts / in_a_second >= TOLD {
             self.sized.call_once(|| {
@@ -84,7 +84,7 @@ impl<'d> Progress<'d> {
         }
     }
 
-    /// How long it will take from here, if it goes on as it went.
+    /// Remaining time at the average rate so far.
     fn left(&self, share: f64) -> String {
         let (done, took) = (share - self.before, self.desk.seconds() - self.begun);
         if took < TOLD_AFTER || done <= 0.0 {
@@ -93,12 +93,12 @@ impl<'d> Progress<'d> {
         format!(", about {} left", duration(took * (1.0 - share) / done))
     }
 
-    /// A pass of which nobody knows how many follow, and the share of it that is done.
+    /// Shows a pass with the share of it that is done; the number of passes is unknown in advance.
     pub(crate) fn at_pass(&self, pass: u32, share: f64) -> ControlFlow<()> {
         self.show(None, || format!("refining, pass {pass}: {:3.0} %", 100.0 * share))
     }
 
-    /// The share that is done, from 0 to 1; a break where the call is asked to end.
+    /// Shows the share that is done, from 0 to 1; returns a break if the call is asked to end.
     pub(crate) fn at(&self, share: f64) -> ControlFlow<()> {
         self.show(Some(share), || format!("{}: {:3.0} %{}", self.doing, 100.0 * share, self.left(share)))
     }

@@ -1,8 +1,8 @@
-//! What a refusal speaks of: quantities and options of the questions, below the files that refuse.
+//! Quantities and options that errors refer to, in a module below those that raise the errors.
 
 use std::fmt;
 
-/// Which quantity of the load a gear refuses.
+/// Quantity of the load that is invalid in a gear.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LoadQuantity {
     /// The torque on the input.
@@ -11,7 +11,7 @@ pub enum LoadQuantity {
     Power,
 }
 
-/// Which of the given values are at fault.
+/// Kind of the given values that are invalid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Given {
     /// Speeds by link.
@@ -99,7 +99,7 @@ pub enum DutyProblem {
     /// A quantity that is not above 0.
     #[error("{quantity}: a finite quantity above 0 is due")]
     NotPositive {
-        /// Which.
+        /// Name of the quantity.
         quantity: DutyQuantity,
     },
     /// A power and a speed whose torque no double holds.

@@ -10,9 +10,9 @@ use serde::Serialize;
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Refused {
-    /// Its kind: a name that stays the same whatever the message says.
+    /// Kind of the error: a name that does not change with the message.
     pub name: &'static str,
-    /// What is the matter and what is allowed, for people.
+    /// Error and allowed values, for people.
     pub message: String,
     /// The exit code of the program.
     pub exit_code: u8,
@@ -28,7 +28,7 @@ pub struct Refused {
 pub struct Place {
     /// The file as it was named, or `standard input`.
     pub file: String,
-    /// Its line, from 1.
+    /// Line in the file, from 1.
     pub line: usize,
     /// The column in characters, from 1.
     pub column: usize,

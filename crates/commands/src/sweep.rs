@@ -12,16 +12,16 @@ use epicyclic_train::{Gear, Gearbox};
 /// How many variants are solved between two questions whether to go on.
 const PIECE: usize = 4096;
 
-/// What is swept.
+/// Gears and basic ratios to calculate.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wanted<'a> {
-    /// Names of the gears; all gears where there are none.
+    /// Names of the gears; an empty list means all gears.
     pub gears: Vec<String>,
     /// Sets by name, each with its `k = |i₀|` in every variant; of a simple set `k = z_ring/z_sun`.
     pub k: Vec<(String, &'a [f64])>,
 }
 
-/// Columns over variants and gears: that of variant `v` and gear `g` stands at `v·gears + g`.
+/// Columns over variants and gears: variant `v` and gear `g` have the index `v·gears + g`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Columns {
     /// The gears.
@@ -30,12 +30,11 @@ pub struct Columns {
     pub variants: usize,
     /// The states.
     pub states: Vec<StateName>,
-    /// Ratios `i = ω_in/ω_out`; 0 where [`has_ratio`](Self::has_ratio) says that there is none.
+    /// Ratios `i = ω_in/ω_out`; 0 if [`has_ratio`](Self::has_ratio) is false.
     pub ratios: Vec<f64>,
     /// Whether the output's speed follows from the input's.
     pub has_ratio: Vec<bool>,
-    /// Efficiencies driven from the input; 0 where [`has_efficiency`](Self::has_efficiency) says that there
-    /// is none.
+    /// Efficiencies driven from the input; 0 if [`has_efficiency`](Self::has_efficiency) is false.
     pub efficiencies: Vec<f64>,
     /// Whether losses follow, and a torque moves the gear.
     pub has_efficiency: Vec<bool>,
@@ -76,6 +75,7 @@ pub fn answer(
     let gears = gears(gearbox, &wanted.gears)?;
     let names: Vec<&str> = wanted.k.iter().map(|(set, _)| set.as_str()).collect();
     let sweep = Sweep::new(gearbox, &gears, &names)?;
+    // Without columns of `k` the gearbox as described is the only variant.
     let variants = wanted.k.first().map_or(1, |(_, values)| values.len());
     for (set, values) in &wanted.k {
         if values.len() != variants {
@@ -87,6 +87,7 @@ pub fn answer(
         if !proceed(0) {
             return Ok(None);
         }
+        // Solving changes the sweep's buffers, so every thread works on its own copy.
         let mut sweep = sweep.clone();
         let range = place * PIECE..variants.min((place + 1) * PIECE);
         let mut all = Vec::with_capacity(range.len() * gears.len());

@@ -1,26 +1,34 @@
-//! What counts as nothing in an answer.
+//! Tolerances of the answers: values below them count as zero.
 //!
-//! | constant | of | why this size |
-//! |---|---|---|
-//! | `ROUNDED` | a loss over the power that enters, an imbalance, an angle that a rotor leaves open, rad | rounding leaves 1e-15 of a balance of some dozen terms |
-//! | `SAME` | the members of a printed series, over their right values | the series are calculated, not read from print |
-//! | `SAME_RATIO` | ratios of two gears, over the larger | one ratio by two engagements differs by what rounding leaves; different teeth differ by far more |
-//! | `CLOSED` | the residual of a closed motor, rad | the smallest power of ten that is told |
-//! | `OBJECTIVE` | a difference of two objectives | the order compares on a grid of this size |
-//! | `AT_EDGE` | a ring-to-sun ratio's distance from the end of its range, over that end | the best ratio is known to 1e-4 |
-//! | `MET` | the distance of an order from the frequency it meets, over this | far below what any stiffness is known to, far above rounding |
-//! | `PEAK` | the interval about the speed of a greatest force, over that speed | a ten-thousandth of the sharpest peak that is allowed |
-//! | `THERMAL` | the interval about a thermal limit, over the torque there | the loss is known to as much |
-//! | `EQUAL_SPACING` | the distance of a planet from its place among equally spaced ones, rad | angles in degrees with nine digits |
-//! | `STILL` | the displacement of a body in a mode, over the largest | the error of a vector beside a neighbouring frequency |
-//! | `LEAST_MODULE_M` | the module, where no least one is given | a micrometre: no gear has less |
-//! | `RESIDUAL` | what the energies of a motion miss, over the largest | a run keeps them to 1e-11 of a step |
-//! | `NOTHING` | a multiple | the zero that rounding leaves |
-//! | `LEVEL` | the differences of a curve, over its largest value | a level line |
-//! | `CIRCULATES` | circulating power, over what enters | nobody objects to less |
-//! | `RESTS` | the speed of a planet on its pin, over the input's | rounding of a planet that does not turn |
-//! | `SHARES` | the sum of shares, less 1 | rounding of what was written |
-//! | `BESIDE` | an angle beside a jump, rad | values right beside a jump are taken so near: 6·10⁻⁵ degrees |
+//! - `ROUNDED`: a loss over the power that enters, an imbalance, an angle that a rotor leaves open, rad.
+//!   Rounding leaves 1e-15 of a balance of some dozen terms.
+//! - `SAME`: the members of a printed series, over their right values. The series are calculated, not read
+//!   from print.
+//! - `SAME_RATIO`: ratios of two gears, over the larger. One ratio by two engagements differs by rounding
+//!   only; different teeth differ by far more.
+//! - `CLOSED`: the residual of a closed motor, rad. The smallest power of ten that is shown.
+//! - `OBJECTIVE`: a difference of two objectives. The order compares on a grid of this size.
+//! - `AT_EDGE`: the distance of a ring-to-sun ratio from the end of its range, over that end. The best ratio
+//!   is known to 1e-4.
+//! - `MET`: the distance of an order from the frequency it meets, over that frequency. Far below the accuracy
+//!   of any stiffness, far above rounding.
+//! - `PEAK`: the interval about the speed of a greatest force, over that speed. A ten-thousandth of the
+//!   sharpest peak that is allowed.
+//! - `THERMAL`: the interval about a thermal limit, over the torque there. The loss is known to as much.
+//! - `EQUAL_SPACING`: the distance of a planet from its place among equally spaced ones, rad. Angles in
+//!   degrees have nine digits.
+//! - `STILL`: the displacement of a body in a mode, over the largest. The error of a vector beside a
+//!   neighbouring frequency.
+//! - `LEAST_MODULE_M`: the module, if no least one is given. A micrometre: no gear has less.
+//! - `RESIDUAL`: the energy that a motion does not account for, over the largest. A run keeps the energies to
+//!   1e-11 of a step.
+//! - `NOTHING`: a multiple. The zero that rounding leaves.
+//! - `LEVEL`: the differences of a curve, over its largest value. A level line.
+//! - `CIRCULATES`: circulating power, over the power that enters. Less has no practical meaning.
+//! - `RESTS`: the speed of a planet on its pin, over the input's. Rounding of a planet that does not turn.
+//! - `SHARES`: the sum of shares, less 1. Rounding of the numbers as written.
+//! - `BESIDE`: an angle beside a jump, rad. Values right beside a jump are taken at this distance: 6·10⁻⁵
+//!   degrees.
 
 use epicyclic_units::Physical as _;
 use uom::si::f64::Angle;
@@ -33,7 +41,7 @@ pub(crate) const ROUNDED: f64 = 1e-12;
 
 const BESIDE: f64 = 1e-6;
 
-/// An angle in radians, 0 of one that stands for the side of a jump at 0.
+/// Angle in radians; 0 for an angle that marks one side of a jump at 0.
 pub(crate) fn beside_zero(angle: Angle) -> f64 {
     if angle.si().abs() < BESIDE { 0.0 } else { angle.si() }
 }
@@ -49,7 +57,7 @@ pub(crate) const SAME: f64 = 1e-9;
 /// Ratios of gears that differ by less, over the larger, are one.
 pub(crate) const SAME_RATIO: f64 = 1e-9;
 
-/// The residual of a closed motor is told as a power of ten from here on.
+/// Smallest power of ten that is shown for the residual of a closed motor, rad.
 pub(crate) const CLOSED: f64 = 1e-12;
 
 /// A number of a file to be written differs from a shorter one by less than this share of it: rounding.

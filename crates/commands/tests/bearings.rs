@@ -169,8 +169,8 @@ fn what_is_missing_and_what_is_wrong_is_said() {
     }
 }
 
-/// The same set in short and gear by gear, behind the stage: forces, lives and safety are the same, and so is
-/// what is refused.
+/// Compares a set in short form with the same set described gear by gear, behind the stage. Forces, lives,
+/// safety and refusals are the same.
 #[test]
 fn a_compound_set_has_the_lives_of_the_same_set_in_short() {
     const SHORT: &str = "  - { id: B, sun: H, ring: ground, carrier: K, teeth: [20, 70], planet_teeth: [25], planets: 3, module: 8 mm, planet_mass: 5 kg, \
@@ -247,7 +247,7 @@ gears: [{ name: \"1\", engaged: [LR] }, { name: \"2\", engaged: [B] }]
     assert!(strength(&without).unwrap_err().to_string().starts_with("no set can be rated"));
 }
 
-/// Forces on bevel planets are not calculated, and the bearing is told with why it has no life.
+/// Forces on bevel planets are not calculated, and the bearing is listed with the reason why it has no life.
 #[test]
 fn bevel_planets_are_not_rated() {
     let set = "compound_sets:\n  - { id: B, carrier: H, bevels_left: { K: 16 }, bevels_right: { ground: 16 }, planet_gears: { p: [10] }, \

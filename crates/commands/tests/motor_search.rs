@@ -1,5 +1,4 @@
-//! What the searches for hydromotors list can be made: saved, it is a motor's file that is accepted with its
-//! ports.
+//! Every hydromotor that the searches list can be made: its saved file is accepted together with its ports.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 

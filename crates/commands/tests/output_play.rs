@@ -33,8 +33,8 @@ fn near(one: f64, other: f64) -> bool {
     (one / other - 1.0).abs() < 1e-9
 }
 
-/// The carrier's lever is the sum of both base radii: thinner teeth give it their play along the line of
-/// action, and the springs of both meshes stand in a row.
+/// Lever of the carrier is the sum of both base radii: thinner teeth give it their play along the line of
+/// action, and the springs of both meshes are in series.
 #[test]
 fn one_set_is_its_lever() {
     let told = sheets(&one(ALLOWANCES), None);
@@ -60,7 +60,7 @@ fn one_set_is_its_lever() {
     assert!(sheets(&one(""), Some("A")).at_output.is_empty());
 }
 
-/// What the first of two stages gives comes to the output over the ratio of the second.
+/// Play of the first of two stages reaches the output divided by the ratio of the second.
 #[test]
 fn stages_in_a_row_add_over_the_ratio() {
     let [single] = [at_output(&one(ALLOWANCES))];

@@ -160,7 +160,7 @@ fn the_saved_file_has_the_bearing_lives_that_were_found() {
     }
 }
 
-/// Deviations are of gears of one size: they do not stand for factors where sizes are sought.
+/// Deviations belong to gears of one size: they do not replace factors if sizes are searched.
 #[test]
 fn with_an_accuracy_the_factors_are_asked_for() {
     let factors = "{ K_A: 1.25, K_v: 1.05, K_H_beta: 1.2, K_H_alpha: 1, K_F_alpha: 1 }";

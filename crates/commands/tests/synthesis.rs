@@ -150,8 +150,8 @@ fn the_structures_of_select_are_class_core_of_two_sets_and_four_links() {
     assert_eq!(of_roles, all);
 }
 
-/// The file of a solution has the shifts of its sets: on the centre distance that is told, without backlash
-/// and without a fault.
+/// The file of a solution has the shifts of its sets: on the listed centre distance, without backlash and
+/// without a fault.
 #[test]
 fn a_file_with_profile_shift_is_read_back() {
     let bounds = Bounds { sun: 17..=30, ring: 50..=80, ..Bounds::default() };

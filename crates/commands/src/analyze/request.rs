@@ -165,6 +165,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let named::Read { document, is_sized, .. } = args.choice.document(call, args.formula && !args.steps)?;
     let choice = args.choice.question()?;
     let wants_formulas = args.formula || args.steps;
+    // These answers are about one gearbox; otherwise a list of transmissions gets an overview of its own.
     let subject = if args.gear.is_some() || args.all_combinations || wants_formulas || args.shifts {
         gearbox::one(&document, &choice).map_err(refuse)?
     } else {
@@ -187,6 +188,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let input = args.load.input();
     match &args.gear {
         Some(name) if args.several.is_given() => inputs(call, args, &subject, name),
+        // Inputs stated in the file apply only if the command line gives no load.
         Some(name) if args.load.given().is_none() && subject.has_inputs(name) => {
             inputs(call, args, &subject, name)
         }
@@ -257,7 +259,7 @@ fn below_each_other<'n>(names: impl IntoIterator<Item = &'n str>) -> String {
     names.into_iter().map(|name| format!("\n  {name}")).collect()
 }
 
-/// What an answer refuses, under the option that it is about.
+/// Converts an error to a failure with the option that caused it.
 pub(crate) fn refuse(error: Error) -> Failure {
     let listed = |names: &[String]| below_each_other(names.iter().map(String::as_str));
     let (option, message) = match &error {
@@ -291,7 +293,7 @@ pub(crate) fn refuse(error: Error) -> Failure {
     Failure::named(error.name(), option, message)
 }
 
-/// The gearbox of a file, of which only one may be meant.
+/// Reads the gearbox of a file; refuses a list of several transmissions without a choice of one.
 pub(crate) fn subject<'d>(choice: &Choice, document: &'d Document) -> Result<Subject<'d>, Failure> {
     gearbox::one(document, &choice.question()?).map_err(refuse)
 }

@@ -208,6 +208,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     } else {
         args.output.deliver_with(call, files, &design)?;
     }
+    // The answer is written in any case; the exit code says whether a gearbox was found.
     match design.file {
         Some(_) => Ok(()),
         None => {
@@ -242,6 +243,7 @@ fn wanted(call: &Call<'_>, args: &Args) -> Result<Wanted, Failure> {
     };
     let rating = Rating { mesh_load_factors: sharing()?, ..Rating::default() };
     let order = Order::new(&args.order.0).map_err(refuse_selection)?;
+    // A ratio with a minus asks for a reversing output, which is otherwise refused by default.
     let is_reverse_asked = args.ratios.signs(&args.speeds) == Signs::AsGiven;
     let same_direction = args.same_direction || (!args.may_reverse && !is_reverse_asked);
     let (tolerance, speeds) = (args.tolerance, &args.speeds);
@@ -304,6 +306,7 @@ fn basis(call: &Call<'_>, args: &Args) -> Result<Basis, Failure> {
         Some(file) => Basis::of(&input::document(call, file)?)?.completed(),
     };
     if let Some(factors) = &args.factors {
+        // A factor has several spellings, as `K_A` and `KA`, so symbols are compared, not names.
         for (place, of) in factors.0.iter().enumerate() {
             if let Some(before) = factors.0[..place].iter().find(|before| before.symbol == of.symbol) {
                 let message = twice(of.symbol, [&before.name, &of.name]);
@@ -319,7 +322,7 @@ fn basis(call: &Call<'_>, args: &Args) -> Result<Basis, Failure> {
     Ok(basis)
 }
 
-/// The option that a refusal speaks of.
+/// Converts an error to a failure with the option that caused it.
 fn refuse_of(error: Error) -> Failure {
     match &error {
         Error::NoSuchDesign { .. } => Failure::of_option("--tooth-design", &error),

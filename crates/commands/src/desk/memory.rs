@@ -6,7 +6,7 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// A desk in memory, with the files that a call may read. Names are taken as they stand: `a` and `./a` are
+/// A desk in memory, with the files that a call may read. File names are compared as text: `a` and `./a` are
 /// two files.
 #[derive(Debug, Default)]
 pub struct Memory {
@@ -14,7 +14,7 @@ pub struct Memory {
     clock: Option<fn() -> f64>,
 }
 
-/// What a desk in memory holds.
+/// Contents of a desk in memory.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Kept {
     /// The files, those that a call wrote among them.
@@ -23,7 +23,7 @@ pub struct Kept {
     pub written: Vec<PathBuf>,
     /// The answer: what a program writes to its standard output.
     pub answer: Vec<u8>,
-    /// What stands beside the answer, each message of one line or more.
+    /// Messages written apart from the answer, each of one line or more.
     pub messages: Vec<String>,
 }
 
@@ -34,7 +34,7 @@ impl Memory {
         Self { kept: Mutex::new(Kept { files, ..Kept::default() }), clock }
     }
 
-    /// What is there after a call.
+    /// Returns the contents after a call.
     #[must_use]
     pub fn into_kept(self) -> Kept {
         self.kept.into_inner().unwrap_or_else(PoisonError::into_inner)

@@ -203,7 +203,7 @@ impl View {
     }
 }
 
-/// What is drawn, and its picture or why there is none.
+/// Drawing of the answer with its picture, or the reason why no picture exists.
 struct Picture {
     drawing: Drawing,
     scene: Result<Scene, Failure>,

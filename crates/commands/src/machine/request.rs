@@ -197,6 +197,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
 
 impl Rock {
     fn forces(&self) -> Option<Forces> {
+        // Each of the two options requires the other one.
         let (here, elsewhere) = (self.force?.0, self.other_forces.as_ref()?.values());
         Some(Forces { here, elsewhere })
     }
@@ -204,6 +205,8 @@ impl Rock {
 
 impl Rotor {
     fn wheel(&self) -> Result<Wheel, Failure> {
+        // The three options of the flight require each other, so the last arm has no discharge parameter at
+        // all.
         let throw = match (self.discharge, self.release, &self.chute, self.radius_ratio) {
             (Some(discharge), ..) => Throw::Discharge(discharge.get()),
             (None, Some(release), Some(chute), Some(ratio)) => {
@@ -226,7 +229,7 @@ impl Rotor {
     }
 }
 
-/// The option that a refusal speaks of.
+/// Converts an error to a failure with the option that caused it.
 fn refuse(error: Error) -> Failure {
     let Error::Design(error) = error else { return error.into() };
     let option = match &error {

@@ -14,7 +14,7 @@ use epicyclic_units::{Number, Quantity};
 use std::path::PathBuf;
 use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
 
-/// What describes a motor where no file does.
+/// Options that describe a motor without a file.
 const OF_A_MOTOR: [&str; 12] =
     ["stator", "rotor", "z3", "z1", "zs", "module", "place", "width", "pressure", "speed", "Teeth", "Made"];
 
@@ -214,7 +214,7 @@ impl Design {
 }
 
 impl Teeth {
-    /// Its options, and whether each differs from its default.
+    /// Options of the teeth, and whether each differs from its default.
     pub(crate) fn given(&self) -> [(&'static str, bool); 7] {
         let (given, usual) = (design::form(self), ToothForm::default());
         [

@@ -142,8 +142,8 @@ fn of_gearbox(call: &Call<'_>, args: &Args, document: &Document, file: String) -
     written(call, args, sheet, &report).map_err(|failure| failure.in_file(document, &subject.base))
 }
 
-/// Of a list of transmissions the lines of one; all of any other file, and of a list whose items do not stand
-/// in lines of their own.
+/// Returns the lines of one transmission in a list of transmissions. Any other file is returned whole, and so
+/// is a list whose items share lines.
 fn own_lines(document: &Document, base: &Path, file: &str) -> String {
     let Some(Segment::Index(place)) = base.segments().last() else { return file.to_owned() };
     let line = |place: usize| {

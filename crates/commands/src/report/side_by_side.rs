@@ -6,10 +6,10 @@ use crate::table::quantities::column;
 use crate::table::report::{Column, Part, Records, Report, View};
 use epicyclic_units::Dimension;
 
-/// Gears in a table at most; the others stand in further ones.
+/// Largest number of gears in a table; more gears get further tables.
 const ABREAST: usize = 10;
 
-/// What a line is of, and its figure in each gear.
+/// Subject of a line and its figure in each gear.
 struct Line {
     of: Vec<String>,
     figures: Vec<Figure>,
@@ -24,7 +24,7 @@ struct Table {
     lines: Vec<Line>,
 }
 
-/// Every figure of every gear that the tables of all gears do not tell.
+/// Figures of every gear that the tables of all gears do not show.
 pub(crate) fn report(gears: &[OneGear]) -> Report {
     let tables = [
         links(gears),
@@ -281,7 +281,8 @@ fn circulating(gears: &[OneGear]) -> Table {
     }
 }
 
-/// All gears have the same meshes in one order; a mesh is named as its power runs in the first.
+/// Table of the meshes. Every gear has the same meshes in the same order; a mesh is named by the direction of
+/// its power in the first gear.
 fn meshes(gears: &[OneGear]) -> Table {
     let first: &[Mesh] = gears.first().map_or(&[], |gear| &gear.meshes);
     let line = |(place, mesh): (usize, &Mesh)| {

@@ -82,7 +82,7 @@ fn of_option<E: Fault>(option: &'static str) -> impl Fn(E) -> Failure {
     move |error| Failure::of_option(option, &error)
 }
 
-/// The option that a refusal speaks of.
+/// Converts an error to a failure with the option that caused it.
 fn refuse(error: Error) -> Failure {
     let Error::SchemeSize { size, problem } = error else { return error.into() };
     let option = match size {

@@ -523,7 +523,7 @@ impl RatioOptions {
     }
 }
 
-/// What these options ask for.
+/// Returns the requirements given by the options.
 pub(crate) fn requirements(
     wanted: &Speeds,
     tolerance: Quantity<Ratio>,

@@ -48,7 +48,7 @@ impl Link {
         }
     }
 
-    /// Its name in the sources and in gearbox files.
+    /// Name in the sources and in gearbox files.
     #[must_use]
     pub const fn name(self) -> &'static str {
         self.role().symbol()
@@ -100,13 +100,13 @@ impl GearName {
         }
     }
 
-    /// Its name in the sources and in the gearbox.
+    /// Name in the sources and in the gearbox.
     #[must_use]
     pub const fn name(self) -> &'static str {
         self.of_scheme().name()
     }
 
-    /// The one shift element engaged in it.
+    /// Shift element engaged in the gear.
     #[must_use]
     pub const fn engaged(self) -> ShiftElement {
         ShiftElement::of(self.of_scheme().engaged())
@@ -147,7 +147,7 @@ impl ShiftElement {
         }
     }
 
-    /// Its name in the sources and in the gearbox.
+    /// Name in the sources and in the gearbox.
     #[must_use]
     pub const fn name(self) -> &'static str {
         self.of_scheme().name()
@@ -158,11 +158,11 @@ impl ShiftElement {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SetLinks {
-    /// Of the sun.
+    /// Link of the sun.
     pub sun: Link,
-    /// Of the ring.
+    /// Link of the ring.
     pub ring: Link,
-    /// Of the carrier.
+    /// Link of the carrier.
     pub carrier: Link,
 }
 
@@ -173,7 +173,7 @@ impl SetLinks {
         Self { sun: Link::of(sun), ring: Link::of(ring), carrier: Link::of(carrier) }
     }
 
-    /// Of sun, ring and carrier.
+    /// Links of sun, ring and carrier.
     #[must_use]
     pub const fn links(&self) -> [Link; 3] {
         [self.sun, self.ring, self.carrier]
@@ -184,20 +184,20 @@ impl SetLinks {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SetSpeeds {
-    /// Of the sun.
+    /// Speed of the sun over that of the input.
     pub sun_of_input: Option<f64>,
-    /// Of the ring.
+    /// Speed of the ring over that of the input.
     pub ring_of_input: Option<f64>,
-    /// Of the carrier.
+    /// Speed of the carrier over that of the input.
     pub carrier_of_input: Option<f64>,
-    /// Of the planets.
+    /// Speed of the planets about their own axes, over that of the input.
     pub planet_of_input: Option<f64>,
-    /// Of the planets relative to their carrier.
+    /// Speed of the planets relative to their carrier, over that of the input.
     pub relative_planet_of_input: Option<f64>,
 }
 
 impl SetSpeeds {
-    /// Of sun, ring, carrier, and the planets.
+    /// Speeds from those of sun, ring and carrier, and the motion of the planets.
     pub(crate) fn of(
         [sun_of_input, ring_of_input, carrier_of_input]: [Option<f64>; 3],
         planet: Option<PlanetMotion>,

@@ -5,10 +5,10 @@ use std::fmt::Display;
 
 /// A refusal with a name that does not change with its message.
 pub(crate) trait Fault: Display {
-    /// Its name: `not-positive`.
+    /// Name of the error: `not-positive`.
     fn name(&self) -> &'static str;
 
-    /// The problem of a file that it is.
+    /// The error as a problem of a file.
     fn problem(&self) -> Problem {
         Problem::refused(self.name(), self.to_string())
     }

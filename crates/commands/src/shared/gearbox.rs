@@ -18,7 +18,7 @@ use epicyclic_units::Quantity;
 use std::collections::BTreeMap;
 use uom::si::f64::{AngularVelocity, Torque};
 
-/// Which gearbox of a file is meant, and what is assumed of it.
+/// Choice of a gearbox in a file, and assumptions about it.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Choice {
     /// One transmission of a list: its name, or a part that no other name has.
@@ -28,12 +28,12 @@ pub struct Choice {
     pub efficiency: Option<MeshEfficiency>,
 }
 
-/// What a file holds.
+/// Content of a file.
 #[derive(Debug)]
 pub enum Content<'d> {
     /// The gearbox meant.
     One(Box<Subject<'d>>),
-    /// Transmissions of which none was chosen.
+    /// A list of transmissions without a choice of one.
     Several(Vec<Transmission>),
 }
 
@@ -42,9 +42,9 @@ pub enum Content<'d> {
 pub struct Subject<'d> {
     /// The gearbox.
     pub gearbox: Gearbox,
-    /// Where its data stand in print.
+    /// Publication with the data of the gearbox.
     pub source: Option<String>,
-    /// What is published of its gears.
+    /// Published data of the gears.
     pub published: Vec<PublishedGear>,
     /// The planet bearings of the sets that have any.
     pub planet_bearings: Vec<PlanetBearing>,
@@ -93,13 +93,13 @@ impl Subject<'_> {
         self.gearbox.set_checks(&self.rack, |set| modules(set).unwrap_or_default())
     }
 
-    /// What is published of a gear.
+    /// Published data of a gear.
     #[must_use]
     pub fn published(&self, gear: &str) -> Option<&PublishedGear> {
         self.published.iter().find(|published| published.name == gear)
     }
 
-    /// What the file states of several links in a gear.
+    /// Speeds and torques of several links that the file states in a gear.
     #[must_use]
     pub fn inputs(&self, gear: &str) -> Option<&GearInputs> {
         self.inputs.iter().find(|(name, _)| name == gear).map(|(_, inputs)| inputs)
@@ -118,7 +118,7 @@ impl Subject<'_> {
     }
 }
 
-/// The gearbox of a file, of which one must be meant.
+/// Reads the only gearbox of a file, or the chosen one of a list.
 ///
 /// # Errors
 /// Those of [`read`], and [`Error::SeveralTransmissions`] where none is named.
@@ -176,7 +176,7 @@ pub fn read<'d>(document: &'d Document, choice: &Choice) -> Result<Content<'d>, 
     gearbox(document, Path::root(), choice.efficiency).map(Content::One)
 }
 
-/// A gearbox that stands within a file.
+/// Reads a gearbox at a place of a file.
 pub(crate) fn gearbox(
     document: &Document,
     base: Path,
@@ -260,7 +260,7 @@ fn names<'t>(transmissions: impl IntoIterator<Item = &'t Transmission>) -> Vec<S
     transmissions.into_iter().map(|transmission| transmission.name.clone()).collect()
 }
 
-/// The place of the transmission meant; `None` where there are several and none is named.
+/// Index of the chosen transmission; `None` if the list has several and no name is given.
 fn chosen(
     choice: &Choice,
     document: &Document,
@@ -293,7 +293,7 @@ fn chosen(
     }
 }
 
-/// The same gearbox with this efficiency of each set for which none is stated.
+/// Returns the gearbox with this efficiency for each set without stated losses.
 fn with_losses(gearbox: Gearbox, efficiency: Option<MeshEfficiency>) -> Result<Gearbox, Error> {
     let Some(eta) = efficiency else { return Ok(gearbox) };
     // A set with a sun and a ring has two meshes.

@@ -66,7 +66,7 @@ impl Sizes {
     }
 }
 
-/// What is named.
+/// Gearbox identified by a name.
 pub(crate) enum Named {
     /// A scheme of the catalogue.
     Scheme(Scheme),
@@ -74,10 +74,10 @@ pub(crate) enum Named {
     TwoSets([SetRoles; 2], Structure, Renaming),
 }
 
-/// Ring-to-sun ratio of sets of which only the structure matters; it is not shown.
+/// Ring-to-sun ratio for calculations that depend on the structure only; not shown.
 const ANY_K: f64 = 2.5;
 
-/// What is named; nothing where a file is meant.
+/// Reads a name of a gearbox; `None` if the text is the name of a file.
 pub(crate) fn read(call: &Call<'_>, name: &str) -> Result<Option<Named>, Failure> {
     let file = Path::new(name);
     match (name.parse::<Scheme>(), Structure::read(name)) {
@@ -100,7 +100,7 @@ pub(crate) fn read(call: &Call<'_>, name: &str) -> Result<Option<Named>, Failure
     }
 }
 
-/// What a gearbox is read from.
+/// Document of a gearbox, from a file or from a name.
 pub(crate) struct Read {
     pub(crate) document: Document,
     /// The text of the document.
@@ -215,8 +215,8 @@ impl Named {
     }
 }
 
-/// The direct-drive clutch stands between the first two links that leave room for it, input and output before
-/// others.
+/// Builds a gearbox of two sets. The direct-drive clutch connects the first two links that leave room for it,
+/// input and output tried before others.
 fn two_sets(sets: [SetRoles; 2], k: [f64; 2], eta: MeshEfficiency) -> Result<Gearbox, Failure> {
     let name = sets.map(|set| set.map(Role::symbol).join(".")).join("+");
     let with = |clutch| gearbox(&name, &[(sets[0], k[0]), (sets[1], k[1])], eta, Some(clutch));

@@ -3,7 +3,7 @@
 use crate::tolerance::SHORT;
 use epicyclic_units::Physical;
 
-/// A number as it stands in an answer: zero has no sign.
+/// Returns a number for an answer: zero has no sign.
 #[must_use]
 pub fn plain(value: f64) -> f64 {
     value + 0.0

@@ -1,4 +1,4 @@
-//! The option that a refusal speaks of.
+//! Options that errors of shared calculations refer to.
 
 use crate::failure::Failure;
 use epicyclic_formats::Span;
@@ -31,7 +31,7 @@ pub(crate) fn of_teeth(error: &Error, planets: &'static str) -> Option<&'static 
     })
 }
 
-/// What a synthesis refuses, at its option.
+/// Converts an error of the synthesis to a failure with the option that caused it.
 pub(crate) fn of_synthesis(error: crate::error::Error) -> Failure {
     match error {
         crate::error::Error::Synthesis(epicyclic_synthesis::Error::Teeth(error)) => {

@@ -1,4 +1,4 @@
-//! What the options say of a page: for whom it is, by whom, when, on which paper.
+//! Options for the imprint of a page: project, customer, author, date, paper.
 
 use crate::desk::Call;
 use crate::failure::Failure;
@@ -40,7 +40,7 @@ enum PaperSize {
 }
 
 impl PageArgs {
-    /// What stands on a page.
+    /// Imprint of the page.
     pub(crate) fn imprint(&self) -> Imprint {
         Imprint {
             project: self.project.clone(),

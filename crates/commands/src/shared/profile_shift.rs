@@ -49,7 +49,7 @@ impl From<Aim> for ShiftAim {
 }
 
 impl ShiftOptions {
-    /// What is wanted; `None` of sets without profile shift.
+    /// Requirements on the profile shifts; `None` for sets without profile shift.
     pub(crate) fn wanted(&self) -> Option<WantedShifts> {
         let offsets = self.ring_offset.clone()?;
         Some(WantedShifts { offsets, aim: self.aim.into(), tip_thickness: self.tip_thickness.get() })
@@ -66,7 +66,7 @@ impl ShiftOptions {
         })
     }
 
-    /// Refuses the options where no tooth numbers are sought.
+    /// Refuses the options if no tooth numbers are searched.
     pub(crate) fn only_with_teeth(&self, teeth: bool) -> Result<(), Failure> {
         if self.ring_offset.is_some() && !teeth {
             let message = "offsets are of tooth numbers: add --teeth".to_owned();

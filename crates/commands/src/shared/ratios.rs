@@ -86,7 +86,7 @@ pub(crate) fn pieces(text: &str) -> Result<Vec<String>, String> {
     Ok(pieces)
 }
 
-/// Whether the next character that is no space is a comma or semicolon, or there is none.
+/// Whether the next character other than a space is a comma or semicolon, or the text ends.
 fn followed_by_mark(marks: &[char], at: usize) -> bool {
     marks[at..].iter().find(|mark| !mark.is_whitespace()).is_none_or(|mark| matches!(mark, ',' | ';'))
 }

@@ -70,7 +70,7 @@ impl Motion {
 }
 
 impl Member {
-    /// Its letter in the sources.
+    /// Letter of the member in the sources.
     #[must_use]
     pub fn letter(self) -> char {
         match self {

@@ -1,4 +1,4 @@
-//! What the files have in common that are written of designs found.
+//! Names of gears in the files that are written of designs found.
 
 /// Names of gears with these ratios: forward gears by their places in falling order, `1`, `2` …, reverse `R`,
 /// several `R1`, `R2` ….

@@ -1,4 +1,4 @@
-//! What cuts a gear, as answers state it.
+//! Cutting tool of a gear, as answers state it.
 
 use crate::tolerance::rounded;
 use epicyclic_gears::ToothCount;
@@ -24,7 +24,7 @@ pub enum ToolKind {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct CuttingTool {
-    /// Its kind.
+    /// Kind of tool.
     pub kind: ToolKind,
     /// Radius of its corners: fillet `ρ_fP*` of a rack, tips `ρ_a0*` of a shaper, fillet of a form tool.
     pub corner_radius_in_modules: f64,
@@ -59,7 +59,7 @@ impl CuttingTool {
         }
     }
 
-    /// The same for the solver; `None` of a hob.
+    /// Returns the tool for the solver; no tool for a hob.
     pub(crate) fn cutting(&self) -> Cutting {
         let tool = match self.kind {
             ToolKind::Rack => None,

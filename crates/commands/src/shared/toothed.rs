@@ -23,7 +23,7 @@ pub(crate) fn gears(
         .map_err(|error| refused(subject.document, path, &["profile_shifts"], &error))
 }
 
-/// A simple set of a file: where it stands, its entry, its short description.
+/// A simple set of a file: its place, its entry, its short description.
 pub(crate) type SimpleSet<'g> = (Path, &'g SetEntry, &'g SetSpec);
 
 /// The sets of a gearbox in their order, each with its entry in the file where it is simple.
@@ -46,7 +46,7 @@ pub(crate) fn lacking(known: &[(&str, bool)]) -> Vec<String> {
     known.iter().filter(|(_, is_known)| !is_known).map(|(key, _)| (*key).to_owned()).collect()
 }
 
-/// Which keys a set lacks that say its teeth.
+/// Key of the tooth data that a set lacks.
 pub(crate) const fn missing_teeth(entry: &SetEntry) -> &'static str {
     if entry.teeth.is_none() {
         "teeth"

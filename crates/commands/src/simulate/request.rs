@@ -71,7 +71,7 @@ enum View {
     Temperatures,
 }
 
-/// Runs the command. The first Ctrl-C ends the motion and tells what is known of it.
+/// Runs the command. The first Ctrl-C ends the motion and shows the part that is calculated.
 pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let drawing = args.output.drawing();
     drawing_file::check_dpi(args.dpi, drawing.iter().map(|(_, format)| *format))?;
@@ -107,7 +107,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     if is_whole { Ok(()) } else { Err(interrupted()) }
 }
 
-/// What was asked to end and told what it had.
+/// Failure of a call that was asked to end after its answer was shown.
 fn interrupted() -> Failure {
     Failure::Interrupted("interrupted".to_owned())
 }
@@ -186,12 +186,12 @@ pub(crate) struct Read {
 }
 
 impl Read {
-    /// The scenario of a file, with the files beside it.
+    /// Reads the scenario of a file and the files that it names.
     fn of(call: &Call<'_>, path: &Path) -> Result<Self, Failure> {
         Self::beside(call, input::document(call, path)?, path)
     }
 
-    /// The same of a document that is read already.
+    /// Reads the scenario of a document and the files that it names.
     pub(crate) fn beside(call: &Call<'_>, document: Document, path: &Path) -> Result<Self, Failure> {
         let file = scenario::read(&document)?;
         let mut beside = Beside::default();

@@ -147,7 +147,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
 }
 
 impl Options {
-    /// What is sought.
+    /// Requirements of the search for sizes.
     pub(crate) fn wanted(&self, call: &Call<'_>) -> Result<Wanted, Failure> {
         let usual = Wanted::default();
         let lengths = |given: &Option<Quantities<Length>>, usual: Vec<Length>| {
@@ -185,7 +185,7 @@ impl Options {
     }
 }
 
-/// The option that a refusal speaks of.
+/// Converts an error to a failure with the option that caused it.
 pub(crate) fn refuse(error: Error) -> Failure {
     use epicyclic_strength::Error as E;
     let option = match &error {

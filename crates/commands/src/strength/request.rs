@@ -45,7 +45,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     args.output.deliver(call, &answers::answer(&subject, &wanted).map_err(|error| refuse_of(error, args))?)
 }
 
-/// The option that a refusal speaks of.
+/// Converts an error to a failure with the option that caused it.
 fn refuse_of(error: Error, args: &Args) -> Failure {
     let option = match &error {
         Error::NoLoad => "--torque",

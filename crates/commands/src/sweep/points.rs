@@ -11,7 +11,8 @@ use epicyclic_train::{self as train, Gearbox, InputsFault, LinkId};
 use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Torque};
 
-/// What is swept: as many speeds as the gear keeps freedoms, and torques at the other terminals, or none.
+/// Speeds and torques to calculate: as many speeds as the gear keeps degrees of freedom, and torques at the
+/// other terminals, or no torques.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wanted<'a> {
     /// The gear.
@@ -22,26 +23,26 @@ pub struct Wanted<'a> {
     pub torques_n_m: Vec<(String, &'a [f64])>,
 }
 
-/// Columns over points; those of several links stand point by point.
+/// Columns over points; columns over several links list all links of a point before the next point.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Columns {
     /// How many points there are.
     pub points: usize,
     /// The links, the housing not among them.
     pub links: Vec<String>,
-    /// Their speeds; 0 where [`has_speed`](Self::has_speed) says that they do not follow.
+    /// Speeds of the links, rad/s; 0 if [`has_speed`](Self::has_speed) is false.
     pub speeds_rad_s: Vec<f64>,
     /// Whether the speed of a link follows: the same at every point.
     pub has_speed: Vec<bool>,
-    /// Where torques act from outside; none without torques.
+    /// Links at which torques act from outside; empty without torques.
     pub terminals: Vec<String>,
-    /// Torques there; 0 where [`moves`](Self::moves) says that there are none.
+    /// Torques at the terminals, N·m; 0 if [`moves`](Self::moves) is false.
     pub torques_n_m: Vec<f64>,
-    /// Powers that enter there.
+    /// Powers that enter at the terminals, W.
     pub powers_w: Vec<f64>,
     /// Whether torques keep the gear moving this way; without torques none are asked for.
     pub moves: Vec<bool>,
-    /// What the meshes take.
+    /// Power lost in the meshes, W.
     pub losses_w: Vec<f64>,
     /// Power that leaves over power that enters; 0 where [`has_efficiency`](Self::has_efficiency) says that
     /// none enters.
@@ -50,7 +51,7 @@ pub struct Columns {
     pub has_efficiency: Vec<bool>,
 }
 
-/// Solves every point; `None` where `proceed` said no, which is asked as of [`super::answer`].
+/// Solves every point; `None` if `proceed` returned false, which is called as in [`super::answer`].
 ///
 /// ```
 /// use epicyclic_commands::sweep::points::{Wanted, answer};
@@ -74,10 +75,10 @@ pub struct Columns {
 /// ```
 ///
 /// # Errors
-/// - [`Error::NoGear`], [`Error::NoLink`] for a name that there is not; [`Error::SweptLength`] unless all
-///   columns are equally long.
-/// - [`Error::Inputs`] where the speeds or torques are too few, too many or dependent.
-/// - [`Error::SweptVariant`] with the first point of a number that is none or too large.
+/// - [`Error::NoGear`], [`Error::NoLink`] for an unknown name.
+/// - [`Error::SweptLength`] unless all columns are equally long.
+/// - [`Error::Inputs`] if the speeds or torques are too few, too many or dependent.
+/// - [`Error::SweptVariant`] with the first point that has an infinite, undefined or too large number.
 pub fn answer(
     gearbox: &Gearbox,
     wanted: &Wanted<'_>,

@@ -374,12 +374,13 @@ struct Here<'c, 'd> {
     goes_on: bool,
 }
 
-/// Seconds before what was found has to be told, when nothing more is judged, and when nothing more is rated.
+/// Seconds left at which solutions are no longer judged, and no longer rated: the rest is needed to write the
+/// answer.
 const TO_RATE: f64 = 0.3;
 const TO_TELL: f64 = 0.1;
 
 impl Here<'_, '_> {
-    /// Goes on until so many seconds are left to tell what was found.
+    /// Goes on until only this many seconds are left to write the answer.
     fn until(&self, seconds: f64) -> ControlFlow<()> {
         let is_over = self.call.desk.asked_to_end().is_some_and(|left| left <= seconds);
         if is_over { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }

@@ -1,4 +1,4 @@
-//! How large a search is, told before it begins, and searches that are too large for this machine.
+//! Size of a search, shown before it begins, and refusal of searches that are too large for this machine.
 
 use crate::desk::Call;
 use crate::failure::Failure;
@@ -11,13 +11,13 @@ use epicyclic_units::Physical as _;
 use std::ffi::OsString;
 use uom::si::f64::Time;
 
-/// Structures times sets of shift elements from which on the size of a search is told.
+/// Structures times sets of shift elements from which on the size of a search is shown.
 const TOLD: f64 = 1e6;
-/// From which on a sample tells how long it takes.
+/// Structures times sets of shift elements from which on a sample estimates the duration.
 const SAMPLED: f64 = 1e9;
 /// How long a sample takes, in s, and once more as long; longer where few structures take that long.
 const SAMPLE_S: f64 = 1.0;
-/// How long it takes at most; what takes longer is told by what was searched until then.
+/// Longest duration of a sample, s. A longer one is cut and estimated from the part searched until then.
 const MOST_SAMPLE_S: f64 = 20.0;
 /// How long the structures of a class are counted, in s; of more their number is estimated, in as long.
 const COUNT_S: f64 = 1.0;
@@ -28,8 +28,8 @@ const LONGEST_S: f64 = 3600.0;
 /// The most memory of such a search, in GB.
 const MOST_GB: f64 = 4.0;
 
-/// Tells the size of a search that begins, where it is not small; of a large one also how long it will take,
-/// and refuses one that takes too long.
+/// Shows the size of a search that is not small; for a large one also its duration. Refuses a search that
+/// takes too long.
 pub(crate) fn check(
     call: &Call<'_>,
     searching: &Searching,
@@ -86,7 +86,7 @@ pub(crate) fn check(
     Ok(())
 }
 
-/// What to do instead, with the commands.
+/// Remedy for a search that is too large, with the commands to divide it.
 fn refusal(size: &str, about: &str, shares: f64, args: impl Iterator<Item = OsString>) -> String {
     let command = command(args);
     format!(

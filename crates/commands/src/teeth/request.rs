@@ -143,6 +143,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         mode: args.mode,
         tolerance: args.tolerance.0.si(),
         bounds,
+        // The set to save may lie beyond the sets shown.
         most: limit.max(nth),
         checked: args.nth,
     };
@@ -156,6 +157,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     shown.size(parts, IN_A_SECOND, || format!("{parts:.1e} combinations of {gears}"));
     if let Some(shifts) = args.shifts.wanted() {
         let found = shifted::answer(&wanted, &shifts, |share| shown.at(share)).map_err(refuse_answer)?;
+        // Removes the progress line before the answer is written to the same terminal.
         drop(shown);
         let chosen = nth.checked_sub(1).and_then(|place| found.tooth_numbers.get(place));
         let chosen = chosen.map(|set| set.gearbox(&wanted)).transpose()?;
@@ -266,6 +268,7 @@ fn bounds(args: &Args) -> Result<Bounds, Failure> {
     let least = if args.no_undercut { rack.least_teeth_without_undercut() } else { 1 };
     let external = |option, span: Span<u32>, usual: RangeInclusive<u32>| {
         let (from, most) = options::of_wheel(option, span, usual)?.into_inner();
+        // Without undercut the range of teeth starts at the smallest gear that has none.
         let from = from.max(least);
         if from > most { Err(Failure::AllUndercut { option, most, least }) } else { Ok(from..=most) }
     };

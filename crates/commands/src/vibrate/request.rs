@@ -109,7 +109,7 @@ impl Exciting {
         all.into_iter().find(|(_, is_given)| *is_given).map(|(option, _)| option)
     }
 
-    /// What is asked, of all sets and gears.
+    /// Question for all sets and gears, from the options.
     pub(crate) fn wanted(&self) -> Result<Wanted, Failure> {
         let lengths = |all: &[Given<Length>]| -> Vec<Length> { all.iter().map(|one| one.0).collect() };
         Ok(Wanted {
@@ -125,7 +125,7 @@ impl Exciting {
         })
     }
 
-    /// What is refused, by its option.
+    /// Converts an error to a failure with the option that caused it.
     pub(crate) fn refuse(error: Error) -> Failure {
         let option = match &error {
             Error::Harmonics { .. } => "--harmonics",
@@ -152,6 +152,7 @@ impl Exciting {
 pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let document = input::document(call, &args.file)?;
     let subject = answers::subject(&document)?;
+    // Coupled modes are of the whole gearbox, so one set alone has none.
     if args.set.is_some() && args.exciting.coupled {
         let message = "it is of all sets; leave --set out".to_owned();
         return Err(Failure::conflict("--coupled", message));
@@ -159,6 +160,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let wanted = Wanted { gear: args.gear.clone(), set: args.set.clone(), ..args.exciting.wanted()? };
     let answer = answers::answer(&subject, &wanted, &|| call.goes_on()).map_err(|error| match error {
         Error::NoSet { .. } => Failure::of_option("--set", &error),
+        // Shared with `report`, which has these options but no `--set`.
         error => Exciting::refuse(error),
     })?;
     let mut files = vec![];

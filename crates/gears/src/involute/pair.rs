@@ -156,7 +156,7 @@ impl Pair {
         if self.is_internal() { radius + self.tangents() } else { self.tangents() - radius }
     }
 
-    /// Inverse of [`mate`](Self::mate): radius of curvature of the first gear's flank.
+    /// Inverse of `mate`: radius of curvature of the first gear's flank.
     pub(super) fn of_mate(&self, radius: f64) -> f64 {
         if self.is_internal() { radius - self.tangents() } else { self.tangents() - radius }
     }

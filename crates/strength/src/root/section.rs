@@ -94,7 +94,7 @@ pub fn section(
     section_of(gear, contact_ratio, shaper, gear.profile().base_helix_rad())
 }
 
-/// Root section by [`section`] with a known helix angle at the base cylinder, rad.
+/// Root section by `section` with a known helix angle at the base cylinder, rad.
 pub(crate) fn section_of(
     gear: &InvoluteGear,
     contact_ratio: f64,

@@ -24,20 +24,21 @@ use uom::si::f64::Length;
 pub(super) struct Subject {
     pub(super) gearbox: Gearbox,
     pub(super) gearing: bool,
-    /// What its file says of the sizes of its planets.
+    /// Planet bearings and sizes of planets that the file states.
     pub(super) planet_bearings: Vec<PlanetBearing>,
     /// The basic rack of its teeth, and the modules of its sets where the file has them.
     pub(super) rack: BasicRack,
     pub(super) modules: BTreeMap<String, Length>,
     /// The checks of its teeth.
     pub(super) tooth_checks: Option<ToothChecks>,
-    /// Its place in a file.
+    /// Place of the gearbox in its file.
     pub(super) base: formats::Path,
     origin: Origin,
 }
 
 impl Subject {
-    /// The place of what cannot be drawn: of teeth the set that is none.
+    /// Returns the place that an error refers to: for the view of teeth, the first set whose gears are
+    /// invalid; otherwise the gearbox.
     pub(super) fn of_fault(self, view: Option<View>) -> formats::Path {
         let is_fault = |set: &PlanetSet| {
             set.short().and_then(|spec| spec.toothed_set(&self.rack)).is_some_and(|set| set.is_err())
@@ -49,7 +50,7 @@ impl Subject {
         }
     }
 
-    /// What an answer says of it.
+    /// Record of the gearbox for the answer.
     pub(super) fn record(&self) -> answers::Subject {
         answers::Subject::of_gearbox(&self.gearbox, self.origin, self.gearing)
     }

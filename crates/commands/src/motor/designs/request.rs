@@ -1,5 +1,5 @@
-//! What both searches for motors have in common: what is wanted, numbers and size, and what is shown, drawn
-//! and written.
+//! Options common to both searches for motors: requirements, numbers and size, and how designs are shown,
+//! drawn and written.
 
 use crate::desk::Content;
 use crate::failure::Failure;
@@ -157,6 +157,8 @@ impl Sought {
             }
             _ => unreachable!("one of them is required, and the pressure with the torque"),
         };
+        // A displacement fixes the product of squared module and width, so modules with a width need a
+        // tolerance.
         let size = match (&self.module, self.width, self.width_over_diameter) {
             (Some(modules), Some(width), _) => Size::ModulesAndWidth {
                 modules: modules.values(),
@@ -215,7 +217,8 @@ pub(crate) struct Outlet<'a> {
 }
 
 impl Shown {
-    /// Refuses what says something of drawings where there are none, before anything is searched.
+    /// Resolves the outputs; refuses options for drawings without any drawing. Called before the search so
+    /// that a wrong option fails at once.
     pub(crate) fn outlet(&self) -> Result<Outlet<'_>, Failure> {
         let drawings = files::wanted(&self.files, &self.output);
         drawings.check(&self.files)?;
@@ -258,6 +261,7 @@ impl Outlet<'_> {
         motor: impl FnOnce(usize, Angle) -> Result<Designed, crate::error::Error>,
         saved: impl FnOnce(usize) -> Result<String, crate::error::Error>,
     ) -> Result<Vec<Content>, Failure> {
+        // Without a file no design has to exist: a search that finds none still gives its answer.
         if !self.has_files() {
             return Ok(vec![]);
         }

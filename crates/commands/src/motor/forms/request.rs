@@ -160,6 +160,7 @@ struct Flanks {
 pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let outlet = args.shown.outlet()?;
     let search = search(args)?;
+    // Checked before the search, which may take long.
     args.has_what_is_told("--objectives", &args.objectives.0)?;
     args.has_what_is_told("--by", &[args.by])?;
     let forms = search.forms.forms().map_err(|error| refuse(error.into()))?.len();
@@ -174,6 +175,8 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let shown = Progress::new(call);
     let searched = crate::motor::forms::answer::search(&wanted, &|at| {
         let share = at.done as f64 / at.of.max(1) as f64;
+        // Pass 0 finds the motors. Their number, and so the number of points with tooth forms, is known only
+        // then.
         if at.pass == 0 {
             shown.at(SHARE_OF_MOTORS * share)
         } else {
@@ -197,7 +200,7 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
 }
 
 impl Args {
-    /// Refuses objectives whose figures the answer could not tell.
+    /// Refuses objectives that need an option that is not given.
     fn has_what_is_told(&self, option: &'static str, objectives: &[Objective]) -> Result<(), Failure> {
         for objective in objectives {
             let lacks = match objective {
@@ -275,7 +278,7 @@ fn search(args: &Args) -> Result<FormSearch, Failure> {
     })
 }
 
-/// A refusal with the option that it speaks of.
+/// Converts an error to a failure with the option that caused it.
 fn refuse(error: crate::error::Error) -> Failure {
     let option = match &error {
         crate::error::Error::Motor(error) => of_forms(error),

@@ -1,4 +1,4 @@
-//! The motor that the options describe, and the option that a refusal speaks of.
+//! The motor described by the options, and the option that an error refers to.
 
 use super::{Design, Teeth};
 use crate::failure::Failure;
@@ -65,13 +65,14 @@ pub(crate) fn form(teeth: &Teeth) -> ToothForm {
     }
 }
 
-/// A refusal with the option that it speaks of.
+/// Converts an error to a failure with the option that caused it.
 pub(crate) fn refuse(error: crate::error::Error) -> Failure {
     let key = match &error {
         crate::error::Error::MotorKey { key, .. } => Some((*key).to_owned()),
         crate::error::Error::Motor(error) => Some(motor::place(error).to_string()),
         _ => None,
     };
+    // Keys of a group share one option; the rest of the key goes into the message.
     if let Some((option, of)) = key.as_deref().and_then(of_group) {
         let message = if of.is_empty() { error.to_string() } else { format!("{of}: {error}") };
         return Failure::named(error.name(), option, message);
@@ -119,6 +120,7 @@ fn of_group(key: &str) -> Option<(&'static str, &str)> {
 }
 
 fn of_motor(error: &Error) -> Option<&'static str> {
+    // Lobes and teeth of a gear have options of their own; a satellite has no lobes.
     let wheel_option = |wheel: &WheelKind, lobes: bool| match (wheel, lobes) {
         (WheelKind::Stator, true) => Some("--stator"),
         (WheelKind::Rotor, true) => Some("--rotor"),

@@ -1,4 +1,4 @@
-//! What goes into the files: drawings as SVG, DXF, PDF and PNG, centrodes as points.
+//! Contents of the files: drawings as SVG, DXF, PDF and PNG, centrodes as points.
 
 use super::{Files, View};
 use crate::desk::Content;
@@ -37,7 +37,7 @@ impl Wanted {
         self.0.iter().map(content).collect()
     }
 
-    /// Refuses options that say something of drawings where there are none.
+    /// Refuses options for drawings if no drawing is requested.
     pub(crate) fn check(&self, files: &Files) -> Result<(), Failure> {
         if files.view.is_some() {
             self.needed_by("--view")?;

@@ -1,4 +1,4 @@
-//! What a maker says of a motor, as options with the keys of its file.
+//! Manufacturing data of a motor, as options with the keys of its file.
 
 use crate::motor::answer::Groups;
 use epicyclic_formats::motor::{GapsGroup, MaterialGroup, OilGroup, PortsGroup};
@@ -34,7 +34,7 @@ pub(crate) struct Made {
 }
 
 impl Made {
-    /// Its options, and whether each is given.
+    /// Options of the group, and whether each is given.
     pub(crate) fn given(&self) -> [(&'static str, bool); 5] {
         [
             ("--material", self.material.is_some()),
@@ -45,7 +45,7 @@ impl Made {
         ]
     }
 
-    /// The same as a file says it.
+    /// Groups of a motor file with the same content.
     pub(crate) fn groups(&self) -> Groups {
         Groups {
             material: self.material.as_ref().map(|group| group.0.clone()),

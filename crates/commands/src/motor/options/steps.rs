@@ -16,9 +16,9 @@ pub(crate) struct Stepped<T> {
     values: u32,
 }
 
-/// What can be stepped.
+/// A quantity that can be given in steps.
 pub(crate) trait Step: FromStr<Err: fmt::Display> + Copy {
-    /// Shown where one is due.
+    /// Example for error messages.
     const EXAMPLE: &'static str;
 
     /// In its SI unit.

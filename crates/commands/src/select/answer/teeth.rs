@@ -344,8 +344,7 @@ impl<'a> Searches<'a> {
         Ok(SelectTeeth { designs: self.designs().collect::<Result<_, _>>()?, ..self.without_designs()? })
     }
 
-    /// Answer whose designs are computed while they are written; `told` receives the written part, from 0 to
-    /// 1.
+    /// Answer whose designs are computed during writing; the callback receives the written part, from 0 to 1.
     ///
     /// # Errors
     /// [`Error::NotFinite`] with the key of a number that is infinite or NaN; for a number of a design the

@@ -9,8 +9,8 @@ pub(super) fn nothing_found(way_out: Option<&String>) -> Failure {
     Failure::NothingFound(format!("no design meets every required criterion{way_out}"))
 }
 
-/// What a search for tooth numbers that found nothing may still try; without teeth the criteria that stand in
-/// the way are told.
+/// Advice after a search for tooth numbers that found nothing. Without `--teeth` the answer lists the
+/// criteria that no design meets.
 pub(super) fn with_teeth_more(args: &Args) -> Option<String> {
     let mut more = vec![];
     if !args.speeds.all_structures {

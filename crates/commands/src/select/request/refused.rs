@@ -1,4 +1,4 @@
-//! The option that a refusal of a selection speaks of.
+//! Options that an error of a selection refers to.
 
 use super::Args;
 use crate::error::Error;
@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::select::answer::duty::{DutyProblem, DutyQuantity};
 use epicyclic_selection::quantity::{KRange, Limited, Rated};
 
-/// The option that it speaks of.
+/// Converts an error to a failure with the option that caused it.
 pub(crate) fn refuse_selection(error: epicyclic_selection::Error) -> Failure {
     use epicyclic_schemes::Error as S;
     use epicyclic_selection::Error as E;
@@ -45,7 +45,7 @@ pub(crate) fn refuse_selection(error: epicyclic_selection::Error) -> Failure {
     Failure::of_option(option, &error)
 }
 
-/// The option that a refusal speaks of.
+/// Converts an error to a failure with the option that caused it.
 pub(super) fn refuse(args: &Args, error: Error) -> Failure {
     match error {
         Error::Selection(error) => refuse_selection(error),

@@ -23,8 +23,8 @@ pub(crate) struct Piece {
 }
 
 impl Report {
-    /// All of it as HTML for a page of somebody else: sections with headings of the third level, tables,
-    /// words, warnings; all text escaped.
+    /// Returns the report as HTML for a foreign page: sections with headings of the third level, tables,
+    /// words, warnings. All text is escaped.
     #[must_use]
     pub fn html(&self) -> String {
         self.pieces().into_iter().map(|piece| piece.html.into_string()).collect()
@@ -119,7 +119,7 @@ impl Grid<'_> {
     }
 }
 
-/// What is wider than a column goes across both, what is longer than most of a page may be broken.
+/// CSS classes of a table: `wide` if wider than a column, `long` if longer than most of a page.
 fn class(is_wide: bool, rows: usize) -> Option<&'static str> {
     match (is_wide, rows > LONG) {
         (true, true) => Some("wide long"),
