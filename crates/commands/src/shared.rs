@@ -2,18 +2,23 @@
 
 pub mod catalogue;
 pub mod drawability;
+pub(crate) mod exciting;
 pub mod fault;
 pub mod gearbox;
+pub(crate) mod gearbox_choice;
 pub mod lists;
+pub(crate) mod load;
 pub mod named;
 pub mod named_gearbox;
 pub mod number;
 pub mod options;
 pub mod page_options;
+pub mod places;
 pub mod profile_shift;
 pub mod ratios;
 pub mod records;
 pub mod saved;
+pub(crate) mod scenario;
 pub mod tool;
 pub mod tooth_checks;
 pub mod toothed;

@@ -278,13 +278,4 @@ mod tests {
         assert!(matches!(one(&split, &named("o")), Err(Error::OneGearbox)));
         assert_eq!(one(&many, &named("8hp45")).unwrap().gearbox.gears().len(), 9);
     }
-
-    #[test]
-    fn a_map_needs_two_places_a_way() {
-        let speed = AngularVelocity::new::<revolution_per_minute>(1.0);
-        let steps = |places| inputs::map::Steps::new("a".to_owned(), speed, 2.0 * speed, places);
-        assert!(steps(2).is_ok() && steps(1000).is_ok());
-        assert!(matches!(steps(1), Err(Error::Places { places: 1, most: 1000 })));
-        assert!(steps(1001).is_err());
-    }
 }

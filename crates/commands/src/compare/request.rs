@@ -1,6 +1,5 @@
 //! The command `compare`: gearboxes side by side.
 
-use crate::analyze::request::{Load, refuse};
 use crate::compare::answer::page::drawn;
 use crate::compare::answer::{self as answers, Candidate};
 use crate::desk::Call;
@@ -11,6 +10,7 @@ use crate::shared::gearbox::{self, Subject};
 use crate::shared::named_gearbox::{self as named, Read, Sizes};
 use crate::shared::options::efficiency;
 use crate::shared::page_options::{self as imprint, PageArgs};
+use crate::shared::{gearbox_choice::refuse, load::Load};
 use epicyclic_units::Quantity;
 use std::path::Path;
 use uom::si::f64::Ratio;

@@ -1,6 +1,5 @@
 //! The command `design`: from speeds and power to a gearbox whose sizes hold.
 
-use crate::analyze::request::refuse;
 use crate::design::answer::basis::Basis;
 use crate::design::answer::{Design, Wanted, answer};
 use crate::design::table::way_out;
@@ -16,6 +15,7 @@ use crate::select::answer as select;
 use crate::select::answer::duty::{Duty, Load};
 use crate::select::request::{Criteria, RatioOptions, Speeds, refuse_selection, requirements};
 use crate::shared::gearbox::one;
+use crate::shared::gearbox_choice::refuse;
 use crate::shared::lists::List;
 use crate::shared::options;
 use crate::shared::page_options::{self as imprint, PageArgs};

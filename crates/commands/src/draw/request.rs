@@ -3,19 +3,19 @@
 use crate::desk::Call;
 mod subject;
 
-use crate::analyze::request::{self as analyze, Choice, analysis};
 use crate::answer::to_json;
 use crate::draw::answer::{self as answers, Drawing, FileFormat, Sheet};
 use crate::draw::table as draw;
 use crate::drawing_file;
 use crate::failure::Failure;
 use crate::input;
-use crate::losses::request as losses;
 use crate::losses::table::efficiency_map;
 use crate::motor::answer::of_file;
 use crate::motor::options as motor;
 use crate::shared::drawability::answer::Conflict;
+use crate::shared::gearbox_choice::{self as analyze, Choice, analysis};
 use crate::shared::named_gearbox as named;
+use crate::shared::places::Grid;
 use crate::shared::tooth_checks::answer::ToothChecks;
 use epicyclic_drawing::{Scene, svg};
 use epicyclic_formats::{self as formats, Document};
@@ -80,7 +80,7 @@ pub struct Args {
     to_scale: bool,
 
     #[command(flatten)]
-    map: losses::Map,
+    map: Grid,
 
     #[command(flatten)]
     sizes: named::Sizes,
@@ -378,7 +378,7 @@ fn scene(args: &Args, subject: &Subject) -> Result<Scene, Failure> {
 fn map(args: &Args, document: &Document) -> Result<Scene, Failure> {
     let choice = Choice::new(args.gearbox.clone(), args.transmission.clone(), args.efficiency);
     let subject = analyze::subject(&choice, document)?;
-    let (Some(gear), Some((speeds, torques))) = (args.gear.as_deref(), args.map.places()?) else {
+    let (Some(gear), Some((speeds, torques))) = (args.gear.as_deref(), args.map.places()) else {
         // `consistent` asks for them.
         return Err(Failure::missing("--gear", "a map is of one gear; name it"));
     };

@@ -42,37 +42,6 @@ pub enum GivenLoad {
     Output(Torque),
 }
 
-/// Places from one value to another, both ends included.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Places<T> {
-    from: T,
-    to: T,
-    places: u32,
-}
-
-impl<T: Physical> Places<T> {
-    /// Maximum number of places in a direction.
-    pub const MOST: u32 = 200;
-
-    /// Range of values with this number of places, both ends included.
-    ///
-    /// # Errors
-    /// [`Error::Places`] for fewer than 2 places or more than [`Self::MOST`].
-    pub fn new(from: T, to: T, places: u32) -> Result<Self, Error> {
-        if (2..=Self::MOST).contains(&places) {
-            Ok(Self { from, to, places })
-        } else {
-            Err(Error::Places { places, most: Self::MOST })
-        }
-    }
-
-    /// Values in increasing index order.
-    pub(crate) fn values(&self) -> Vec<T> {
-        let (from, to, steps) = (self.from.si(), self.to.si(), f64::from(self.places - 1));
-        (0..self.places).map(|step| T::from_si(from + (to - from) * (f64::from(step) / steps))).collect()
-    }
-}
-
 /// Losses of a gearbox at a speed and a load.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
@@ -304,10 +273,9 @@ pub fn map(
     torques: &Places<Torque>,
 ) -> Result<LossMap, Error> {
     let analysis = analysis(&subject.gearbox, gear)?;
-    let (speeds, torques) = (speeds.values(), torques.values());
-    let mut map = Vec::with_capacity(speeds.len() * torques.len());
-    for &speed in &speeds {
-        for &torque in &torques {
+    let mut map = Vec::with_capacity(speeds.count() as usize * torques.count() as usize);
+    for speed in speeds.values() {
+        for torque in torques.values() {
             let load = GivenLoad::Input(InputLoad::Torque(torque));
             let found = match at(subject, &analysis, speed, load) {
                 Ok(found) => Some(found),

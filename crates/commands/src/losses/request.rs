@@ -1,16 +1,15 @@
 //! The command `losses`: what heats a gearbox at work, and its efficiency over speed and torque.
 
-use crate::analyze::request::{self as analyze, Choice, refuse};
 use crate::desk::Call;
 use crate::error::Error;
 use crate::failure::Failure;
-use crate::losses::answer::{self as answers, Cooling, GivenLoad, Places, Wanted};
+use crate::losses::answer::{self as answers, Cooling, GivenLoad, Wanted};
 use crate::output::OutputArgs;
+use crate::shared::gearbox_choice::{Choice, refuse, subject};
 use crate::shared::named_gearbox as named;
+use crate::shared::places::Grid;
 use epicyclic_train::InputLoad;
-use epicyclic_units::visible::one_line;
-use epicyclic_units::{Physical, Quantity};
-use std::str::FromStr;
+use epicyclic_units::Quantity;
 use uom::si::f64::{AngularVelocity, Power, TemperatureInterval, ThermalConductance, Torque};
 
 /// Losses of a gearbox at work: of its meshes under load, and drags of seals, bearings, oil and open shift
@@ -64,65 +63,17 @@ pub struct Args {
     allowed_rise: Option<Quantity<TemperatureInterval>>,
 
     #[command(flatten)]
-    map: Map,
+    map: Grid,
 
     #[command(flatten)]
     output: OutputArgs,
 }
 
-/// A map over speed and torque of the input.
-#[derive(Debug, clap::Args)]
-pub(crate) struct Map {
-    /// A map of one gear over these speeds of the input: 500rpm..3000rpm/6, both ends and how many places;
-    /// with --torques.
-    #[arg(long, value_name = "FROM..TO/PLACES", requires_all = ["gear", "torques"])]
-    speeds: Option<Range<AngularVelocity>>,
-
-    /// Torques on the input of the map: 10N·m..100N·m/10.
-    #[arg(long, value_name = "FROM..TO/PLACES", requires = "speeds")]
-    torques: Option<Range<Torque>>,
-}
-
-/// Speeds and torques of a map.
-type Ranges = (Places<AngularVelocity>, Places<Torque>);
-
-/// From one value to another, with how many places.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Range<T> {
-    from: T,
-    to: T,
-    places: u32,
-}
-
-impl<T: Physical> Range<T> {
-    /// The places, which an option gives.
-    pub(crate) fn places(&self, option: &'static str) -> Result<Places<T>, Failure> {
-        let refused = |error: Error| Failure::of_option(option, &error);
-        Places::new(self.from, self.to, self.places).map_err(refused)
-    }
-}
-
-impl<T: Physical> FromStr for Range<T> {
-    type Err = String;
-
-    fn from_str(written: &str) -> Result<Self, String> {
-        let form =
-            || format!("{}: write a range and how many places, as 500rpm..3000rpm/6", one_line(written));
-        let (range, places) = written.rsplit_once('/').ok_or_else(form)?;
-        let (from, to) = range.split_once("..").ok_or_else(form)?;
-        let value = |text: &str| {
-            let value: Result<Quantity<T>, _> = text.trim().parse();
-            value.map(|value| value.0).map_err(|error| error.to_string())
-        };
-        Ok(Self { from: value(from)?, to: value(to)?, places: places.trim().parse().map_err(|_| form())? })
-    }
-}
-
 /// Runs the command.
 pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let named::Read { document, .. } = args.choice.document(call, false)?;
-    let subject = analyze::subject(&args.choice, &document)?;
-    if let (Some(gear), Some((speeds, torques))) = (&args.gear, args.map.places()?) {
+    let subject = subject(&args.choice, &document)?;
+    if let (Some(gear), Some((speeds, torques))) = (&args.gear, args.map.places()) {
         return args.output.deliver(call, &answers::map(&subject, gear, &speeds, &torques).map_err(refuse)?);
     }
     let input = |load| Some(GivenLoad::Input(load));
@@ -153,17 +104,4 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         error => refuse(error),
     })?;
     args.output.deliver(call, &found)
-}
-
-impl Map {
-    /// Whether a map is asked for.
-    pub(crate) fn is_given(&self) -> bool {
-        self.speeds.is_some() || self.torques.is_some()
-    }
-
-    /// The places of the map, if one is asked for.
-    pub(crate) fn places(&self) -> Result<Option<Ranges>, Failure> {
-        let (Some(speeds), Some(torques)) = (self.speeds, self.torques) else { return Ok(None) };
-        Ok(Some((speeds.places("--speeds")?, torques.places("--torques")?)))
-    }
 }

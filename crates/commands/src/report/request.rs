@@ -1,6 +1,5 @@
 //! The command `report`: a page about a gearbox, a drive, a motor or a scenario.
 
-use crate::analyze::request::{Choice, Load, subject};
 use crate::answer::{to_json, write_json};
 use crate::desk::Call;
 use crate::draw::request::to_scale;
@@ -11,8 +10,12 @@ use crate::report::answer::drive::DriveReport;
 use crate::report::answer::{About, Report, gearbox, motor};
 use crate::shared::named_gearbox::Read;
 use crate::shared::page_options::PageArgs;
-use crate::simulate::request as simulate;
-use crate::vibrate::request::Exciting;
+use crate::shared::{
+    gearbox_choice::{Choice, subject},
+    load::Load,
+};
+use crate::shared::scenario;
+use crate::shared::exciting::Exciting;
 use epicyclic_formats::document::Segment;
 use epicyclic_formats::{Document, FileKind, Path, Problem};
 use epicyclic_units::visible;
@@ -160,7 +163,7 @@ fn own_lines(document: &Document, base: &Path, file: &str) -> String {
 }
 
 fn of_scenario(call: &Call<'_>, args: &Args, document: Document, file: String) -> Result<String, Failure> {
-    let read = simulate::Read::beside(call, document, args.choice.file())?;
+    let read = scenario::Read::beside(call, document, args.choice.file())?;
     let goes_on = |_| call.goes_on().is_continue();
     let simulation =
         crate::simulate::answer::answer_watched(&read.document, &read.file, &read.beside, goes_on)?;

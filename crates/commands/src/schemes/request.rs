@@ -1,11 +1,11 @@
 //! The command `schemes`: the catalogue of two- and three-speed schemes.
 
 use crate::desk::Call;
-use crate::error::Error;
 use crate::failure::Failure;
 use crate::output::OutputArgs;
-use crate::schemes::answer::{self as schemes, SizeName, SizeProblem, Sized, Sizes};
+use crate::schemes::answer::{self as schemes, Sizes};
 use crate::shared::fault::Fault;
+use crate::shared::named_gearbox::refuse_size;
 use epicyclic_formats::Span;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_schemes::catalogue::{RingToSunRange, Scheme};
@@ -70,33 +70,9 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let [k1, k2, ratio1, ratio2] =
         [args.k1, args.k2, args.ratio1, args.ratio2].map(|number| number.map(Number::get));
     let found = schemes::one(name.parse()?, range, Sizes { k1, k2, ratio1, ratio2 }, eta0);
-    args.output.deliver(call, &found.map_err(refuse)?)
-}
-
-/// The scheme with the ring-to-sun ratios or ratios that were given, if any were.
-pub(crate) fn sized(sizes: Sizes, scheme: Scheme, eta0: MeshEfficiency) -> Result<Option<Sized>, Failure> {
-    schemes::sized(scheme, sizes, eta0).map_err(refuse)
+    args.output.deliver(call, &found.map_err(refuse_size)?)
 }
 
 fn of_option<E: Fault>(option: &'static str) -> impl Fn(E) -> Failure {
     move |error| Failure::of_option(option, &error)
-}
-
-/// Converts an error to a failure with the option that caused it.
-fn refuse(error: Error) -> Failure {
-    let Error::SchemeSize { size, problem } = error else { return error.into() };
-    let option = match size {
-        SizeName::K1 => "--k1",
-        SizeName::K2 => "--k2",
-        SizeName::Ratio1 => "--ratio1",
-        SizeName::Ratio2 => "--ratio2",
-    };
-    let message = match problem {
-        SizeProblem::FirstMissing => "give --ratio1 or --k1 too".to_owned(),
-        SizeProblem::SecondMissing { scheme } => {
-            format!("{scheme} has two sets: give --k2 or --ratio2 too")
-        }
-        problem => problem.to_string(),
-    };
-    Failure::invalid(option, message)
 }

@@ -21,7 +21,7 @@ use crate::shared::options;
 use crate::shared::page_options::{self as imprint, PageArgs};
 use crate::shared::profile_shift::ShiftOptions;
 use crate::shared::ratios::PlainRatios;
-use crate::teeth::request::IN_A_SECOND;
+use crate::teeth::answer::IN_A_SECOND;
 use epicyclic_formats::Span;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::Bounds;

@@ -2,10 +2,10 @@
 
 use crate::desk::Call;
 use crate::draw::answer::Origin;
+use crate::error::Error;
 use crate::failure::Failure;
 use crate::input;
-use crate::schemes::answer as answers;
-use crate::schemes::request::sized;
+use crate::schemes::answer::{self as answers, SizeName, SizeProblem, Sized};
 use crate::shared::options::efficiency;
 use epicyclic_formats::Document;
 use epicyclic_formats::gearbox::written;
@@ -233,4 +233,28 @@ fn two_sets(sets: [SetRoles; 2], k: [f64; 2], eta: MeshEfficiency) -> Result<Gea
         any.get_or_insert(gearbox);
     }
     Ok(any.unwrap_or_else(|| unreachable!("four roles have six pairs")))
+}
+
+/// The scheme with the ring-to-sun ratios or ratios that were given, if any were.
+fn sized(sizes: answers::Sizes, scheme: Scheme, eta0: MeshEfficiency) -> Result<Option<Sized>, Failure> {
+    answers::sized(scheme, sizes, eta0).map_err(refuse_size)
+}
+
+/// Converts an error to a failure with the option that caused it.
+pub(crate) fn refuse_size(error: Error) -> Failure {
+    let Error::SchemeSize { size, problem } = error else { return error.into() };
+    let option = match size {
+        SizeName::K1 => "--k1",
+        SizeName::K2 => "--k2",
+        SizeName::Ratio1 => "--ratio1",
+        SizeName::Ratio2 => "--ratio2",
+    };
+    let message = match problem {
+        SizeProblem::FirstMissing => "give --ratio1 or --k1 too".to_owned(),
+        SizeProblem::SecondMissing { scheme } => {
+            format!("{scheme} has two sets: give --k2 or --ratio2 too")
+        }
+        problem => problem.to_string(),
+    };
+    Failure::invalid(option, message)
 }

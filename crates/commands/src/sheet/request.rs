@@ -1,11 +1,11 @@
 //! The command `sheet`: data sheets of gears.
 
-use crate::analyze::request::refuse;
 use crate::desk::Call;
 use crate::error::Error;
 use crate::failure::Failure;
 use crate::input;
 use crate::output::OutputArgs;
+use crate::shared::gearbox_choice::refuse;
 use crate::sheet::answer as answers;
 use std::path::PathBuf;
 

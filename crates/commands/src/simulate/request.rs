@@ -3,15 +3,13 @@
 use crate::desk::{Call, Content, Hearing};
 use crate::drawing_file;
 use crate::failure::Failure;
-use crate::input;
 use crate::output::OutputArgs;
 use crate::progress::Progress;
+use crate::shared::scenario::Read;
 use crate::simulate::answer::sweep::Wanted;
 use crate::simulate::answer::{self as answers, sweep};
-use crate::simulate::answer::{Beside, Simulation};
+use crate::simulate::answer::Simulation;
 use crate::simulate::table::{PlotView, picture, samples};
-use epicyclic_formats::scenario::{self, ScenarioFile};
-use epicyclic_formats::{Document, Path as Place, Problem};
 use epicyclic_units::visible::one_line;
 use epicyclic_units::{self as quantity, Dimension, Measured, Number};
 use std::path::{Path, PathBuf};
@@ -176,44 +174,4 @@ fn plot(simulation: &Simulation, view: Option<View>) -> Result<epicyclic_drawing
     let plot = picture(simulation, view);
     let plot = plot.ok_or_else(|| Failure::invalid("--view", lacks))?;
     Ok(plot.scene()?)
-}
-
-/// A scenario, and what it names.
-pub(crate) struct Read {
-    pub(crate) document: Document,
-    pub(crate) file: ScenarioFile,
-    pub(crate) beside: Beside,
-}
-
-impl Read {
-    /// Reads the scenario of a file and the files that it names.
-    fn of(call: &Call<'_>, path: &Path) -> Result<Self, Failure> {
-        Self::beside(call, input::document(call, path)?, path)
-    }
-
-    /// Reads the scenario of a document and the files that it names.
-    pub(crate) fn beside(call: &Call<'_>, document: Document, path: &Path) -> Result<Self, Failure> {
-        let file = scenario::read(&document)?;
-        let mut beside = Beside::default();
-        // A file of this name, where the name alone would be standard input.
-        let file_of = |name: &str| if name == "-" { "./-".to_owned() } else { name.to_owned() };
-        let near = |name: &str| path.parent().unwrap_or(Path::new("")).join(file_of(name));
-        let refused = |place: &Place, failure: Failure| match failure {
-            failure @ Failure::Read { .. } => {
-                Failure::from(document.error(place, Problem::refused(failure.name(), failure.to_string())))
-            }
-            failure => failure,
-        };
-        if let Some(name) = &file.gearbox_file {
-            let place = Place::root().key("gearbox_file");
-            beside.gearbox =
-                Some(input::document(call, &near(name)).map_err(|failure| refused(&place, failure))?);
-        }
-        for (name, place) in file.csv_files() {
-            let other = near(name);
-            let text = input::text(call, &other).map_err(|failure| refused(&place, failure))?;
-            beside.texts.insert(name.to_owned(), (other.display().to_string(), text));
-        }
-        Ok(Self { document, file, beside })
-    }
 }

@@ -1,11 +1,11 @@
 //! The command `size`: module, face width, planets, centre distance and bearing of each set.
 
-use crate::analyze::request as analyze;
 use crate::desk::Call;
 use crate::error::Error;
 use crate::failure::Failure;
 use crate::input;
 use crate::output::OutputArgs;
+use crate::shared::gearbox_choice as analyze;
 use crate::shared::lists::Quantities;
 use crate::shared::options;
 use crate::shared::profile_shift::Aim;

@@ -1,11 +1,11 @@
 //! The command `strength`: safeties of teeth by ISO 6336.
 
-use crate::analyze::request::{Load, refuse};
 use crate::desk::Call;
 use crate::error::Error;
 use crate::failure::Failure;
 use crate::input;
 use crate::output::OutputArgs;
+use crate::shared::{gearbox_choice::refuse, load::Load};
 use crate::strength::answer::{self as answers, Wanted};
 use std::path::PathBuf;
 

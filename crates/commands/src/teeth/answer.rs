@@ -30,6 +30,9 @@ use std::ops::ControlFlow;
 /// Maximum number of sets in an answer, whose text is built as a whole in about 100 MB.
 pub const MOST_SETS: usize = 100_000;
 
+/// Combinations of teeth and planets that are gone through in a second, about.
+pub(crate) const IN_A_SECOND: f64 = 1e7;
+
 /// Requirements of the tooth numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wanted {

@@ -6,7 +6,7 @@ use crate::output::{Format, OutputArgs};
 use crate::progress::Progress;
 use crate::shared::options;
 use crate::shared::profile_shift::ShiftOptions;
-use crate::teeth::answer::{Stages, Wanted, answer, double_planet, shifted, stages};
+use crate::teeth::answer::{IN_A_SECOND, Stages, Wanted, answer, double_planet, shifted, stages};
 use epicyclic_formats::Span;
 use epicyclic_formats::gearbox::written;
 use epicyclic_gears::Error;
@@ -19,9 +19,6 @@ use epicyclic_units::{Number, Physical, Quantity};
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use uom::si::f64::{Angle, Ratio};
-
-/// Combinations of teeth and planets that are gone through in a second, about.
-pub(crate) const IN_A_SECOND: f64 = 1e7;
 
 /// Sets shown in a table unless said otherwise.
 const SHOWN_IN_TABLE: usize = 20;

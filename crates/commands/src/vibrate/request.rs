@@ -1,19 +1,16 @@
 //! The command `vibrate`: natural frequencies, modes and resonances of planet sets.
 
-use crate::analyze::request::refuse;
 use crate::desk::{Call, Content};
 use crate::drawing_file;
 use crate::error::Error;
 use crate::failure::Failure;
 use crate::input;
-use crate::losses::request::Range;
 use crate::output::OutputArgs;
+use crate::shared::exciting::Exciting;
 use crate::vibrate::answer::{self as answers, Vibration, Wanted};
 use crate::vibrate::table as views;
 use epicyclic_drawing::Scene;
-use epicyclic_units::Quantity as Given;
 use std::path::{Path, PathBuf};
-use uom::si::f64::{AngularVelocity, Length, Ratio};
 
 /// Natural frequencies and modes of simple sets, and the speeds at which they resonate.
 ///
@@ -59,93 +56,6 @@ pub struct Args {
 
     #[command(flatten)]
     output: OutputArgs,
-}
-
-/// What excites a vibration, and where it is looked at. What is not given here the file may say.
-#[derive(Debug, clap::Args)]
-pub(crate) struct Exciting {
-    /// Resonances and frequencies over these speeds of the input: 500rpm..3000rpm/11, both ends and how many
-    /// places.
-    #[arg(long, value_name = "FROM..TO/PLACES", allow_hyphen_values = true)]
-    speeds: Option<Range<AngularVelocity>>,
-
-    /// How many harmonics of the meshes. Default: 3.
-    #[arg(long, value_name = "COUNT")]
-    harmonics: Option<u32>,
-
-    /// Transmission error of the meshes, harmonics from the first: 3um,1um. Tells the forces that it makes.
-    #[arg(long, value_name = "AMPLITUDES", value_delimiter = ',', allow_hyphen_values = true)]
-    transmission_error: Vec<Given<Length>>,
-
-    /// The same of the ring's meshes, where it is another.
-    #[arg(long, value_name = "AMPLITUDES", value_delimiter = ',', allow_hyphen_values = true)]
-    ring_transmission_error: Vec<Given<Length>>,
-
-    /// Damping ratio of every mode, such as 0.03 or 3%.
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
-    damping: Option<Given<Ratio>>,
-
-    /// These forces without the gyroscopic effect of the carrier's speed.
-    #[arg(long)]
-    without_gyroscopic: bool,
-
-    /// Modes of the whole gearbox in the plane, with all sets on common links.
-    #[arg(long)]
-    coupled: bool,
-}
-
-impl Exciting {
-    /// An option that is given.
-    pub(crate) fn given(&self) -> Option<&'static str> {
-        let all = [
-            ("--speeds", self.speeds.is_some()),
-            ("--harmonics", self.harmonics.is_some()),
-            ("--transmission-error", !self.transmission_error.is_empty()),
-            ("--ring-transmission-error", !self.ring_transmission_error.is_empty()),
-            ("--damping", self.damping.is_some()),
-            ("--without-gyroscopic", self.without_gyroscopic),
-            ("--coupled", self.coupled),
-        ];
-        all.into_iter().find(|(_, is_given)| *is_given).map(|(option, _)| option)
-    }
-
-    /// Question for all sets and gears, from the options.
-    pub(crate) fn wanted(&self) -> Result<Wanted, Failure> {
-        let lengths = |all: &[Given<Length>]| -> Vec<Length> { all.iter().map(|one| one.0).collect() };
-        Ok(Wanted {
-            gear: None,
-            set: None,
-            speeds: self.speeds.as_ref().map(|range| range.places("--speeds")).transpose()?,
-            harmonics: self.harmonics,
-            transmission_error: lengths(&self.transmission_error),
-            ring_transmission_error: lengths(&self.ring_transmission_error),
-            damping: self.damping.map(|damping| damping.0.value),
-            without_gyroscopic: self.without_gyroscopic,
-            coupled: self.coupled,
-        })
-    }
-
-    /// Converts an error to a failure with the option that caused it.
-    pub(crate) fn refuse(error: Error) -> Failure {
-        let option = match &error {
-            Error::Harmonics { .. } => "--harmonics",
-            Error::DampingRatio { .. } => "--damping",
-            Error::TransmissionError { .. } => "--transmission-error",
-            Error::ExcitationWithout { given: "harmonics", .. } => "--harmonics",
-            Error::ExcitationWithout { given: "damping", .. } => "--damping",
-            Error::ExcitationWithout { given: "without-gyroscopic", .. } => "--without-gyroscopic",
-            Error::ExcitationWithout { given: "ring-transmission-error", .. } => "--ring-transmission-error",
-            Error::ExcitationWithout { .. } => "--transmission-error",
-            _ => return refuse(error),
-        };
-        let message = match &error {
-            Error::ExcitationWithout { lacks, .. } => {
-                format!("it needs {lacks}, as an option or as a key of `vibration` of the file")
-            }
-            error => error.to_string(),
-        };
-        Failure::named(error.name(), option, message)
-    }
 }
 
 /// Runs the command.

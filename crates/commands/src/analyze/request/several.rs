@@ -1,7 +1,7 @@
 //! The options of gears with several inputs: speeds and torques of links, ranges of speeds.
 
 use crate::analyze::answer::inputs::Wanted;
-use crate::analyze::answer::inputs::map::Steps;
+use crate::analyze::answer::inputs::map::MapPlaces;
 use crate::failure::Failure;
 use epicyclic_units::visible::one_line;
 use epicyclic_units::{Physical, Quantity};
@@ -41,31 +41,6 @@ impl<T: Physical> Assignments<Quantity<T>> {
     }
 }
 
-/// A range of speeds with as many places: `800rpm..4000rpm/9`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Range {
-    from: AngularVelocity,
-    to: AngularVelocity,
-    places: u32,
-}
-
-impl FromStr for Range {
-    type Err = String;
-
-    fn from_str(written: &str) -> Result<Self, String> {
-        let form =
-            || format!("{}: write a range and how many places, as 800rpm..4000rpm/9", one_line(written));
-        let (range, places) = written.rsplit_once('/').ok_or_else(form)?;
-        let (from, to) = range.split_once("..").ok_or_else(form)?;
-        let speed = |text: &str| {
-            let speed: Result<Quantity<AngularVelocity>, _> = text.trim().parse();
-            speed.map(|speed| speed.0).map_err(|error| error.to_string())
-        };
-        let places: u32 = places.trim().parse().map_err(|_| form())?;
-        Ok(Self { from: speed(from)?, to: speed(to)?, places })
-    }
-}
-
 /// What several links of a gear do.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Several {
@@ -80,7 +55,7 @@ pub(crate) struct Several {
     /// The state over ranges of two speeds, a line a place: engine=800rpm..4000rpm/9,
     /// mg1=-5000rpm..5000rpm/11.
     #[arg(long, value_name = "LINK=FROM..TO/PLACES, …", requires = "gear", conflicts_with_all = ["speeds", "torque", "power", "speed"])]
-    map: Option<Assignments<Range>>,
+    map: Option<Assignments<MapPlaces>>,
 }
 
 impl Several {
@@ -100,16 +75,12 @@ impl Several {
     }
 
     /// The ranges of a map, if one is asked for.
-    pub(super) fn map(&self) -> Result<Option<[Steps; 2]>, Failure> {
+    pub(super) fn map(&self) -> Result<Option<[(String, MapPlaces); 2]>, Failure> {
         let Some(map) = &self.map else { return Ok(None) };
         let [first, second] = &map.0[..] else {
             let message = format!("{} ranges are given: two are due", map.0.len());
             return Err(Failure::invalid("--map", message));
         };
-        let steps = |(link, range): &(String, Range)| {
-            Steps::new(link.clone(), range.from, range.to, range.places)
-                .map_err(|error| Failure::of_option("--map", &error))
-        };
-        Ok(Some([steps(first)?, steps(second)?]))
+        Ok(Some([first.clone(), second.clone()]))
     }
 }

@@ -1,11 +1,11 @@
 //! The gearbox that is drawn: a scheme of the catalogue, a structure of two sets, or one from a file.
 
 use super::{Args, View};
-use crate::analyze::request::{self as analyze, Choice};
 use crate::desk::Call;
 use crate::draw::answer::{self as answers, Origin};
 use crate::failure::Failure;
 use crate::input;
+use crate::shared::gearbox_choice::{self as analyze, Choice};
 use crate::shared::named_gearbox as named;
 use crate::shared::options;
 use crate::shared::tooth_checks::answer::ToothChecks;

@@ -1,8 +1,8 @@
 //! Requirements of a vibration: from options, or otherwise from the keys of the file.
 
 use crate::error::Error;
-use crate::losses::answer::Places;
 use crate::shared::gearbox::Subject;
+use crate::shared::places::Places;
 use crate::strength::answer::place::refused;
 use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::{GearboxFile, VibrationOfGearbox};
@@ -80,7 +80,7 @@ impl Settled {
         let of_file = keys.speeds.map(|[from, to]| Places::new(from.0, to.0, Wanted::PLACES)).transpose()?;
         let speeds = wanted.speeds.as_ref().or(of_file.as_ref());
         let has_speeds = speeds.is_some();
-        let speeds = speeds.map_or_else(Vec::new, |all| all.values().into_iter().map(Physical::si).collect());
+        let speeds = speeds.map_or_else(Vec::new, |all| all.values().map(Physical::si).collect());
         let harmonics = wanted.harmonics.or(keys.harmonics).unwrap_or(Wanted::HARMONICS);
         if wanted.harmonics.is_some() && !has_speeds {
             return Err(Error::ExcitationWithout { given: "harmonics", lacks: "speeds of the input" });

@@ -7,6 +7,7 @@ use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::finite;
 use crate::shared::gearbox::Subject;
+use crate::shared::places::Places;
 use epicyclic_train::inputs::MultiState;
 use epicyclic_train::{InputsFault, LinkId};
 use epicyclic_units::Physical;
@@ -16,36 +17,8 @@ use serde::{Serialize, Serializer};
 use std::borrow::Cow;
 use uom::si::f64::{AngularVelocity, Torque};
 
-/// Range of speeds of a link, with a number of places.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Steps {
-    link: String,
-    from: AngularVelocity,
-    to: AngularVelocity,
-    places: u32,
-}
-
-impl Steps {
-    /// Maximum number of places in a direction.
-    pub const MOST_PLACES: u32 = 1000;
-
-    /// Range with this number of places, both ends included.
-    ///
-    /// # Errors
-    /// [`Error::Places`] for fewer than 2 places or more than [`Self::MOST_PLACES`].
-    pub fn new(link: String, from: AngularVelocity, to: AngularVelocity, places: u32) -> Result<Self, Error> {
-        if (2..=Self::MOST_PLACES).contains(&places) {
-            Ok(Self { link, from, to, places })
-        } else {
-            Err(Error::Places { places, most: Self::MOST_PLACES })
-        }
-    }
-
-    fn speeds(&self) -> impl Iterator<Item = AngularVelocity> {
-        let (from, to, steps) = (self.from, self.to, self.places - 1);
-        (0..=steps).map(move |step| from + (to - from) * (f64::from(step) / f64::from(steps)))
-    }
-}
+/// Range of speeds of a link, in a direction of a map.
+pub type MapPlaces = Places<AngularVelocity, 1000>;
 
 /// Gear with two inputs over a map of their speeds.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -112,18 +85,18 @@ impl<Entries: Serialize + JsonSchema> Answer for Map<Entries> {
 pub fn map<'a>(
     subject: &'a Subject<'a>,
     gear: &str,
-    ranges: [Steps; 2],
+    ranges: [(String, MapPlaces); 2],
     torques: Option<&[(String, Torque)]>,
 ) -> Result<SpeedMap<'a>, Error> {
     let task = Task::new(subject, gear)?;
     let own_torques = torques.is_some();
     let torques = task.torques(torques, true)?;
     let at = Origin::Question(Given::Map);
-    let links = [task.link(&ranges[0].link, at)?, task.link(&ranges[1].link, at)?];
+    let links = [task.link(&ranges[0].0, at)?, task.link(&ranges[1].0, at)?];
     let places = SpeedMap { task, ranges, links, torques, own_torques };
-    let [first, second] = &places.ranges;
-    for one in [first.from, first.to] {
-        for other in [second.from, second.to] {
+    let [(_, first), (_, second)] = &places.ranges;
+    for one in first.ends() {
+        for other in second.ends() {
             places.state([one, other])?;
         }
     }
@@ -133,7 +106,7 @@ pub fn map<'a>(
 /// Map whose entries are computed when they are requested.
 pub struct SpeedMap<'a> {
     task: Task<'a>,
-    ranges: [Steps; 2],
+    ranges: [(String, MapPlaces); 2],
     links: [LinkId; 2],
     torques: Vec<(LinkId, Torque)>,
     /// Whether the torques come from the question and not from the file.
@@ -144,14 +117,14 @@ impl SpeedMap<'_> {
     /// Number of entries: one for each link at each place.
     #[must_use]
     pub fn count(&self) -> usize {
-        let [first, second] = &self.ranges;
-        first.places as usize * second.places as usize * self.link_count()
+        let [(_, first), (_, second)] = &self.ranges;
+        first.count() as usize * second.count() as usize * self.link_count()
     }
 
     /// Entries for every link at every place of the map, row by row.
     pub fn entries(&self) -> impl Iterator<Item = Result<MapEntry, Error>> + '_ {
-        let [first, second] = &self.ranges;
-        let places = first.speeds().flat_map(move |one| second.speeds().map(move |other| [one, other]));
+        let [(_, first), (_, second)] = &self.ranges;
+        let places = first.values().flat_map(move |one| second.values().map(move |other| [one, other]));
         places.flat_map(move |speeds| {
             let (entries, fault): (Vec<MapEntry>, Option<Error>) = match self.state(speeds) {
                 Ok(state) => {
@@ -186,8 +159,8 @@ impl SpeedMap<'_> {
         Map {
             gearbox: gearbox.name().to_owned(),
             gear: gear.name().to_owned(),
-            first_link: self.ranges[0].link.clone(),
-            second_link: self.ranges[1].link.clone(),
+            first_link: self.ranges[0].0.clone(),
+            second_link: self.ranges[1].0.clone(),
             torques: self.torques.iter().map(given).collect(),
             map,
             warnings: warnings::of_gearbox(subject),
