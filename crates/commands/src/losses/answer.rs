@@ -11,6 +11,7 @@ use crate::analyze::answer::{Input, analysis, warnings};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::gearbox::Subject;
+use crate::shared::places::Places;
 use epicyclic_formats::gearbox::{DescriptionError, located};
 use epicyclic_train::drag::{Load, WithDrags};
 use epicyclic_train::{self as train, Analysis, Gear, InputLoad, InputsFault, OperatingFault};
@@ -298,8 +299,8 @@ pub fn map(
     Ok(LossMap {
         gearbox: subject.gearbox.name().to_owned(),
         gear: gear.to_owned(),
-        speeds_rad_s: speeds.into_iter().map(Physical::si).collect(),
-        torques_n_m: torques.into_iter().map(Physical::si).collect(),
+        speeds_rad_s: speeds.values().map(Physical::si).collect(),
+        torques_n_m: torques.values().map(Physical::si).collect(),
         map,
         warnings: warned(subject),
     })

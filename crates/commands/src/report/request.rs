@@ -8,14 +8,14 @@ use crate::output::Target;
 use crate::page::Sheet;
 use crate::report::answer::drive::DriveReport;
 use crate::report::answer::{About, Report, gearbox, motor};
+use crate::shared::exciting::Exciting;
 use crate::shared::named_gearbox::Read;
 use crate::shared::page_options::PageArgs;
+use crate::shared::scenario;
 use crate::shared::{
     gearbox_choice::{Choice, subject},
     load::Load,
 };
-use crate::shared::scenario;
-use crate::shared::exciting::Exciting;
 use epicyclic_formats::document::Segment;
 use epicyclic_formats::{Document, FileKind, Path, Problem};
 use epicyclic_units::visible;

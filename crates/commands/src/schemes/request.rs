@@ -8,7 +8,7 @@ use crate::shared::fault::Fault;
 use crate::shared::named_gearbox::refuse_size;
 use epicyclic_formats::Span;
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_schemes::catalogue::{RingToSunRange, Scheme};
+use epicyclic_schemes::catalogue::RingToSunRange;
 use epicyclic_units::{Number, Physical, Quantity};
 use uom::si::f64::Ratio;
 

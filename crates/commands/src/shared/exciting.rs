@@ -38,7 +38,7 @@ pub(crate) struct Exciting {
 
     /// Modes of the whole gearbox in the plane, with all sets on common links.
     #[arg(long)]
-    coupled: bool,
+    pub(crate) coupled: bool,
 }
 
 impl Exciting {

@@ -6,13 +6,13 @@ use crate::failure::Failure;
 use crate::output::OutputArgs;
 use crate::progress::Progress;
 use crate::shared::scenario::Read;
+use crate::simulate::answer::Simulation;
 use crate::simulate::answer::sweep::Wanted;
 use crate::simulate::answer::{self as answers, sweep};
-use crate::simulate::answer::Simulation;
 use crate::simulate::table::{PlotView, picture, samples};
 use epicyclic_units::visible::one_line;
 use epicyclic_units::{self as quantity, Dimension, Measured, Number};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::str::FromStr;
 
 /// A gearbox in motion by a scenario: how it shifts, how hot its clutches get, whether the drive starts.
