@@ -7,7 +7,7 @@ use crate::table::columns::Table;
 use crate::table::figure::{Figure, text};
 use crate::table::quantities::quantity;
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, Row, Section, Text, View};
+use crate::table::report::{Column, Part, Records, Report, Row, Section, Text};
 use epicyclic_units::Dimension;
 use epicyclic_units::format::trimmed;
 
@@ -17,25 +17,7 @@ fn report(parts: Vec<Part>) -> Report {
 
 impl AsReport for Machines {
     fn report(&self) -> Report {
-        let mut parts = vec![Part::Records(Records {
-            name: "machines",
-            columns: vec![
-                Column::words("machine", "machine"),
-                Column::words("kind", "drive"),
-                Column::words("table", "table"),
-                Column::number("range", "d"),
-                Column::number("speeds", "speeds"),
-                Column::number("recommended", "recommended"),
-                Column::words("as_recommended", "agree"),
-                Column::words("recommendation_is_printed", "printed"),
-            ],
-            rows: self.machines.iter().map(machine).collect(),
-            views: vec![View::new(
-                "Machines: range d of the fastest speed over the slowest, and numbers of speeds",
-                &["machine", "kind", "range", "speeds", "recommended", "as_recommended"],
-            )],
-            is_answer: true,
-        })];
+        let mut parts = vec![Part::Records(machines(&self.machines))];
         if self.machines.len() > 1 {
             parts.push(Part::Text(Text::paragraph(format!(
                 "{} of {} bucket wheels with a number of steps have the number that table 2.1 recommends. The table is drawn up for \
@@ -47,17 +29,22 @@ impl AsReport for Machines {
     }
 }
 
-fn machine(machine: &Machine) -> Vec<Figure> {
-    vec![
-        text(machine.machine),
-        text(machine.kind),
-        text(machine.table),
-        Figure::Printed(machine.range, 2),
-        machine.speeds.map_or_else(|| Figure::answer("stepless", "stepless"), Figure::Count),
-        machine.recommended.map_or(Figure::None, Figure::Count),
-        machine.as_recommended.map_or(Figure::None, Figure::YesNo),
-        machine.recommendation_is_printed.map_or(Figure::None, Figure::YesNo),
-    ]
+fn machines(machines: &[Machine]) -> Records {
+    Table::new("machines", machines)
+        .text("machine", "machine", |machine| machine.machine)
+        .text("kind", "drive", |machine| machine.kind)
+        .text("table", "table", |machine| machine.table)
+        .printed("range", "d", 2, |machine| machine.range)
+        .number("speeds", "speeds", |machine| machine.speeds.map_or(text("stepless"), Figure::Count))
+        .number("recommended", "recommended", |machine| machine.recommended)
+        .words("as_recommended", "agree", |machine| machine.as_recommended)
+        .words("recommendation_is_printed", "printed", |machine| machine.recommendation_is_printed)
+        .view(
+            "Machines: range d of the fastest speed over the slowest, and numbers of speeds",
+            "machine kind range speeds recommended as_recommended",
+        )
+        .the_answer()
+        .records()
 }
 
 /// A range of speeds, and how many of them it asks for.
@@ -91,56 +78,42 @@ impl AsReport for MachineSpeeds {
                 [Figure::Multiple(speeds.geometric_step)],
             ),
         ];
-        let records = Records {
-            name: "series",
-            columns: vec![
-                Column::number("direct", "direct drive"),
-                Column::words("regime", "regime"),
-                Column::words("ratios", "ratios"),
-                Column::words("printed", "as printed").for_people(),
-                Column::words("printed_number", "number"),
-                Column::words("printed_ratios", "ratios as printed"),
-                Column::words("printed_serves", "serves"),
-            ],
-            rows: self.series.iter().map(series).collect(),
-            views: vec![View {
-                note: "Ratios: the fastest speed first. Direct drive: its place among them. The source calls the \
-                       combined regime undesirable. Its series are for speeds in geometric progression; where one \
-                       does not give these speeds, the last column shows it."
-                    .to_owned(),
-                ..View::new("Ratios", &["direct", "regime", "ratios", "printed"])
-            }],
-            is_answer: false,
-        };
         report(vec![
             Part::Facts(facts("speeds", "Speeds", rows)),
             Part::Facts(facts("range", "Range", range_rows("fastest over slowest", &self.range))),
-            Part::Records(records),
+            Part::Records(series(&self.series)),
         ])
     }
 }
 
-fn series(series: &Series) -> Vec<Figure> {
-    let regime = match series.regime {
-        Regime::Reduction => Figure::answer("reduction", "reduction"),
-        Regime::Overdrive => Figure::answer("overdrive", "overdrive"),
-        Regime::Combined => Figure::answer("combined", "combined"),
-    };
-    let printed = match &series.printed {
+fn series(all: &[Series]) -> Records {
+    let printed = |series: &Series| match &series.printed {
         None => text(""),
-        Some(printed) if printed.serves => Figure::answer("the same", "the same"),
+        Some(printed) if printed.serves => text("the same"),
         Some(printed) => Figure::Numbers(printed.ratios.clone()),
     };
-    let numbered = series.printed.as_ref();
-    vec![
-        Figure::Count(u32::try_from(series.direct).unwrap_or(u32::MAX)),
-        regime,
-        Figure::Numbers(series.ratios.clone()),
-        printed,
-        numbered.map_or(Figure::None, |printed| text(printed.number)),
-        numbered.map_or(Figure::None, |printed| Figure::Numbers(printed.ratios.clone())),
-        numbered.map_or(Figure::None, |printed| Figure::YesNo(printed.serves)),
-    ]
+    Table::new("series", all)
+        .number("direct", "direct drive", |series| series.direct)
+        .words("regime", "regime", |series| match series.regime {
+            Regime::Reduction => "reduction",
+            Regime::Overdrive => "overdrive",
+            Regime::Combined => "combined",
+        })
+        .words("ratios", "ratios", |series| Figure::Numbers(series.ratios.clone()))
+        .words("printed", "as printed", |series| printed(series))
+        .for_people()
+        .words("printed_number", "number", |series| Some(series.printed.as_ref()?.number))
+        .words("printed_ratios", "ratios as printed", |series| {
+            Some(Figure::Numbers(series.printed.as_ref()?.ratios.clone()))
+        })
+        .words("printed_serves", "serves", |series| Some(series.printed.as_ref()?.serves))
+        .view("Ratios", "direct regime ratios printed")
+        .note(
+            "Ratios: the fastest speed first. Direct drive: its place among them. The source calls the \
+             combined regime undesirable. Its series are for speeds in geometric progression; where one \
+             does not give these speeds, the last column shows it.",
+        )
+        .records()
 }
 
 impl AsReport for ChainCutter {
