@@ -115,16 +115,13 @@ fn ways_out(ways: &[WayOut]) -> Records {
     let note =
         "Each line is the result of the same search with this option. Deviation: the largest of a gear.";
     Table::new("ways_out", ways.iter())
-        .words("option", "option", |way| text(options(way)))
+        .words("option", "option", |way| options(way))
         .words("scheme", "scheme", |way| {
             let reverses = if way.speeds.iter().any(|speed| speed.reversed) { ", reverses" } else { "" };
-            text(format!("{}{reverses}", way.scheme))
+            format!("{}{reverses}", way.scheme)
         })
-        .words("teeth", "teeth", |way| text(sets(&way.teeth)))
-        .number("deviation", "deviation", |way| {
-            let off = largest_deviation(&way.speeds);
-            text(percent(off).replace('+', ""))
-        })
+        .words("teeth", "teeth", |way| sets(&way.teeth))
+        .number("deviation", "deviation", |way| percent(largest_deviation(&way.speeds)).replace('+', ""))
         .quantity("mass", "", Dimension::Mass, |way| way.teeth.mass_kg)
         .view(
             "Limits that would have to give, and the gearbox behind each",

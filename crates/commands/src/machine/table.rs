@@ -7,7 +7,7 @@ use crate::table::columns::Table;
 use crate::table::figure::{Figure, text};
 use crate::table::quantities::quantity;
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, Row, Section, Text};
+use crate::table::report::{Part, Records, Report, Row, Section, Text};
 use epicyclic_units::Dimension;
 use epicyclic_units::format::trimmed;
 
@@ -147,23 +147,10 @@ fn cutter(title: &'static str, cutting: &Cutting, rocks: &[Rock], range: Option<
 }
 
 fn in_rocks(rocks: &[Rock]) -> Records {
-    let headed = |name, dimension: Dimension, what: &str| Column {
-        heading: format!("{what}, {}", dimension.usual_unit().symbol),
-        ..Column::quantity(name, dimension)
-    };
-    Table::new("rocks", rocks.iter())
-        .column(headed("force", Dimension::Force, "force"), |rock| Figure::Column {
-            si: rock.force_n,
-            dimension: Dimension::Force,
-        })
-        .column(headed("speed", Dimension::Speed, "speed"), |rock| Figure::Column {
-            si: rock.speed_m_s,
-            dimension: Dimension::Speed,
-        })
-        .column(headed("feed", Dimension::Speed, "feed"), |rock| Figure::Column {
-            si: rock.feed_m_s,
-            dimension: Dimension::Speed,
-        })
+    Table::new("rocks", rocks)
+        .quantity("force", "force", Dimension::Force, |rock| rock.force_n)
+        .quantity("speed", "speed", Dimension::Speed, |rock| rock.speed_m_s)
+        .quantity("feed", "feed", Dimension::Speed, |rock| rock.feed_m_s)
         .view("In this rock and in others, at the same power and chip", "force speed feed")
         .records()
 }
@@ -194,12 +181,10 @@ impl AsReport for Rotor {
 }
 
 fn discharges(rotor: &Rotor) -> Records {
-    let angle =
-        |rad: Option<f64>| rad.map_or(Figure::None, |si| Figure::Column { si, dimension: Dimension::Angle });
     Table::new("discharges", rotor.discharges.iter())
-        .column(Column::headed("chute", "chute at, deg", Dimension::Angle), |one| angle(one.chute_rad))
+        .headed("chute", "chute at, deg", Dimension::Angle, |one| one.chute_rad)
         .multiple("discharge", "Ω", |one| one.discharge)
-        .words("counts", "counts", |one| Figure::YesNo(one.counts))
+        .words("counts", "counts", |one| one.counts)
         .view("Discharge parameter: the smaller counts", "chute discharge counts")
         .records()
 }

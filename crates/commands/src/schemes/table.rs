@@ -85,8 +85,8 @@ fn structure(sets: &[SetLinks], connection: Option<Connection>) -> Section {
 
 fn formulas(scheme: &Scheme) -> Records {
     Table::new("formulas", scheme.formulas.iter())
-        .words("gear", "gear", |gear| text(gear.gear.name()))
-        .words("braked", "braked", |gear| text(gear.braked.map_or("-", |link| link.name())))
+        .words("gear", "gear", |gear| gear.gear.name())
+        .words("braked", "braked", |gear| gear.braked.map_or("-", |link| link.name()))
         .text("ratio_formula", "i", |gear| &gear.ratio_formula)
         .text("efficiency_formula", "η", |gear| &gear.efficiency_formula)
         .multiple("least_ratio", "from", |gear| gear.least_ratio)
@@ -115,12 +115,12 @@ fn gears(gears: &[Gear]) -> Records {
     let note = "Torques and circulating power, with losses, over the input's; η back: back-driving efficiency. K1, K2: \
                    brakes on T1, T2; L: direct-drive clutch between D and B.";
     Table::new("gears", gears.iter())
-        .words("gear", "gear", |gear| text(gear.gear.name()))
+        .words("gear", "gear", |gear| gear.gear.name())
         .multiple("ratio", "i", |gear| gear.ratio)
         .multiple("efficiency", "η", |gear| gear.efficiency)
         .multiple("back_driving_efficiency", "η back", |gear| gear.back_driving_efficiency)
         .multiple("output_torque_of_input", "T_B", |gear| gear.output_torque_of_input)
-        .words("engaged", "engaged", |gear| text(gear.engaged.name()))
+        .words("engaged", "engaged", |gear| gear.engaged.name())
         .multiple("engaged_torque_of_input", "its T", |gear| gear.engaged_torque_of_input)
         .multiple("circulating_of_input", "circulating", |gear| gear.circulating_of_input)
         .view(

@@ -193,7 +193,7 @@ pub(crate) fn left_out(sets: &[SizedSet]) -> Records {
 fn not_sized(all: &[NotSized]) -> Records {
     Table::new("not_sized", all.iter())
         .text("set", "set", |one| &one.set)
-        .words("reason", "why", |one| text(one.why()))
+        .words("reason", "why", |one| one.why())
         .view("Not sized", "set reason")
         .records()
 }

@@ -143,7 +143,7 @@ impl Facts for Strength {
 fn duty(all: &[DutyStep]) -> Records {
     Table::new("duty", all.iter())
         .text("gear", "gear", |one| &one.gear)
-        .number("share", "share of time", |one| Figure::Share(one.share))
+        .share("share", "share of time", |one| one.share)
         .quantity("torque", "T", Dimension::Torque, |one| one.torque_n_m)
         .quantity("speed", "n", Dimension::AngularSpeed, |one| one.speed_rad_s)
         .view("Duty: torque on the input and its speed", "gear share torque speed")
@@ -155,8 +155,8 @@ fn at_point(all: &[Rated]) -> Records {
     Table::new("at_point", all.iter())
         .text("gear", "gear", |one| &one.gear)
         .text("set", "set", |one| &one.set)
-        .words("mesh", "mesh", |one| text(one.mesh.to_string()))
-        .words("toothed_gear", "of", |one| text(one.toothed_gear.to_string()))
+        .words("mesh", "mesh", |one| one.mesh.to_string())
+        .words("toothed_gear", "of", |one| one.toothed_gear.to_string())
         .text("material", "material", |one| &one.material)
         .printed("flank_safety", "S_H", 3, |one| one.flank_safety)
         .printed("root_safety", "S_F", 3, |one| one.root_safety)
@@ -167,8 +167,8 @@ fn at_point(all: &[Rated]) -> Records {
         .quantity("tangential_force", "F_t", Dimension::Force, |one| one.tangential_force_n)
         .quantity("mesh_torque", "T", Dimension::Torque, |one| one.mesh_torque_n_m)
         .quantity("mesh_speed", "n", Dimension::AngularSpeed, |one| one.mesh_speed_rad_s)
-        .number("cycles", "N_L", |one| Figure::Number(one.cycles))
-        .number("million_cycles", "N_L, 10⁶", |one| Figure::Number(one.cycles / MILLION))
+        .number("cycles", "N_L", |one| one.cycles)
+        .number("million_cycles", "N_L, 10⁶", |one| one.cycles / MILLION)
         .for_people()
         .view(
             "Safeties of flanks and roots, stresses and limits in MPa",
@@ -312,12 +312,12 @@ fn overload(all: &[Overloaded]) -> Records {
         .text("gear", "gear", |one| &one.gear)
         .quantity("torque", "T", Dimension::Torque, |one| one.torque_n_m)
         .text("set", "set", |one| &one.set)
-        .words("mesh", "mesh", |one| text(one.mesh.to_string()))
-        .words("toothed_gear", "of", |one| text(one.toothed_gear.to_string()))
+        .words("mesh", "mesh", |one| one.mesh.to_string())
+        .words("toothed_gear", "of", |one| one.toothed_gear.to_string())
         .printed("flank_safety", "S_H", 3, |one| one.flank_safety)
-        .number("required_flank", "required", |one| Figure::Number(one.required.flank))
+        .number("required_flank", "required", |one| one.required.flank)
         .printed("root_safety", "S_F", 3, |one| one.root_safety)
-        .number("required_root", "required", |one| Figure::Number(one.required.root))
+        .number("required_root", "required", |one| one.required.root)
         .all("Against the overload")
         .note("Static safeties, K_A and K_v being 1. T: on the input.")
         .records()
@@ -328,8 +328,8 @@ fn load_sharing(all: &[LoadSharing]) -> Records {
     let note = "K_γ of IEC 61400-4, by the number of planets. `floating` of a set says whether a member floats; `K_gamma` gives the factor itself.";
     Table::new("load_sharing", all.iter())
         .text("set", "set", |one| &one.set)
-        .number("planets", "planets", |one| Figure::Count(one.planets))
-        .number("mesh_load_factor", "K_γ", |one| Figure::Printed(one.mesh_load_factor, 3))
+        .number("planets", "planets", |one| one.planets)
+        .printed("mesh_load_factor", "K_γ", 3, |one| one.mesh_load_factor)
         .words("basis", "since", |one| {
             let words = match one.basis {
                 SharingBasis::Floating => "a member floats",
@@ -348,16 +348,19 @@ fn not_rated(all: &[NotRated]) -> Records {
     let shown = if all.iter().any(|one| one.mesh.is_some()) { &part[..] } else { &[] };
     let shown: Vec<&'static str> =
         ["set", "gears"].into_iter().chain(shown.iter().copied()).chain(["reason"]).collect();
-    let words = |word: Option<String>| word.map_or(Figure::None, text);
     Table::new("not_rated", all.iter())
         .text("set", "set", |one| &one.set)
-        .words("gears", "gears", |one| {
-            if one.gears.is_empty() { text("all") } else { Figure::Texts(one.gears.clone()) }
-        })
-        .words("mesh", "mesh", |one| words(one.mesh.map(|mesh| mesh.to_string())))
-        .words("toothed_gear", "of", |one| words(one.toothed_gear.map(|gear| gear.to_string())))
-        .words("place", "part", |one| words(one.place.map(|place| place.to_string())))
-        .words("reason", "why", |one| text(one.why()))
+        .words(
+            "gears",
+            "gears",
+            |one| {
+                if one.gears.is_empty() { text("all") } else { one.gears.clone().into() }
+            },
+        )
+        .words("mesh", "mesh", |one| one.mesh.map(|mesh| mesh.to_string()))
+        .words("toothed_gear", "of", |one| one.toothed_gear.map(|gear| gear.to_string()))
+        .words("place", "part", |one| one.place.map(|place| place.to_string()))
+        .words("reason", "why", |one| one.why())
         .view_of("Not rated", &shown)
         .records()
 }

@@ -82,9 +82,7 @@ impl<Row> Table<Row> {
         dimension: Dimension,
         of: impl Fn(&Row) -> V,
     ) -> Self {
-        let unit = dimension.usual_unit().symbol;
-        let heading = if heading.is_empty() { unit.to_owned() } else { format!("{heading}, {unit}") };
-        self.headed(key, &heading, dimension, of)
+        self.headed(key, &with_unit(heading, dimension), dimension, of)
     }
 
     /// A column of quantities in SI units whose heading does not name the unit.
@@ -97,6 +95,28 @@ impl<Row> Table<Row> {
     ) -> Self {
         let cell = |row: &Row| quantities::column(dimension, of(row).into());
         self.column(Column::headed(key, heading, dimension), cell)
+    }
+
+    /// A column of several quantities of one kind, in those units.
+    pub(crate) fn list(
+        self,
+        key: &'static str,
+        heading: &str,
+        dimension: Dimension,
+        of: impl Fn(&Row) -> &[f64],
+    ) -> Self {
+        let cell = |row: &Row| Figure::List { si: of(row).to_vec(), dimension };
+        self.column(Column::headed(key, with_unit(heading, dimension), dimension), cell)
+    }
+
+    /// A column of parts of a whole, in per cent.
+    pub(crate) fn share<V: Into<Option<f64>>>(
+        self,
+        key: &'static str,
+        heading: &str,
+        of: impl Fn(&Row) -> V,
+    ) -> Self {
+        self.number(key, heading, |row| of(row).into().map(Figure::Share))
     }
 
     /// A column of numbers with so many decimals.
@@ -193,4 +213,10 @@ impl<Row> Table<Row> {
     pub(crate) fn records(self) -> Records {
         self.records
     }
+}
+
+/// A heading that names the unit of drawings; the unit alone where it is empty.
+fn with_unit(heading: &str, dimension: Dimension) -> String {
+    let unit = dimension.usual_unit().symbol;
+    if heading.is_empty() { unit.to_owned() } else { format!("{heading}, {unit}") }
 }

@@ -3,7 +3,7 @@
 mod train;
 
 use crate::table::columns::Table;
-use crate::table::figure::{Figure, count, rpm, text};
+use crate::table::figure::{Figure, rpm, text};
 use crate::table::quantities::{optional, quantity, words};
 use crate::table::report::AsReport;
 use crate::table::report::{Column, Part, Records, Report, warned};
@@ -247,9 +247,9 @@ fn of_modes(sets: &[SetModes], is_answer: bool) -> Records {
         .text("set", "set", |(set, _)| &set.set)
         .words("gears", "gears", |(set, _)| set.gears.clone())
         .words("held", "held", |(set, _)| held(set))
-        .number("mode", "mode", |(_, mode)| count(mode.mode))
+        .number("mode", "mode", |(_, mode)| mode.mode)
         .words("kind", "kind", |(_, mode)| Figure::choice(mode.kind, kind(mode.kind)))
-        .number("multiplicity", "×", |(_, mode)| count(mode.multiplicity))
+        .number("multiplicity", "×", |(_, mode)| mode.multiplicity)
         .column(Column::headed("frequency", "f, Hz", Frequency), |(_, mode)| hertz(mode.frequency_hz))
         .words("moves", "moves most, %", |(_, mode)| moved(&mode.kinetic))
         .for_people()
@@ -287,8 +287,8 @@ fn resonances(all: &[Resonance]) -> Records {
         .text("gear", "gear", |one| &one.gear)
         .quantity("input_speed", "n in", AngularSpeed, |one| one.input_speed_rad_s)
         .words("source", "excited by", |one| Figure::choice(one.source, source(one.source)))
-        .number("harmonic", "harm.", |one| count(one.harmonic))
-        .number("mode", "mode", |one| count(one.mode))
+        .number("harmonic", "harm.", |one| one.harmonic)
+        .number("mode", "mode", |one| one.mode)
         .words("kind", "kind", |one| Figure::choice(one.kind, kind(one.kind)))
         .column(Column::headed("frequency", "f, Hz", Frequency), |one| hertz(one.frequency_hz))
         .view("Resonances", "set gear input_speed source harmonic mode kind frequency")
@@ -309,8 +309,8 @@ fn responses(all: &[Response]) -> Records {
     Table::new("responses", rows)
         .text("set", "set", |(set, _, _, _, _)| &set.set)
         .text("gear", "gear", |(set, _, _, _, _)| &set.gear)
-        .words("mesh", "mesh", |(_, _, mesh, _, _)| text(*mesh))
-        .number("harmonic", "harm.", |(_, one, _, _, _)| count(one.harmonic))
+        .words("mesh", "mesh", |(_, _, mesh, _, _)| *mesh)
+        .number("harmonic", "harm.", |(_, one, _, _, _)| one.harmonic)
         .column(Column::headed("error", "e", Length), |(_, _, _, error, _)| quantity(Length, *error))
         .quantity("input_speed", "n in", AngularSpeed, |(_, _, _, _, greatest)| greatest.input_speed_rad_s)
         .column(Column::headed("frequency", "f, Hz", Frequency), |(_, _, _, _, greatest)| {
@@ -337,7 +337,7 @@ fn orders(all: &[Order]) -> Records {
         .text("set", "set", |one| &one.set)
         .text("gear", "gear", |one| &one.gear)
         .words("source", "excited by", |one| Figure::choice(one.source, source(one.source)))
-        .number("harmonic", "harm.", |one| count(one.harmonic))
+        .number("harmonic", "harm.", |one| one.harmonic)
         .multiple("of_input", "order", |one| one.of_input)
         .words("excites", "excites", |one| one.excites.map_or(text("all"), |of| Figure::choice(of, kind(of))))
         .view("Orders", "set gear source harmonic of_input excites")
@@ -403,7 +403,7 @@ fn not_calculated(all: &[NotCalculated]) -> Records {
             };
             Figure::choice(one.what, what)
         })
-        .words("reason", "why", |one| text(one.why()))
+        .words("reason", "why", |one| one.why())
         .view("Not calculated", "set gear what reason")
         .records()
 }

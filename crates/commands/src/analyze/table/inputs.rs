@@ -1,10 +1,10 @@
 //! Gears with several inputs, at one point or over a map.
 
-use super::shared::{count, engaged, joins, kind};
+use super::shared::{engaged, joins, kind};
 use crate::analyze::answer::inputs::map::{Map, MapEntry, SpeedMap};
 use crate::analyze::answer::inputs::{Inputs, Member, Mesh, Planet, Powers};
 use crate::table::columns::Table;
-use crate::table::figure::{Figure, multiple, text};
+use crate::table::figure::{Figure, count, multiple, text};
 use crate::table::quantities::quantity;
 use crate::table::report::AsReport;
 use crate::table::report::{Part, Records, Report, Row, Section, Text, checked_rows_as_csv, warned};
@@ -62,7 +62,7 @@ fn links(inputs: &Inputs) -> Records {
     Table::new("links", inputs.links.iter())
         .text("link", "link", |link| &link.link)
         .quantity("speed", "", Dimension::AngularSpeed, |link| link.speed_rad_s)
-        .words("given", "given", |link| Figure::YesNo(link.given))
+        .words("given", "given", |link| link.given)
         .quantity("power", "", Dimension::Power, |link| link.power_w)
         .view_of("Links: speed, and power through each", &shown)
         .the_answer()

@@ -9,7 +9,7 @@ use crate::analyze::answer::progression::Progression;
 use crate::analyze::answer::records::{GearFacts, Published, State};
 use crate::analyze::answer::warnings::state_in_words;
 use crate::table::columns::Table;
-use crate::table::figure::{Figure, text};
+use crate::table::figure::Figure;
 use crate::table::report::AsReport;
 use crate::table::report::{Part, Records, Report, Text, View, warned};
 use epicyclic_units::Dimension;
@@ -125,8 +125,8 @@ fn records(overview: &Overview, views: Vec<View>) -> Records {
         .multiple("ratio", "i", |gear| gear.facts.ratio)
         .number("exact_ratio", "exact", |gear| exact(gear.facts.exact_ratio))
         .multiple("step", "step", |gear| gear.step)
-        .number("geometric_deviation", "geom.", |gear| gear.geometric_deviation.map(Figure::Share))
-        .number("progressive_deviation", "progr.", |gear| gear.progressive_deviation.map(Figure::Share))
+        .share("geometric_deviation", "geom.", |gear| gear.geometric_deviation)
+        .share("progressive_deviation", "progr.", |gear| gear.progressive_deviation)
         .number("published", "published", |gear| gear.facts.published.as_ref().map(printed))
         .multiple("computed", "computed", |gear| gear.facts.published.as_ref()?.computed)
         .words("agrees", "agrees", |gear| gear.facts.published.as_ref()?.agrees)
@@ -134,9 +134,7 @@ fn records(overview: &Overview, views: Vec<View>) -> Records {
             Some(gear.facts.published.as_ref()?.output_over_input)
         })
         .words("unverified", "unverified", |gear| Some(gear.facts.published.as_ref()?.unverified))
-        .words("remark", "remark", |gear| {
-            text(gear.facts.published.as_ref().map_or_else(String::new, remark))
-        })
+        .words("remark", "remark", |gear| gear.facts.published.as_ref().map_or_else(String::new, remark))
         .for_people()
         .multiple("efficiency", "η", |gear| gear.facts.efficiency)
         .multiple("back_driving_efficiency", "η back", |gear| gear.facts.back_driving_efficiency)
@@ -301,23 +299,16 @@ fn shift_elements(overview: &Overview) -> Records {
     shown.extend(["torque_gear", "slip_of_input"]);
     shown.extend(overview.operating_point.speed_rad_s.map(|_| "slip"));
     shown.push("slip_gear");
-    let gear = |gear: Option<&String>| gear.map_or(Figure::None, text);
     Table::new("shift_elements", overview.shift_elements.iter())
         .text("shift_element", "element", |one| &one.element.shift_element)
         .words("kind", "kind", |one| kind(one.element.kind))
         .words("joins", "joins", |one| joins(&one.element.links))
-        .multiple("torque_of_input", "T", |one| {
-            one.largest_torque.as_ref().map(|torque| torque.torque_of_input)
-        })
-        .quantity("torque", "", Dimension::Torque, |one| {
-            one.largest_torque.as_ref().and_then(|torque| torque.torque_n_m)
-        })
-        .words("torque_gear", "in gear", |one| gear(one.largest_torque.as_ref().map(|torque| &torque.gear)))
-        .multiple("slip_of_input", "slip", |one| one.largest_slip.as_ref().map(|slip| slip.slip_of_input))
-        .quantity("slip", "", Dimension::AngularSpeed, |one| {
-            one.largest_slip.as_ref().and_then(|slip| slip.slip_rad_s)
-        })
-        .words("slip_gear", "in gear", |one| gear(one.largest_slip.as_ref().map(|slip| &slip.gear)))
+        .multiple("torque_of_input", "T", |one| Some(one.largest_torque.as_ref()?.torque_of_input))
+        .quantity("torque", "", Dimension::Torque, |one| one.largest_torque.as_ref()?.torque_n_m)
+        .words("torque_gear", "in gear", |one| Some(&*one.largest_torque.as_ref()?.gear))
+        .multiple("slip_of_input", "slip", |one| Some(one.largest_slip.as_ref()?.slip_of_input))
+        .quantity("slip", "", Dimension::AngularSpeed, |one| one.largest_slip.as_ref()?.slip_rad_s)
+        .words("slip_gear", "in gear", |one| Some(&*one.largest_slip.as_ref()?.gear))
         .view_of("Shift elements: largest torque and slip", &shown)
         .note("T, slip: over the input's torque, with losses, and its speed.")
         .records()
@@ -349,28 +340,25 @@ fn planets(overview: &Overview) -> Option<Records> {
     if let Some((force, _)) = known {
         shown.extend([force, "force_gear"]);
     }
-    let gear = |gear: Option<&String>| gear.map_or(Figure::None, text);
     Some(
         Table::new("planets", all.iter())
             .text("set", "set", |one| &one.set)
             .text("planet", "planet", |one| &one.planet)
             .multiple("relative_speed_of_input", "speed", |one| {
-                one.largest_speed.as_ref().map(|speed| speed.relative_speed_of_input)
+                Some(one.largest_speed.as_ref()?.relative_speed_of_input)
             })
             .quantity("relative_speed", "", Dimension::AngularSpeed, |one| {
-                one.largest_speed.as_ref().and_then(|speed| speed.relative_speed_rad_s)
+                one.largest_speed.as_ref()?.relative_speed_rad_s
             })
-            .words("speed_gear", "in gear", |one| gear(one.largest_speed.as_ref().map(|speed| &speed.gear)))
-            .quantity("force", "force", Dimension::Force, |one| {
-                one.largest_force.as_ref().and_then(|force| force.force_n)
-            })
+            .words("speed_gear", "in gear", |one| Some(&*one.largest_speed.as_ref()?.gear))
+            .quantity("force", "force", Dimension::Force, |one| one.largest_force.as_ref()?.force_n)
             .quantity("tangential_force", "tangential force", Dimension::Force, |one| {
-                one.largest_force.as_ref().and_then(|force| force.tangential_force_n)
+                one.largest_force.as_ref()?.tangential_force_n
             })
             .multiple("tangential_force_n_per_input_n_m", "tangential force, N at 1 N·m", |one| {
-                one.largest_force.as_ref().and_then(|force| force.tangential_force_n_per_input_n_m)
+                one.largest_force.as_ref()?.tangential_force_n_per_input_n_m
             })
-            .words("force_gear", "in gear", |one| gear(one.largest_force.as_ref().map(|force| &force.gear)))
+            .words("force_gear", "in gear", |one| Some(&*one.largest_force.as_ref()?.gear))
             .view_of("Planets: largest speed, and force on the bearing where it follows", &shown)
             .note("Speed: relative to the carrier, over the input's.")
             .records(),

@@ -1,6 +1,5 @@
 //! Shifts between gears.
 
-use super::shared::count;
 use crate::analyze::answer::shifts::{ElementInShift, Shift, Shifts, Transition};
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, multiple};
@@ -65,7 +64,7 @@ fn of_shift<Row>(table: Table<Row>, shift: impl Fn(&Row) -> &Shift) -> Table<Row
     table
         .text("from", "from", |row| &shift(row).from)
         .text("to", "to", |row| &shift(row).to)
-        .number("skipped_ratios", "skips", |row| count(shift(row).skipped_ratios))
+        .number("skipped_ratios", "skips", |row| shift(row).skipped_ratios)
         .words("released", "releases", |row| texts(&shift(row).released))
         .words("applied", "applies", |row| texts(&shift(row).applied))
         .words("one_way_released", "let go by themselves", |row| texts(&shift(row).one_way_released))

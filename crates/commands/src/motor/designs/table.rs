@@ -2,9 +2,7 @@
 //! size.
 
 use crate::table::columns::Table;
-use crate::table::figure::Figure;
 use crate::table::quantities::column;
-use crate::table::report::Column;
 use epicyclic_units::Dimension::{Length, Power, Torque, Volume, VolumeRate};
 
 /// How many were found, how many shown.
@@ -71,10 +69,7 @@ pub(crate) fn with_duty<D>(table: Table<D>, of: impl Fn(&D) -> Duty<'_>) -> Tabl
         .headed("least_torque", "least", Torque, |design| of(design).least_torque_n_m)
         .quantity("flow", "", VolumeRate, |design| of(design).flow_m3_s)
         .quantity("power", "", Power, |design| of(design).power_w)
-        .column(Column::headed("modules", "all m, mm", Length), |design| Figure::List {
-            si: of(design).modules_m.to_vec(),
-            dimension: Length,
-        })
+        .list("modules", "all m", Length, |design| of(design).modules_m)
         .words("all_modules", "all m, mm", |design| {
             of(design).modules_m.iter().map(shown).collect::<Vec<_>>().join(" ")
         })

@@ -96,14 +96,12 @@ fn records(search: &MotorForms) -> Records {
         Crest::Tooth => Figure::choice(Crest::Tooth, "tooth"),
     })
     .multiple("displacement_by_volume", "q/V", |design| design.displacement_by_volume)
-    .number("ripple", "δ, pitch", |design| Figure::Share(design.ripple))
+    .share("ripple", "δ, pitch", |design| design.ripple)
     .multiple("least_radius_in_modules", "ϱ/m", |design| design.least_radius_in_modules)
     .multiple("contact_ratio", "contact", |design| design.contact_ratio)
     .number("designs_of_the_set", "of set", |design| design.designs_of_the_set)
-    .number("flank_ripple", "δ, flanks", |design| Some(Figure::Share(design.flanks.as_ref()?.ripple)))
-    .number("flank_least_over_mean", "least, flanks", |design| {
-        Some(Figure::Share(design.flanks.as_ref()?.least_over_mean))
-    })
+    .share("flank_ripple", "δ, flanks", |design| Some(design.flanks.as_ref()?.ripple))
+    .share("flank_least_over_mean", "least, flanks", |design| Some(design.flanks.as_ref()?.least_over_mean))
     .quantity("contact_on_path", "p_H", Pressure, |design| design.flanks.as_ref()?.contact_on_path_pa)
     .quantity("root_on_path", "σ_F", Pressure, |design| design.flanks.as_ref()?.root_on_path_pa)
     .quantity("allowed_on_path", "Δp", Pressure, |design| Some(allowed(design)?.on_path_pa))

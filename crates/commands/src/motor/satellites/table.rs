@@ -75,15 +75,15 @@ fn motors(answer: &MotorSatellites) -> Records {
     let note = "Motors close for l from … to. l, a and what follows: the motor in the middle of that family. q/b: \
                    displacement a revolution over width. δ: ripple at the pitch points. Teeth: the first limit that they break.";
     Table::new("motors", answer.motors.iter())
-        .number("satellite_teeth", "Z_s", |motor| Figure::Count(motor.satellite_teeth))
+        .number("satellite_teeth", "Z_s", |motor| motor.satellite_teeth)
         .headed("from", "l from", Length, |motor| of_family(motor)[0])
         .quantity("to", "to", Length, |motor| of_family(motor)[1])
         .quantity("l", "l", Length, |motor| motor.l_m)
         .quantity("a", "a", Length, |motor| motor.a_m)
         .quantity("least_chamber", "A_min", Area, |motor| motor.least_chamber_m2)
         .quantity("displacement_per_width", "q/b", Area, |motor| motor.displacement_per_width_m2)
-        .number("ripple", "δ", |motor| Figure::Share(motor.ripple))
-        .words("teeth", "teeth", |motor| Figure::Text(teeth(motor)))
+        .share("ripple", "δ", |motor| motor.ripple)
+        .words("teeth", "teeth", |motor| teeth(motor))
         .all("Motors, each in the middle of its family")
         .note(note)
         .records()

@@ -113,7 +113,7 @@ pub(crate) fn chambers(motor: &Motor) -> Records {
     let note = "Counter-clockwise from the x axis, which runs through a crest of the stator; running \
                    counter-clockwise.";
     Table::new("chambers", motor.chambers.iter())
-        .number("chamber", "chamber", |chamber| Figure::Count(chamber.chamber))
+        .number("chamber", "chamber", |chamber| chamber.chamber)
         .quantity("area", "area", Area, |chamber| chamber.area_m2)
         .headed("growth_per_radian", "growth, mm²/rad", Area, |chamber| chamber.growth_per_radian_m2)
         .words("state", "state", |chamber| state(chamber.state))

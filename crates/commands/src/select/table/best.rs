@@ -5,7 +5,7 @@ use crate::schemes::table::speed_lines;
 use crate::select::answer::candidate::{Candidate, Engagement};
 use crate::shared::catalogue::ShiftElement;
 use crate::table::columns::Table;
-use crate::table::figure::{Figure, text};
+use crate::table::figure::Figure;
 use crate::table::report::{Part, Records, Report, Text, View};
 use epicyclic_units::Dimension;
 
@@ -78,12 +78,12 @@ fn speeds(one: &Candidate) -> Records {
 
 fn direct_drive_clutches(one: &Candidate) -> Records {
     Table::new("direct_drive_clutches", one.direct_drive_clutches.iter())
-        .words("joins", "joins", |clutch| text(joined(clutch)))
+        .words("joins", "joins", |clutch| joined(clutch))
         .multiple("torque", "T", |clutch| clutch.torque_of_input)
         .multiple("slip_1", "slip in 1", |clutch| clutch.slips_of_input.first().copied())
         .multiple("slip_2", "slip in 2", |clutch| clutch.slips_of_input.get(1).copied())
-        .words("drawable", "drawable", |clutch| Figure::YesNo(clutch.drawable))
-        .words("chosen", "chosen", |clutch| Figure::YesNo(clutch.chosen))
+        .words("drawable", "drawable", |clutch| clutch.drawable)
+        .words("chosen", "chosen", |clutch| clutch.chosen)
         .view_of(
             heading("options for the direct-drive clutch", one),
             &those(one, &["joins", "torque", "slip_1", "slip_2", "drawable", "chosen"], "slip_2"),
@@ -140,7 +140,7 @@ fn of_gears(one: &Candidate) -> Records {
         });
     }
     Table::new("operation", one.operation.iter())
-        .words("gear", "gear", |gear| text(gear.gear.name()))
+        .words("gear", "gear", |gear| gear.gear.name())
         .headed("output_speed", "output", Dimension::AngularSpeed, |gear| gear.output_speed_rad_s)
         .headed("input_torque", "input", Dimension::Torque, |gear| gear.input_torque_n_m)
         .headed("output_torque", "output", Dimension::Torque, |gear| gear.output_torque_n_m)
@@ -158,10 +158,10 @@ fn of_gears(one: &Candidate) -> Records {
 }
 
 fn of_members(one: &Candidate) -> Records {
-    let rows = one.operation.iter().flat_map(|gear| (1..).zip(&gear.sets).map(move |of| (gear, of)));
+    let rows = one.operation.iter().flat_map(|gear| (1_u32..).zip(&gear.sets).map(move |of| (gear, of)));
     Table::new("member_torques", rows)
         .text("gear", "gear", |(gear, _)| gear.gear.name())
-        .words("set", "set", |(_, (set, _))| Figure::Count(*set))
+        .words("set", "set", |(_, (set, _))| *set)
         .headed("sun_torque", "sun", Dimension::Torque, |(_, (_, of))| of.sun_torque_n_m)
         .headed("ring_torque", "ring", Dimension::Torque, |(_, (_, of))| of.ring_torque_n_m)
         .headed("carrier_torque", "carrier", Dimension::Torque, |(_, (_, of))| of.carrier_torque_n_m)

@@ -236,7 +236,7 @@ fn of_structures(select: &SelectTeeth) -> Records {
 /// The list with what it says of each design, with profile shift or without.
 fn table(designs: &[Design], shifted: bool) -> Table<&Design> {
     of_candidate(Table::new("designs", designs), |design| &design.candidate)
-        .number("others", "others", |design| u32::try_from(design.others).unwrap_or(u32::MAX))
+        .number("others", "others", |design| design.others)
         .each((0..).zip(SETS), |table, (place, set)| {
             let [sun, planet, ring, planets] = set.numbers;
             let number = set.heading.trim_start_matches("set ");

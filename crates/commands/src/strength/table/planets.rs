@@ -2,7 +2,7 @@
 
 use crate::strength::answer::records::{AxialForce, BearingOverDuty};
 use crate::table::columns::Table;
-use crate::table::figure::{Figure, hours};
+use crate::table::figure::hours;
 use crate::table::report::Records;
 use epicyclic_units::Dimension;
 
@@ -39,7 +39,7 @@ pub(super) fn bearings(all: &[BearingOverDuty]) -> Records {
         .quantity("basic_life", "", Dimension::Time, |one| one.basic_life_s)
         .number("basic_hours", "L_10, h", |one| one.basic_life_s.map(hours))
         .for_people()
-        .number("reliability", "of", |one| Some(Figure::Share(one.modified?.reliability)))
+        .share("reliability", "of", |one| Some(one.modified?.reliability))
         .quantity("modified_life", "", Dimension::Time, |one| modified(one))
         .number("modified_hours", "L_nm, h", |one| modified(one).map(hours))
         .for_people()

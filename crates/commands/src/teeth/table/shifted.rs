@@ -2,9 +2,8 @@
 
 use super::{count, left_out, near, parts, percent, title};
 use crate::table::columns::Table;
-use crate::table::figure::Figure;
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Records, Report};
+use crate::table::report::{Records, Report};
 use crate::teeth::answer::shifted::{ShiftAim, ShiftedTeeth};
 use epicyclic_units::Dimension;
 
@@ -68,10 +67,7 @@ fn sets(teeth: &ShiftedTeeth) -> Records {
         .printed("planet_gap_in_modules", "gap", 3, |set| set.planet_gap_in_modules)
         .words("aim_met", "aim met", |set| set.aim_met)
         .words("equal_spacing", "equal", |set| set.equal_spacing)
-        .column(Column::quantity("planet_angles", Dimension::Angle), |set| Figure::List {
-            si: set.planet_angles_rad.clone(),
-            dimension: Dimension::Angle,
-        })
+        .list("planet_angles", "", Dimension::Angle, |set| &set.planet_angles_rad)
         .number("imbalance", "imbalance", |set| set.imbalance)
         .view(
             "Tooth numbers",

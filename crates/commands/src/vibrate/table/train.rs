@@ -2,7 +2,7 @@
 
 use super::{SECONDS_A_MINUTE, branch_kind, hertz, kind, member, most, ray_name, share, source};
 use crate::table::columns::Table;
-use crate::table::figure::{Figure, count, rpm, text};
+use crate::table::figure::{Figure, rpm, text};
 use crate::table::report::{Column, Records};
 use crate::vibrate::answer::Vibration;
 use crate::vibrate::answer::records::Source;
@@ -67,9 +67,9 @@ pub(super) fn torsional(all: &[TorsionalModes]) -> Records {
     };
     Table::new("torsional", all.iter().flat_map(|gear| gear.modes.iter().map(move |mode| (gear, mode))))
         .text("gear", "gear", |(gear, _)| &gear.gear)
-        .number("mode", "mode", |(_, mode)| count(mode.mode))
+        .number("mode", "mode", |(_, mode)| mode.mode)
         .words("kind", "kind", |(_, mode)| Figure::choice(mode.kind, kind(mode.kind)))
-        .number("multiplicity", "×", |(_, mode)| count(mode.multiplicity))
+        .number("multiplicity", "×", |(_, mode)| mode.multiplicity)
         .column(Column::headed("frequency", "f, Hz", Frequency), |(_, mode)| hertz(mode.frequency_hz))
         .words("moves", "moves most, %", |(_, mode)| most(mode.kinetic.iter().map(moved)))
         .words("strained", "strained most, %", |(_, mode)| most(mode.strain.iter().map(strained)))
@@ -88,8 +88,8 @@ pub(super) fn resonances(all: &[TorsionalModes]) -> Records {
         .quantity("input_speed", "n in", AngularSpeed, |(_, one)| one.input_speed_rad_s)
         .text("of", "of", |(_, one)| &one.of)
         .words("source", "excited by", |(_, one)| Figure::choice(one.source, source(one.source)))
-        .number("harmonic", "harm.", |(_, one)| count(one.harmonic))
-        .number("mode", "mode", |(_, one)| count(one.mode))
+        .number("harmonic", "harm.", |(_, one)| one.harmonic)
+        .number("mode", "mode", |(_, one)| one.mode)
         .column(Column::headed("frequency", "f, Hz", Frequency), |(_, one)| hertz(one.frequency_hz))
         .number("share", "share, %", |(_, one)| share(one.share))
         .all("Torsional resonances")
@@ -107,7 +107,7 @@ pub(super) fn orders(all: &[TorsionalModes]) -> Records {
         .text("gear", "gear", |(gear, _)| &gear.gear)
         .text("of", "of", |(_, one)| &one.of)
         .words("source", "excited by", |(_, one)| Figure::choice(one.source, source(one.source)))
-        .number("harmonic", "harm.", |(_, one)| count(one.harmonic))
+        .number("harmonic", "harm.", |(_, one)| one.harmonic)
         .multiple("of_input", "order", |(_, one)| one.of_input)
         .words("excites", "excites", |(_, one)| excited(one))
         .all("Torsional orders")
@@ -132,9 +132,9 @@ pub(super) fn coupled(all: &[CoupledModes]) -> Records {
     };
     Table::new("coupled", all.iter().flat_map(|gear| gear.modes.iter().map(move |mode| (gear, mode))))
         .text("gear", "gear", |(gear, _)| &gear.gear)
-        .number("mode", "mode", |(_, mode)| count(mode.mode))
+        .number("mode", "mode", |(_, mode)| mode.mode)
         .words("kind", "kind", |(_, mode)| Figure::choice(mode.kind, kind(mode.kind)))
-        .number("multiplicity", "×", |(_, mode)| count(mode.multiplicity))
+        .number("multiplicity", "×", |(_, mode)| mode.multiplicity)
         .column(Column::headed("frequency", "f, Hz", Frequency), |(_, mode)| hertz(mode.frequency_hz))
         .words("sets", "sets", |(_, mode)| in_sets(mode))
         .words("moves", "moves most, %", |(_, mode)| most(mode.kinetic.iter().map(moved)))
