@@ -1,12 +1,12 @@
 //! Gearboxes side by side.
 
 use crate::compare::answer::{
-    Compared, ComparedFigure, ComparedGear, Comparison, Differs, FigureName, GearFigure, GearsBy, Value,
+    Compared, ComparedGear, Comparison, Differs, FigureName, GearFigure, GearsBy, Value,
 };
-use crate::table::figure::{Figure, multiple, text};
-use crate::table::quantities::column;
+use crate::table::columns::Table;
+use crate::table::figure::{Figure, text};
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, Text, View, warned};
+use crate::table::report::{Part, Records, Report, Text, warned};
 use epicyclic_units::Dimension;
 
 impl AsReport for Comparison {
@@ -164,33 +164,21 @@ fn placed(figure: FigureName, of: Option<&Value>) -> Figure {
 
 /// The gearboxes as a whole.
 fn whole(comparison: &Comparison, letters: &[String]) -> Records {
-    let columns = [Column::words("figure", "")]
-        .into_iter()
-        .chain(letters.iter().map(|letter| Column::words("value", "").of(letter)))
-        .chain([Column::number("difference", "difference")]);
-    let row = |figure: &ComparedFigure| {
-        let values = figure.values.iter().map(|value| placed(figure.figure, value.as_ref()));
-        [text(words(figure.figure))]
-            .into_iter()
-            .chain(values)
-            .chain([difference(figure.figure, figure.differs)])
-            .collect()
-    };
     let most = if letters.len() > 2 { ", where it is largest" } else { "" };
-    Records {
-        name: "whole",
-        rows: comparison.figures.iter().map(row).collect(),
-        views: vec![View {
-            note: format!(
-                "In brackets: the gear, or shift element or set and gear; of a step the gear that it leads to. Torques, speeds and \
-                 powers over the input's. Difference: from {}{most}.",
-                letters.first().map_or("", String::as_str)
-            ),
-            ..View::new("As a whole", &["figure", "value", "difference"])
-        }],
-        columns: columns.collect(),
-        is_answer: false,
-    }
+    let note = format!(
+        "In brackets: the gear, or shift element or set and gear; of a step the gear that it leads to. Torques, speeds and \
+         powers over the input's. Difference: from {}{most}.",
+        letters.first().map_or("", String::as_str)
+    );
+    Table::new("whole", &comparison.figures)
+        .text("figure", "", |one| words(one.figure))
+        .each(letters.iter().enumerate(), |table, (place, letter)| {
+            table.words("value", "", |one| placed(one.figure, one.values[place].as_ref())).of(letter)
+        })
+        .number("difference", "difference", |one| difference(one.figure, one.differs))
+        .all("As a whole")
+        .note(note)
+        .records()
 }
 
 fn figure_of(gear: &ComparedGear, name: FigureName) -> Option<&GearFigure> {
@@ -221,47 +209,27 @@ fn gears(
     title: &str,
     explains_names: bool,
 ) -> Records {
-    let columns = [Column::words("gear", "gear")]
-        .into_iter()
-        .chain(letters.iter().map(|letter| Column::number("value", "").of(letter)))
-        .chain([Column::number("difference", "difference")]);
-    let row = |gear: &ComparedGear| {
+    let rows = comparison.gears.iter().filter_map(|gear| {
         let figure = figure_of(gear, name)?;
-        figure.values.iter().flatten().next()?;
-        let values = figure.values.iter().map(|of| of.map_or(Figure::None, |of| value(name, of)));
-        Some(
-            [text(named(gear))].into_iter().chain(values).chain([difference(name, figure.differs)]).collect(),
-        )
-    };
+        figure.values.iter().any(Option::is_some).then_some((gear, figure))
+    });
     let note =
         if explains_names { format!("Gear: those of {}.", letters.join(" | ")) } else { String::new() };
-    Records {
-        name: "gears",
-        rows: comparison.gears.iter().filter_map(row).collect(),
-        views: vec![View { note, ..View::new(title, &["gear", "value", "difference"]) }],
-        columns: columns.collect(),
-        is_answer: false,
-    }
+    Table::new("gears", rows)
+        .words("gear", "gear", |(gear, _)| named(gear))
+        .each(letters.iter().enumerate(), |table, (place, letter)| {
+            table.number("value", "", |(_, of)| of.values[place].map(|of| value(name, of))).of(letter)
+        })
+        .number("difference", "difference", |(_, figure)| difference(name, figure.differs))
+        .all(title)
+        .note(note)
+        .records()
 }
 
 /// The largest torque and slip of each shift element.
 fn shift_elements(comparison: &Comparison, letters: &[String]) -> Records {
-    let rows = comparison.gearboxes.iter().zip(letters).flat_map(|(one, letter)| {
-        one.shift_elements.iter().map(move |element| {
-            let gear = |gear: &Option<String>| gear.as_ref().map_or(Figure::None, text);
-            vec![
-                text(letter),
-                text(&element.element.shift_element),
-                crate::analyze::table::kind_of(element.element.kind),
-                multiple(element.torque_of_input),
-                gear(&element.torque_gear),
-                multiple(element.slip_of_input),
-                gear(&element.slip_gear),
-                column(Dimension::Torque, element.torque_n_m),
-                column(Dimension::AngularSpeed, element.slip_rad_s),
-            ]
-        })
-    });
+    let rows = comparison.gearboxes.iter().zip(letters);
+    let rows = rows.flat_map(|(one, letter)| one.shift_elements.iter().map(move |element| (letter, element)));
     let at = &comparison.operating_point;
     let mut shown = vec![
         "gearbox",
@@ -272,89 +240,67 @@ fn shift_elements(comparison: &Comparison, letters: &[String]) -> Records {
         "slip_of_input",
         "slip_gear",
     ];
-    if at.torque_n_m.is_some() || at.power_w.is_some() {
-        shown.push("torque");
-    }
-    if at.speed_rad_s.is_some() {
-        shown.push("slip");
-    }
-    Records {
-        name: "shift_elements",
-        rows: rows.collect(),
-        columns: vec![
-            Column::words("gearbox", ""),
-            Column::words("shift_element", "element"),
-            Column::words("kind", "kind"),
-            Column::number("torque_of_input", "T"),
-            Column::words("torque_gear", "in gear"),
-            Column::number("slip_of_input", "slip"),
-            Column::words("slip_gear", "in gear"),
-            Column::headed("torque", "T, N·m", Dimension::Torque),
-            Column::headed("slip", "slip, rpm", Dimension::AngularSpeed),
-        ],
-        views: vec![View {
-            note: "T, slip: over the input's torque, with losses, and its speed.".to_owned(),
-            ..View::new("Shift elements: largest torque and slip", &shown)
-        }],
-        is_answer: false,
-    }
+    shown.extend((at.torque_n_m.is_some() || at.power_w.is_some()).then_some("torque"));
+    shown.extend(at.speed_rad_s.map(|_| "slip"));
+    Table::new("shift_elements", rows)
+        .text("gearbox", "", |(letter, _)| letter)
+        .text("shift_element", "element", |(_, one)| &one.element.shift_element)
+        .words("kind", "kind", |(_, one)| crate::analyze::table::kind_of(one.element.kind))
+        .multiple("torque_of_input", "T", |(_, one)| one.torque_of_input)
+        .words("torque_gear", "in gear", |(_, one)| one.torque_gear.clone())
+        .multiple("slip_of_input", "slip", |(_, one)| one.slip_of_input)
+        .words("slip_gear", "in gear", |(_, one)| one.slip_gear.clone())
+        .quantity("torque", "T", Dimension::Torque, |(_, one)| one.torque_n_m)
+        .quantity("slip", "slip", Dimension::AngularSpeed, |(_, one)| one.slip_rad_s)
+        .view_of("Shift elements: largest torque and slip", &shown)
+        .note("T, slip: over the input's torque, with losses, and its speed.")
+        .records()
 }
 
 /// For CSV: a line for each figure of the whole and of each gear.
 fn all(comparison: &Comparison, letters: &[String]) -> Records {
-    let names = ["gear", "figure"].map(|name| Column::words(name, name));
-    let values = letters.iter().map(|letter| Column::number("value", "").of(letter));
-    let differences = ["difference", "relative_difference"].map(|name| Column::number(name, name));
-    let places =
-        letters.iter().flat_map(|letter| ["gear", "part"].map(|what| Column::words(what, "").of(letter)));
     // A quantity in the unit that its name has.
-    let number = |figure: FigureName, value: Option<f64>| match (value, dimension(figure)) {
-        (None, _) => Figure::None,
-        (Some(si), Some(dimension)) => Figure::Column { si, dimension },
-        (Some(value), None) => Figure::Number(value),
+    let number = |figure: FigureName, value: f64| match dimension(figure) {
+        Some(dimension) => Figure::Column { si: value, dimension },
+        None => Figure::Number(value),
     };
-    let name = |name: Option<&String>| text(name.cloned().unwrap_or_default());
-    let row = |gear: String,
-               figure: FigureName,
-               values: Vec<Option<f64>>,
-               differs: Differs,
-               places: Vec<Figure>| {
-        let differences = [
-            number(figure, differs.difference),
-            differs.relative_difference.map_or(Figure::None, Figure::Number),
-        ];
-        let figures = values.into_iter().map(|value| number(figure, value)).chain(differences);
-        let name = match dimension(figure) {
-            Some(_) => text(words(figure)),
-            None => Figure::choice(figure, words(figure)),
-        };
-        [text(gear), name].into_iter().chain(figures).chain(places).collect()
+    let name = |figure: FigureName| match dimension(figure) {
+        Some(_) => text(words(figure)),
+        None => Figure::choice(figure, words(figure)),
     };
-    let whole = comparison.figures.iter().map(|figure| {
-        let values = || figure.values.iter().map(Option::as_ref);
-        let places = values().flat_map(|of| {
-            [name(of.and_then(|of| of.gear.as_ref())), name(of.and_then(|of| of.part.as_ref()))]
-        });
-        let places = places.collect();
-        row(
-            String::new(),
-            figure.figure,
-            values().map(|of| of.map(|of| of.value)).collect(),
-            figure.differs,
-            places,
-        )
+    let place = |of: &Option<Value>| match of {
+        Some(of) => (Some(of.value), of.gear.clone(), of.part.clone()),
+        None => (None, None, None),
+    };
+    let whole = comparison.figures.iter().map(|one| {
+        (String::new(), one.figure, one.differs, one.values.iter().map(place).collect::<Vec<_>>())
     });
     let gears = comparison.gears.iter().flat_map(|gear| {
-        gear.figures.iter().map(|figure| {
-            let places = gear.gears.iter().flat_map(|own| [name(own.as_ref()), name(None)]).collect();
-            row(named(gear), figure.figure, figure.values.clone(), figure.differs, places)
+        gear.figures.iter().map(move |one| {
+            let values = one.values.iter().zip(&gear.gears);
+            let values = values.map(|(value, gear)| (*value, gear.clone(), None));
+            (named(gear), one.figure, one.differs, values.collect())
         })
     });
-    Records {
-        name: "figures",
-        rows: whole.chain(gears).collect(),
-        columns: names.into_iter().chain(values).chain(differences).chain(places).collect(),
-        views: vec![],
-        is_answer: true,
-    }
+    Table::new("figures", whole.chain(gears))
+        .text("gear", "gear", |(gear, ..)| gear)
+        .words("figure", "figure", |(_, figure, ..)| name(*figure))
+        .each(letters.iter().enumerate(), |table, (place, letter)| {
+            table.number("value", "", |(_, of, _, all)| all[place].0.map(|one| number(*of, one))).of(letter)
+        })
+        .number("difference", "difference", |(_, of, differs, _)| {
+            differs.difference.map(|by| number(*of, by))
+        })
+        .number("relative_difference", "relative_difference", |(_, _, differs, _)| {
+            differs.relative_difference
+        })
+        .each(letters.iter().enumerate(), |table, (place, letter)| {
+            table
+                .words("gear", "", |(.., all)| all[place].1.clone())
+                .of(letter)
+                .words("part", "", |(.., all)| all[place].2.clone())
+                .of(letter)
+        })
+        .the_answer()
+        .records()
 }

@@ -10,10 +10,10 @@ use crate::size::answer::records::{Requirement, SizedDesign, SizedSet};
 use crate::size::table::{designs, left_out};
 use crate::strength::table::{Worn, over_duty};
 use crate::table::columns::Table;
-use crate::table::figure::{Figure, text};
+use crate::table::figure::text;
 use crate::table::quantities::words;
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, Text, View, warned};
+use crate::table::report::{Part, Records, Report, Text, warned};
 use epicyclic_units::Dimension;
 use epicyclic_units::format::trimmed;
 
@@ -115,16 +115,13 @@ fn ways_out(ways: &[WayOut]) -> Records {
     let note =
         "Each line is the result of the same search with this option. Deviation: the largest of a gear.";
     Table::new("ways_out", ways.iter())
-        .words("option", "option", |way| text(options(way)))
+        .words("option", "option", |way| options(way))
         .words("scheme", "scheme", |way| {
             let reverses = if way.speeds.iter().any(|speed| speed.reversed) { ", reverses" } else { "" };
-            text(format!("{}{reverses}", way.scheme))
+            format!("{}{reverses}", way.scheme)
         })
-        .words("teeth", "teeth", |way| text(sets(&way.teeth)))
-        .number("deviation", "deviation", |way| {
-            let off = largest_deviation(&way.speeds);
-            text(percent(off).replace('+', ""))
-        })
+        .words("teeth", "teeth", |way| sets(&way.teeth))
+        .number("deviation", "deviation", |way| percent(largest_deviation(&way.speeds)).replace('+', ""))
         .quantity("mass", "", Dimension::Mass, |way| way.teeth.mass_kg)
         .view(
             "Limits that would have to give, and the gearbox behind each",
@@ -186,27 +183,21 @@ fn steps(design: &Design) -> Records {
     rows.extend(design.teeth.as_ref().map(teeth));
     rows.extend(design.sizes.as_ref().map(sizes));
     rows.extend(design.sizes.as_ref().and_then(strength));
-    Records {
-        name: "steps",
-        columns: vec![
-            Column::words("step", "step"),
-            Column::words("taken", "taken"),
-            Column::words("among", "among"),
-            Column::words("next", "next"),
-            Column::words("chosen_otherwise_by", "otherwise by"),
-        ],
-        rows: rows
-            .into_iter()
-            .map(|row| row.map(|cell| if cell.is_empty() { Figure::None } else { text(cell) }).to_vec())
-            .collect(),
-        views: vec![View::new("Steps: what was taken", &["step", "taken"]), View {
-            note: "Each step keeps only the best result of the previous step; combinations are not searched. Other tooth numbers, or another \
-                   scheme, may be lighter."
-                .to_owned(),
-            ..View::new("Steps: among what, what came next, and how to choose otherwise", &["step", "among", "next", "chosen_otherwise_by"])
-        }],
-        is_answer: true,
-    }
+    let cell = |row: &[String; 5], place: usize| Some(text(&row[place])).filter(|_| !row[place].is_empty());
+    Table::new("steps", rows)
+        .words("step", "step", |row| cell(row, 0))
+        .words("taken", "taken", |row| cell(row, 1))
+        .words("among", "among", |row| cell(row, 2))
+        .words("next", "next", |row| cell(row, 3))
+        .words("chosen_otherwise_by", "otherwise by", |row| cell(row, 4))
+        .view("Steps: what was taken", "step taken")
+        .view("Steps: among what, what came next, and how to choose otherwise", "step among next chosen_otherwise_by")
+        .note(
+            "Each step keeps only the best result of the previous step; combinations are not searched. Other tooth numbers, or another \
+             scheme, may be lighter.",
+        )
+        .the_answer()
+        .records()
 }
 
 fn scheme(step: &SchemeStep) -> [String; 5] {

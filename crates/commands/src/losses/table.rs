@@ -2,8 +2,8 @@
 
 use crate::losses::answer::{GearLosses, Heat, Loss, LossChapter, LossKind, LossMap, Losses, NotCalculated};
 use crate::table::columns::Table;
+use crate::table::figure::Figure;
 use crate::table::figure::rpm;
-use crate::table::figure::{Figure, text};
 use crate::table::quantities::{optional, quantity, words};
 use crate::table::report::AsReport;
 use crate::table::report::{Part, Records, Report, Row, Section, warned};
@@ -75,16 +75,11 @@ fn losses(all: &[Loss]) -> Records {
             Figure::choice(loss.kind, kind)
         })
         .text("of", "of", |loss| &loss.of)
-        .words("between", "between", |loss| {
-            let [first, second] = &loss.between;
-            text(format!("{first}–{second}"))
-        })
+        .words("between", "between", |loss| loss.between.join("–"))
         .quantity("slip", "n", AngularSpeed, |loss| loss.slip_rad_s)
         .quantity("torque", "M", Torque, |loss| loss.torque_n_m)
         .quantity("loss", "", Power, |loss| loss.loss_w)
-        .number("of_loss_percent", "%", |loss| {
-            loss.of_loss.map_or(Figure::None, |share| Figure::Printed(100.0 * share, 1))
-        })
+        .number("of_loss_percent", "%", |loss| loss.of_loss.map(|share| Figure::Printed(100.0 * share, 1)))
         .view("Heat by its sources", "gear kind of between slip torque loss of_loss_percent")
         .note(note)
         .records()

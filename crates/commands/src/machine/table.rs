@@ -7,7 +7,7 @@ use crate::table::columns::Table;
 use crate::table::figure::{Figure, text};
 use crate::table::quantities::quantity;
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, Row, Section, Text, View};
+use crate::table::report::{Part, Records, Report, Row, Section, Text};
 use epicyclic_units::Dimension;
 use epicyclic_units::format::trimmed;
 
@@ -17,25 +17,7 @@ fn report(parts: Vec<Part>) -> Report {
 
 impl AsReport for Machines {
     fn report(&self) -> Report {
-        let mut parts = vec![Part::Records(Records {
-            name: "machines",
-            columns: vec![
-                Column::words("machine", "machine"),
-                Column::words("kind", "drive"),
-                Column::words("table", "table"),
-                Column::number("range", "d"),
-                Column::number("speeds", "speeds"),
-                Column::number("recommended", "recommended"),
-                Column::words("as_recommended", "agree"),
-                Column::words("recommendation_is_printed", "printed"),
-            ],
-            rows: self.machines.iter().map(machine).collect(),
-            views: vec![View::new(
-                "Machines: range d of the fastest speed over the slowest, and numbers of speeds",
-                &["machine", "kind", "range", "speeds", "recommended", "as_recommended"],
-            )],
-            is_answer: true,
-        })];
+        let mut parts = vec![Part::Records(machines(&self.machines))];
         if self.machines.len() > 1 {
             parts.push(Part::Text(Text::paragraph(format!(
                 "{} of {} bucket wheels with a number of steps have the number that table 2.1 recommends. The table is drawn up for \
@@ -47,17 +29,22 @@ impl AsReport for Machines {
     }
 }
 
-fn machine(machine: &Machine) -> Vec<Figure> {
-    vec![
-        text(machine.machine),
-        text(machine.kind),
-        text(machine.table),
-        Figure::Printed(machine.range, 2),
-        machine.speeds.map_or_else(|| Figure::answer("stepless", "stepless"), Figure::Count),
-        machine.recommended.map_or(Figure::None, Figure::Count),
-        machine.as_recommended.map_or(Figure::None, Figure::YesNo),
-        machine.recommendation_is_printed.map_or(Figure::None, Figure::YesNo),
-    ]
+fn machines(machines: &[Machine]) -> Records {
+    Table::new("machines", machines)
+        .text("machine", "machine", |machine| machine.machine)
+        .text("kind", "drive", |machine| machine.kind)
+        .text("table", "table", |machine| machine.table)
+        .printed("range", "d", 2, |machine| machine.range)
+        .number("speeds", "speeds", |machine| machine.speeds.map_or(text("stepless"), Figure::Count))
+        .number("recommended", "recommended", |machine| machine.recommended)
+        .words("as_recommended", "agree", |machine| machine.as_recommended)
+        .words("recommendation_is_printed", "printed", |machine| machine.recommendation_is_printed)
+        .view(
+            "Machines: range d of the fastest speed over the slowest, and numbers of speeds",
+            "machine kind range speeds recommended as_recommended",
+        )
+        .the_answer()
+        .records()
 }
 
 /// A range of speeds, and how many of them it asks for.
@@ -91,56 +78,42 @@ impl AsReport for MachineSpeeds {
                 [Figure::Multiple(speeds.geometric_step)],
             ),
         ];
-        let records = Records {
-            name: "series",
-            columns: vec![
-                Column::number("direct", "direct drive"),
-                Column::words("regime", "regime"),
-                Column::words("ratios", "ratios"),
-                Column::words("printed", "as printed").for_people(),
-                Column::words("printed_number", "number"),
-                Column::words("printed_ratios", "ratios as printed"),
-                Column::words("printed_serves", "serves"),
-            ],
-            rows: self.series.iter().map(series).collect(),
-            views: vec![View {
-                note: "Ratios: the fastest speed first. Direct drive: its place among them. The source calls the \
-                       combined regime undesirable. Its series are for speeds in geometric progression; where one \
-                       does not give these speeds, the last column shows it."
-                    .to_owned(),
-                ..View::new("Ratios", &["direct", "regime", "ratios", "printed"])
-            }],
-            is_answer: false,
-        };
         report(vec![
             Part::Facts(facts("speeds", "Speeds", rows)),
             Part::Facts(facts("range", "Range", range_rows("fastest over slowest", &self.range))),
-            Part::Records(records),
+            Part::Records(series(&self.series)),
         ])
     }
 }
 
-fn series(series: &Series) -> Vec<Figure> {
-    let regime = match series.regime {
-        Regime::Reduction => Figure::answer("reduction", "reduction"),
-        Regime::Overdrive => Figure::answer("overdrive", "overdrive"),
-        Regime::Combined => Figure::answer("combined", "combined"),
-    };
-    let printed = match &series.printed {
+fn series(all: &[Series]) -> Records {
+    let printed = |series: &Series| match &series.printed {
         None => text(""),
-        Some(printed) if printed.serves => Figure::answer("the same", "the same"),
+        Some(printed) if printed.serves => text("the same"),
         Some(printed) => Figure::Numbers(printed.ratios.clone()),
     };
-    let numbered = series.printed.as_ref();
-    vec![
-        Figure::Count(u32::try_from(series.direct).unwrap_or(u32::MAX)),
-        regime,
-        Figure::Numbers(series.ratios.clone()),
-        printed,
-        numbered.map_or(Figure::None, |printed| text(printed.number)),
-        numbered.map_or(Figure::None, |printed| Figure::Numbers(printed.ratios.clone())),
-        numbered.map_or(Figure::None, |printed| Figure::YesNo(printed.serves)),
-    ]
+    Table::new("series", all)
+        .number("direct", "direct drive", |series| series.direct)
+        .words("regime", "regime", |series| match series.regime {
+            Regime::Reduction => "reduction",
+            Regime::Overdrive => "overdrive",
+            Regime::Combined => "combined",
+        })
+        .words("ratios", "ratios", |series| Figure::Numbers(series.ratios.clone()))
+        .words("printed", "as printed", |series| printed(series))
+        .for_people()
+        .words("printed_number", "number", |series| Some(series.printed.as_ref()?.number))
+        .words("printed_ratios", "ratios as printed", |series| {
+            Some(Figure::Numbers(series.printed.as_ref()?.ratios.clone()))
+        })
+        .words("printed_serves", "serves", |series| Some(series.printed.as_ref()?.serves))
+        .view("Ratios", "direct regime ratios printed")
+        .note(
+            "Ratios: the fastest speed first. Direct drive: its place among them. The source calls the \
+             combined regime undesirable. Its series are for speeds in geometric progression; where one \
+             does not give these speeds, the last column shows it.",
+        )
+        .records()
 }
 
 impl AsReport for ChainCutter {
@@ -174,23 +147,10 @@ fn cutter(title: &'static str, cutting: &Cutting, rocks: &[Rock], range: Option<
 }
 
 fn in_rocks(rocks: &[Rock]) -> Records {
-    let headed = |name, dimension: Dimension, what: &str| Column {
-        heading: format!("{what}, {}", dimension.usual_unit().symbol),
-        ..Column::quantity(name, dimension)
-    };
-    Table::new("rocks", rocks.iter())
-        .column(headed("force", Dimension::Force, "force"), |rock| Figure::Column {
-            si: rock.force_n,
-            dimension: Dimension::Force,
-        })
-        .column(headed("speed", Dimension::Speed, "speed"), |rock| Figure::Column {
-            si: rock.speed_m_s,
-            dimension: Dimension::Speed,
-        })
-        .column(headed("feed", Dimension::Speed, "feed"), |rock| Figure::Column {
-            si: rock.feed_m_s,
-            dimension: Dimension::Speed,
-        })
+    Table::new("rocks", rocks)
+        .quantity("force", "force", Dimension::Force, |rock| rock.force_n)
+        .quantity("speed", "speed", Dimension::Speed, |rock| rock.speed_m_s)
+        .quantity("feed", "feed", Dimension::Speed, |rock| rock.feed_m_s)
         .view("In this rock and in others, at the same power and chip", "force speed feed")
         .records()
 }
@@ -221,12 +181,10 @@ impl AsReport for Rotor {
 }
 
 fn discharges(rotor: &Rotor) -> Records {
-    let angle =
-        |rad: Option<f64>| rad.map_or(Figure::None, |si| Figure::Column { si, dimension: Dimension::Angle });
     Table::new("discharges", rotor.discharges.iter())
-        .column(Column::headed("chute", "chute at, deg", Dimension::Angle), |one| angle(one.chute_rad))
+        .headed("chute", "chute at, deg", Dimension::Angle, |one| one.chute_rad)
         .multiple("discharge", "Ω", |one| one.discharge)
-        .words("counts", "counts", |one| Figure::YesNo(one.counts))
+        .words("counts", "counts", |one| one.counts)
         .view("Discharge parameter: the smaller counts", "chute discharge counts")
         .records()
 }

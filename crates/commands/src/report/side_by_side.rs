@@ -1,9 +1,10 @@
 //! The figures of every gear side by side: a line for each link, member or mesh, a column for each gear.
 
 use crate::analyze::answer::gear::{Mesh, OneGear, Powers};
-use crate::table::figure::{Figure, multiple, text};
+use crate::table::columns;
+use crate::table::figure::{Figure, multiple};
 use crate::table::quantities::column;
-use crate::table::report::{Column, Part, Records, Report, View};
+use crate::table::report::{Part, Report};
 use epicyclic_units::Dimension;
 
 /// Largest number of gears in a table; more gears get further tables.
@@ -58,20 +59,13 @@ impl Table {
 
     fn part(&self, gears: &[&str], shown: &[usize]) -> Part {
         const OF: [&str; 3] = ["first", "second", "third"];
-        let of = OF.iter().zip(self.of).map(|(name, heading)| Column::words(name, *heading));
-        let of_gear = shown.iter().map(|gear| Column::number("gear", "").of(gears[*gear]));
-        let row = |line: &Line| {
-            line.of.iter().map(text).chain(shown.iter().map(|gear| line.figures[*gear].clone())).collect()
-        };
-        let columns: Vec<&'static str> = OF[..self.of.len()].iter().copied().chain(["gear"]).collect();
-        let view = View { note: self.note.to_owned(), ..View::new(self.title, &columns) };
-        Part::Records(Records {
-            name: "gears",
-            columns: of.chain(of_gear).collect(),
-            rows: self.lines.iter().map(row).collect(),
-            views: vec![view],
-            is_answer: false,
-        })
+        let of = OF.iter().zip(self.of).enumerate();
+        let table = columns::Table::new("gears", &self.lines)
+            .each(of, |table, (place, (name, heading))| table.text(name, heading, |line| &line.of[place]))
+            .each(shown, |table, gear| {
+                table.number("gear", "", |line| line.figures[*gear].clone()).of(gears[*gear])
+            });
+        Part::Records(table.all(self.title).note(self.note).records())
     }
 }
 

@@ -1,11 +1,11 @@
 //! The catalogue of schemes, as tables.
 
-use crate::schemes::answer::{Connection, Gear, Parameters, Scheme, Schemes};
-use crate::shared::catalogue::{GearName, KRange, SetLinks, SetSpeeds};
+use crate::schemes::answer::{Connection, Gear, Parameters, Scheme, SchemeFormulas, Schemes};
+use crate::shared::catalogue::{GearName, KRange, Link, SetLinks, SetSpeeds};
 use crate::table::columns::Table;
-use crate::table::figure::{Figure, multiple, text};
+use crate::table::figure::{Figure, text};
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, Row, Section, View, warned};
+use crate::table::report::{Part, Records, Report, Row, Section, warned};
 use epicyclic_units::format::trimmed;
 
 fn span(k: KRange) -> String {
@@ -13,18 +13,8 @@ fn span(k: KRange) -> String {
 }
 
 /// The links of sun, ring and carrier of a set that may be missing.
-fn links(set: Option<&SetLinks>) -> Vec<Figure> {
-    match set {
-        Some(set) => set.links().iter().map(|link| text(link.name())).collect(),
-        None => vec![Figure::None; 3],
-    }
-}
-
-fn in_a_row(set: Option<&SetLinks>) -> Figure {
-    match set {
-        None => Figure::None,
-        Some(set) => text(set.links().map(crate::shared::catalogue::Link::name).join(" ")),
-    }
+fn in_a_row(set: Option<&SetLinks>) -> Option<String> {
+    Some(set?.links().map(Link::name).join(" "))
 }
 
 impl AsReport for Schemes {
@@ -32,49 +22,29 @@ impl AsReport for Schemes {
         let note = "a sun, b ring, H carrier: the shafts D and B, or T1 and T2, which are braked in gears 1 and 2. i: ratio \
                     of gear 1 of I, II, III, of gear 2 of the others, whose gear 1 is that of I, II or III. Gear 3 is \
                     direct drive.";
-        let rows = self.schemes.iter().map(|scheme| {
-            let (first, second) = (scheme.sets.first(), scheme.sets.get(1));
-            let mut row = vec![text(scheme.scheme), in_a_row(first), in_a_row(second)];
-            row.extend(links(first));
-            row.extend(links(second));
-            row.extend([
-                text(&scheme.ratio_formula),
-                text(&scheme.efficiency_formula),
-                Figure::Multiple(scheme.least_ratio),
-                Figure::Multiple(scheme.greatest_ratio),
-            ]);
-            row
-        });
-        let records = Records {
-            name: "schemes",
-            columns: vec![
-                Column::words("scheme", "scheme"),
-                Column::words("set_1", "a₁ b₁ H₁").for_people(),
-                Column::words("set_2", "a₂ b₂ H₂").for_people(),
-                Column::words("sun_1", "a₁"),
-                Column::words("ring_1", "b₁"),
-                Column::words("carrier_1", "H₁"),
-                Column::words("sun_2", "a₂"),
-                Column::words("ring_2", "b₂"),
-                Column::words("carrier_2", "H₂"),
-                Column::words("ratio_formula", "i"),
-                Column::words("efficiency_formula", "η"),
-                Column::number("least_ratio", "from"),
-                Column::number("greatest_ratio", "to"),
-            ],
-            rows: rows.collect(),
-            views: vec![
-                View {
-                    note: note.to_owned(),
-                    ..View::new(
-                        "Links and ratios",
-                        &["scheme", "set_1", "set_2", "ratio_formula", "least_ratio", "greatest_ratio"],
-                    )
-                },
-                View::new("Efficiency of the same gear", &["scheme", "efficiency_formula"]),
-            ],
-            is_answer: true,
-        };
+        let link =
+            |of: &SchemeFormulas, set: usize, member: usize| Some(of.sets.get(set)?.links()[member].name());
+        let records = Table::new("schemes", &self.schemes)
+            .text("scheme", "scheme", |of| of.scheme)
+            .words("set_1", "a₁ b₁ H₁", |of| in_a_row(of.sets.first()))
+            .for_people()
+            .words("set_2", "a₂ b₂ H₂", |of| in_a_row(of.sets.get(1)))
+            .for_people()
+            .words("sun_1", "a₁", |of| link(of, 0, 0))
+            .words("ring_1", "b₁", |of| link(of, 0, 1))
+            .words("carrier_1", "H₁", |of| link(of, 0, 2))
+            .words("sun_2", "a₂", |of| link(of, 1, 0))
+            .words("ring_2", "b₂", |of| link(of, 1, 1))
+            .words("carrier_2", "H₂", |of| link(of, 1, 2))
+            .text("ratio_formula", "i", |of| &of.ratio_formula)
+            .text("efficiency_formula", "η", |of| &of.efficiency_formula)
+            .multiple("least_ratio", "from", |of| of.least_ratio)
+            .multiple("greatest_ratio", "to", |of| of.greatest_ratio)
+            .view("Links and ratios", "scheme set_1 set_2 ratio_formula least_ratio greatest_ratio")
+            .note(note)
+            .view("Efficiency of the same gear", "scheme efficiency_formula")
+            .the_answer()
+            .records();
         let title = format!("Schemes; {}", span(self.k));
         Report { title: Some(title), parts: vec![Part::Records(records)], warnings: None }
     }
@@ -115,8 +85,8 @@ fn structure(sets: &[SetLinks], connection: Option<Connection>) -> Section {
 
 fn formulas(scheme: &Scheme) -> Records {
     Table::new("formulas", scheme.formulas.iter())
-        .words("gear", "gear", |gear| text(gear.gear.name()))
-        .words("braked", "braked", |gear| text(gear.braked.map_or("-", |link| link.name())))
+        .words("gear", "gear", |gear| gear.gear.name())
+        .words("braked", "braked", |gear| gear.braked.map_or("-", |link| link.name()))
         .text("ratio_formula", "i", |gear| &gear.ratio_formula)
         .text("efficiency_formula", "η", |gear| &gear.efficiency_formula)
         .multiple("least_ratio", "from", |gear| gear.least_ratio)
@@ -145,12 +115,12 @@ fn gears(gears: &[Gear]) -> Records {
     let note = "Torques and circulating power, with losses, over the input's; η back: back-driving efficiency. K1, K2: \
                    brakes on T1, T2; L: direct-drive clutch between D and B.";
     Table::new("gears", gears.iter())
-        .words("gear", "gear", |gear| text(gear.gear.name()))
+        .words("gear", "gear", |gear| gear.gear.name())
         .multiple("ratio", "i", |gear| gear.ratio)
         .multiple("efficiency", "η", |gear| gear.efficiency)
         .multiple("back_driving_efficiency", "η back", |gear| gear.back_driving_efficiency)
         .multiple("output_torque_of_input", "T_B", |gear| gear.output_torque_of_input)
-        .words("engaged", "engaged", |gear| text(gear.engaged.name()))
+        .words("engaged", "engaged", |gear| gear.engaged.name())
         .multiple("engaged_torque_of_input", "its T", |gear| gear.engaged_torque_of_input)
         .multiple("circulating_of_input", "circulating", |gear| gear.circulating_of_input)
         .view(
@@ -178,26 +148,20 @@ pub(crate) fn speed_lines(set: usize, links: &SetLinks) -> [SpeedLine; 5] {
 }
 
 fn speeds(sets: &[SetLinks], gears: &[Gear]) -> Records {
-    let mut rows = vec![];
-    for (place, links) in sets.iter().enumerate() {
-        for (name, link, of) in speed_lines(place + 1, links) {
-            let speed = |gear: &Gear| multiple(gear.sets.get(place).and_then(of));
-            let cells = [text(name), text(link.unwrap_or_default())];
-            rows.push(cells.into_iter().chain(gears.iter().map(speed)).collect());
-        }
-    }
-    let mut columns = vec![Column::words("member", "member"), Column::words("link", "link")];
-    columns.extend(gears.iter().map(|gear| match gear.gear {
-        GearName::First => Column::number("gear_1", "gear 1"),
-        GearName::Second => Column::number("gear_2", "gear 2"),
-        GearName::Direct => Column::number("direct", "direct"),
-    }));
-    let shown: Vec<&'static str> = columns.iter().map(|column| column.name).collect();
-    Records {
-        name: "speeds",
-        columns,
-        rows,
-        views: vec![View::new("Speeds over the input's; g planet, on H relative to its carrier", &shown)],
-        is_answer: false,
-    }
+    let rows = sets.iter().enumerate().flat_map(|(place, links)| {
+        speed_lines(place + 1, links).map(|(member, link, of)| (place, member, link, of))
+    });
+    Table::new("speeds", rows)
+        .text("member", "member", |(_, member, ..)| member)
+        .text("link", "link", |(_, _, link, _)| link.unwrap_or_default())
+        .each(gears, |table, gear| {
+            let (key, heading) = match gear.gear {
+                GearName::First => ("gear_1", "gear 1"),
+                GearName::Second => ("gear_2", "gear 2"),
+                GearName::Direct => ("direct", "direct"),
+            };
+            table.multiple(key, heading, |(place, .., of)| gear.sets.get(*place).and_then(of))
+        })
+        .all("Speeds over the input's; g planet, on H relative to its carrier")
+        .records()
 }

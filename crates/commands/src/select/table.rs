@@ -15,11 +15,10 @@ use crate::select::answer::candidate::{Candidate, Criterion, DirectDriveClutch, 
 use crate::select::answer::required::Required;
 use crate::select::answer::{Select, Unreachable};
 use crate::shared::catalogue::GearName;
-use crate::table::figure::{Figure, multiple, text};
-use crate::table::quantities::column;
+use crate::table::columns::Table;
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, View};
-use epicyclic_units::Dimension;
+use crate::table::report::{Part, Records, Report, View};
+use epicyclic_units::Dimension::{AngularSpeed, Length, Torque};
 use epicyclic_units::format::trimmed;
 
 impl AsReport for Select {
@@ -195,86 +194,43 @@ fn size_column(all: &[Candidate]) -> &'static str {
     if is_length { "ring_diameter" } else { "size" }
 }
 
-/// What every list of designs says of each: name, ratios, ring-to-sun ratios, efficiencies, objectives.
-fn common_columns() -> Vec<Column> {
-    vec![
-        Column::number("no", "no"),
-        Column::words("scheme", "scheme"),
-        Column::words("structure", "structure"),
-        Column::number("wanted_ratio_1", "wanted"),
-        Column::number("wanted_ratio_2", "wanted"),
-        Column::number("ratio_1", "i₁"),
-        Column::number("ratio_2", "i₂"),
-        Column::number("k1", "k₁"),
-        Column::number("k2", "k₂"),
-        Column::number("efficiency_1", "η₁"),
-        Column::number("efficiency_2", "η₂"),
-        Column::headed("output_speed_1", "n₁", Dimension::AngularSpeed),
-        Column::headed("output_speed_2", "n₂", Dimension::AngularSpeed),
-        Column::quantity("output_torque_1", Dimension::Torque),
-        Column::quantity("output_torque_2", Dimension::Torque),
-        Column::quantity("brake_torque_at_load_1", Dimension::Torque),
-        Column::quantity("brake_torque_at_load_2", Dimension::Torque),
-        Column::quantity("clutch_torque_at_load", Dimension::Torque),
-        Column::number("efficiency", "efficiency"),
-        Column::number("speed", "speed"),
-        Column::number("k_distance", "k"),
-        Column::number("ratio_error", "ratio error"),
-        Column::number("size", "size"),
-        Column::headed("ring_diameter", "ring, mm", Dimension::Length),
-        Column::words("mixed_directions", "mixed directions"),
-    ]
+/// The columns that a list has of each candidate: name, ratios, ring-to-sun ratios, efficiencies, objectives.
+fn of_candidate<Row>(table: Table<Row>, of: impl Fn(&Row) -> &Candidate) -> Table<Row> {
+    let direct = |gear: &&GearOperation| gear.gear == GearName::Direct;
+    table
+        .number("no", "no", |row| of(row).no)
+        .words("scheme", "scheme", |row| name(of(row)))
+        .text("structure", "structure", |row| &of(row).structure)
+        .multiple("wanted_ratio_1", "wanted", |row| Some(of(row).gears.first()?.wanted_ratio))
+        .multiple("wanted_ratio_2", "wanted", |row| Some(of(row).gears.get(1)?.wanted_ratio))
+        .multiple("ratio_1", "i₁", |row| Some(of(row).gears.first()?.ratio))
+        .multiple("ratio_2", "i₂", |row| Some(of(row).gears.get(1)?.ratio))
+        .multiple("k1", "k₁", |row| Some(of(row).sets.first()?.k))
+        .multiple("k2", "k₂", |row| Some(of(row).sets.get(1)?.k))
+        .multiple("efficiency_1", "η₁", |row| of(row).gears.first()?.efficiency)
+        .multiple("efficiency_2", "η₂", |row| of(row).gears.get(1)?.efficiency)
+        .headed("output_speed_1", "n₁", AngularSpeed, |row| operation(of(row), 0)?.output_speed_rad_s)
+        .headed("output_speed_2", "n₂", AngularSpeed, |row| operation(of(row), 1)?.output_speed_rad_s)
+        .quantity("output_torque_1", "", Torque, |row| operation(of(row), 0)?.output_torque_n_m)
+        .quantity("output_torque_2", "", Torque, |row| operation(of(row), 1)?.output_torque_n_m)
+        .quantity("brake_torque_at_load_1", "", Torque, |row| operation(of(row), 0)?.k1_torque_n_m)
+        .quantity("brake_torque_at_load_2", "", Torque, |row| operation(of(row), 1)?.k2_torque_n_m)
+        .quantity("clutch_torque_at_load", "", Torque, |row| {
+            of(row).operation.iter().find(direct)?.direct_drive_clutch_torque_n_m
+        })
+        .multiple("efficiency", "efficiency", |row| of(row).objectives.efficiency)
+        .multiple("speed", "speed", |row| of(row).objectives.speed_of_input)
+        .multiple("k_distance", "k", |row| of(row).objectives.ring_to_sun_distance)
+        .multiple("ratio_error", "ratio error", |row| of(row).objectives.ratio_error)
+        .multiple("size", "size", |row| of(row).objectives.size)
+        .quantity("ring_diameter", "ring", Length, |row| of(row).objectives.ring_diameter_m)
+        .words("mixed_directions", "mixed directions", |row| of(row).mixed_directions)
 }
 
-fn common_figures(one: &Candidate) -> Vec<Figure> {
-    let gear = |place: usize| one.gears.get(place);
-    let k = |place: usize| multiple(one.sets.get(place).map(|set| set.k));
-    let of = &one.objectives;
-    vec![
-        Figure::Count(one.no),
-        text(name(one)),
-        text(&one.structure),
-        multiple(gear(0).map(|gear| gear.wanted_ratio)),
-        multiple(gear(1).map(|gear| gear.wanted_ratio)),
-        multiple(gear(0).map(|gear| gear.ratio)),
-        multiple(gear(1).map(|gear| gear.ratio)),
-        k(0),
-        k(1),
-        multiple(gear(0).and_then(|gear| gear.efficiency)),
-        multiple(gear(1).and_then(|gear| gear.efficiency)),
-        of_gear(one, 0, Dimension::AngularSpeed, |at| at.output_speed_rad_s),
-        of_gear(one, 1, Dimension::AngularSpeed, |at| at.output_speed_rad_s),
-        of_gear(one, 0, Dimension::Torque, |at| at.output_torque_n_m),
-        of_gear(one, 1, Dimension::Torque, |at| at.output_torque_n_m),
-        of_gear(one, 0, Dimension::Torque, |at| at.k1_torque_n_m),
-        of_gear(one, 1, Dimension::Torque, |at| at.k2_torque_n_m),
-        column(
-            Dimension::Torque,
-            one.operation
-                .iter()
-                .find(|at| at.gear == GearName::Direct)
-                .and_then(|at| at.direct_drive_clutch_torque_n_m),
-        ),
-        Figure::Multiple(of.efficiency),
-        Figure::Multiple(of.speed_of_input),
-        Figure::Multiple(of.ring_to_sun_distance),
-        Figure::Multiple(of.ratio_error),
-        Figure::Multiple(of.size),
-        length(of.ring_diameter_m),
-        Figure::YesNo(one.mixed_directions),
-    ]
-}
-
-/// A figure of a braked gear at the speed and load of the input, where these are given.
-fn of_gear(
-    one: &Candidate,
-    place: usize,
-    dimension: Dimension,
-    of: impl Fn(&GearOperation) -> Option<f64>,
-) -> Figure {
-    let gear = one.gears.get(place).map(|gear| gear.gear);
-    let at = one.operation.iter().find(|at| Some(at.gear) == gear);
-    column(dimension, at.and_then(of))
+/// A braked gear at the speed and load of the input, where these are given.
+fn operation(one: &Candidate, place: usize) -> Option<&GearOperation> {
+    let gear = one.gears.get(place)?.gear;
+    one.operation.iter().find(|at| at.gear == gear)
 }
 
 /// These columns, and those of the output's speeds where that of the input is given.
@@ -282,10 +238,6 @@ fn with_speeds(required: &Required, columns: &[&'static str]) -> Vec<&'static st
     let speeds = ["output_speed_1", "output_speed_2"];
     let given = usize::from(required.input_speed_rad_s.is_some()) * required.ratios.len().min(2);
     columns.iter().copied().chain(speeds.into_iter().take(given)).collect()
-}
-
-fn length(metres: Option<f64>) -> Figure {
-    metres.map_or(Figure::None, |si| Figure::Column { si, dimension: Dimension::Length })
 }
 
 fn chosen(one: &Candidate) -> Option<&DirectDriveClutch> {
@@ -302,70 +254,33 @@ fn verdict(one: &Candidate, criterion: Criterion) -> Option<&Verdict> {
 
 /// All candidates side by side.
 fn candidates(all: &[Candidate], views: Vec<View>) -> Records {
-    let mut columns = common_columns();
-    columns.extend([
-        Column::words("accepted", "accepted"),
-        Column::words("non_dominated", "non-dominated"),
-        Column::number("link_speed", "link"),
-        Column::number("planet_speed", "planet"),
-        Column::number("clutch_slip", "slip"),
-        Column::number("circulating", "circ."),
-        Column::number("brake_torque_1", "T of K1"),
-        Column::number("brake_torque_2", "T of K2"),
-        Column::words("clutch", "clutch").for_people(),
-        Column::words("clutch_link_1", "clutch"),
-        Column::words("clutch_link_2", "clutch"),
-        Column::number("clutch_torque", "its T"),
-        Column::words("meets_ratio", "ratio"),
-        Column::words("meets_k", "k"),
-        Column::words("meets_efficiency", "η"),
-        Column::words("meets_link_speed", "link"),
-        Column::words("meets_planet_speed", "planet"),
-        Column::words("meets_clutch_slip", "slip"),
-        Column::words("meets_circulation", "circ."),
-        Column::words("meets_direction", "same direction"),
-        Column::words("meets_drawable", "drawable"),
-        Column::words("because", "because"),
-    ]);
-    Records {
-        name: "candidates",
-        columns,
-        rows: all.iter().map(row).collect(),
-        is_answer: views.is_empty(),
-        views,
-    }
-}
-
-fn row(one: &Candidate) -> Vec<Figure> {
-    let value = |criterion| multiple(verdict(one, criterion).and_then(|verdict| verdict.value));
-    let met = |criterion| verdict(one, criterion).map_or(Figure::None, |verdict| Figure::YesNo(verdict.met));
-    let brake = |place: usize| multiple(one.gears.get(place).and_then(|gear| gear.brake_torque_of_input));
-    let clutch = chosen(one);
-    let link = |place: usize| clutch.map_or(Figure::None, |clutch| text(clutch.links[place].name()));
-    let mut figures = common_figures(one);
-    figures.extend([
-        Figure::YesNo(one.accepted),
-        Figure::YesNo(one.non_dominated),
-        value(Criterion::LinkSpeed),
-        value(Criterion::PlanetSpeed),
-        value(Criterion::ClutchSlip),
-        Figure::Multiple(one.objectives.circulating_of_entering),
-        brake(0),
-        brake(1),
-        clutch.map_or(Figure::None, |clutch| text(joined(clutch))),
-        link(0),
-        link(1),
-        multiple(clutch.map(|clutch| clutch.torque_of_input)),
-        met(Criterion::RatioError),
-        met(Criterion::RingToSunRatio),
-        met(Criterion::Efficiency),
-        met(Criterion::LinkSpeed),
-        met(Criterion::PlanetSpeed),
-        met(Criterion::ClutchSlip),
-        met(Criterion::Circulation),
-        met(Criterion::SameDirection),
-        met(Criterion::Drawable),
-        text(words::objections(one)),
-    ]);
-    figures
+    let value = |one: &Candidate, criterion| verdict(one, criterion)?.value;
+    let met = |one: &Candidate, criterion| Some(verdict(one, criterion)?.met);
+    of_candidate(Table::new("candidates", all), |one| one)
+        .words("accepted", "accepted", |one| one.accepted)
+        .words("non_dominated", "non-dominated", |one| one.non_dominated)
+        .multiple("link_speed", "link", |one| value(one, Criterion::LinkSpeed))
+        .multiple("planet_speed", "planet", |one| value(one, Criterion::PlanetSpeed))
+        .multiple("clutch_slip", "slip", |one| value(one, Criterion::ClutchSlip))
+        .multiple("circulating", "circ.", |one| one.objectives.circulating_of_entering)
+        .multiple("brake_torque_1", "T of K1", |one| one.gears.first()?.brake_torque_of_input)
+        .multiple("brake_torque_2", "T of K2", |one| one.gears.get(1)?.brake_torque_of_input)
+        .words("clutch", "clutch", |one| chosen(one).map(joined))
+        .for_people()
+        .words("clutch_link_1", "clutch", |one| Some(chosen(one)?.links[0].name()))
+        .words("clutch_link_2", "clutch", |one| Some(chosen(one)?.links[1].name()))
+        .multiple("clutch_torque", "its T", |one| Some(chosen(one)?.torque_of_input))
+        .words("meets_ratio", "ratio", |one| met(one, Criterion::RatioError))
+        .words("meets_k", "k", |one| met(one, Criterion::RingToSunRatio))
+        .words("meets_efficiency", "η", |one| met(one, Criterion::Efficiency))
+        .words("meets_link_speed", "link", |one| met(one, Criterion::LinkSpeed))
+        .words("meets_planet_speed", "planet", |one| met(one, Criterion::PlanetSpeed))
+        .words("meets_clutch_slip", "slip", |one| met(one, Criterion::ClutchSlip))
+        .words("meets_circulation", "circ.", |one| met(one, Criterion::Circulation))
+        .words("meets_direction", "same direction", |one| met(one, Criterion::SameDirection))
+        .words("meets_drawable", "drawable", |one| met(one, Criterion::Drawable))
+        .words("because", "because", |one| words::objections(one))
+        .the_answer_if(views.is_empty())
+        .views(views)
+        .records()
 }

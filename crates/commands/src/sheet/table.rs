@@ -9,7 +9,7 @@ use crate::sheet::answer::records::{
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, text};
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, View, warned};
+use crate::table::report::{Part, Records, Report, warned};
 use epicyclic_units::Dimension;
 
 /// An end of limits.
@@ -61,10 +61,8 @@ fn at_output(all: &[AtOutput]) -> Records {
         .text("gear", "gear", |one| &one.gear)
         .number("least_backlash", "backlash, °", |one| backlash(one.backlash_rad, LOWER))
         .number("greatest_backlash", "to, °", |one| backlash(one.backlash_rad, UPPER))
-        .number("stiffness", "N·m/rad", |one| one.stiffness_n_m.map_or(Figure::None, Figure::Number))
-        .words("missing", "missing", |one| {
-            if one.missing.is_empty() { Figure::None } else { text(one.missing.join(", ")) }
-        })
+        .number("stiffness", "N·m/rad", |one| one.stiffness_n_m)
+        .words("missing", "missing", |one| (!one.missing.is_empty()).then(|| one.missing.join(", ")))
         .view_of("At the output", &shown[..if is_whole { 4 } else { 5 }])
         .note(note)
         .records()
@@ -81,23 +79,20 @@ fn table(
     headings: &[&str],
     lines: Vec<Line>,
 ) -> Records {
-    let mut columns = vec![
-        Column::words("set", "set"),
-        Column::words("quantity", ""),
-        Column::words("symbol", "").for_people(),
-    ];
     let keys = ["first", "second", "third", "fourth"];
-    let of_gear = headings.iter().zip(keys).map(|(heading, key)| Column::number(key, *heading));
-    columns.extend(of_gear);
-    let row = |Line(key, words, symbol, figures): Line| {
-        [text(set), Figure::answer(key, words), text(symbol)].into_iter().chain(figures).collect()
-    };
     // What no gear has says nothing.
     let is_said = |Line(.., figures): &Line| !figures.iter().all(|figure| matches!(figure, Figure::None));
-    let rows = lines.into_iter().filter(is_said).map(row).collect();
-    let shown: Vec<&'static str> = ["quantity", "symbol"].into_iter().chain(keys).collect();
-    let view = View { note: note.to_owned(), ..View::new(title, &shown) };
-    Records { name, columns, rows, views: vec![view], is_answer: false }
+    Table::new(name, lines.into_iter().filter(is_said))
+        .words("set", "set", |_| set)
+        .words("quantity", "", |Line(key, words, ..)| Figure::answer(*key, words))
+        .text("symbol", "", |Line(_, _, symbol, _)| symbol)
+        .for_people()
+        .each(headings.iter().zip(keys).enumerate(), |table, (place, (heading, key))| {
+            table.number(key, heading, |Line(.., figures)| figures.get(place).cloned())
+        })
+        .view(title, "quantity symbol first second third fourth")
+        .note(note)
+        .records()
 }
 
 fn length(si: f64) -> Figure {
@@ -384,7 +379,7 @@ fn in_mesh(set: &SetSheet) -> Records {
 fn left_out(all: &[LeftOut]) -> Records {
     Table::new("left_out", all.iter())
         .text("set", "set", |one| &one.set)
-        .words("reason", "why", |one| text(one.why()))
+        .words("reason", "why", |one| one.why())
         .view("Without data sheet", "set reason")
         .records()
 }

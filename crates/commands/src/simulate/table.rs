@@ -8,7 +8,7 @@ use crate::simulate::answer::{
     ShiftResult, Simulation, State,
 };
 use crate::table::columns::Table;
-use crate::table::figure::{Figure, text};
+use crate::table::figure::Figure;
 use crate::table::quantities::{column, quantity};
 use crate::table::report::AsReport;
 use crate::table::report::{Column, Part, Records, Report, Row, Section, View, warned};
@@ -123,13 +123,13 @@ fn events(simulation: &Simulation) -> Records {
         simulation.events.iter().flat_map(|event| event.changes.iter().map(move |one| (event, one))),
     )
     .quantity("time", "t", Time, |(event, _)| event.time_s)
-    .words("change", "what changes", |(_, one)| text(change(one)))
+    .words("change", "what changes", |(_, one)| change(one))
     .for_people()
     .words("kind", "kind", |(_, one)| Figure::choice(one.kind, kind(one.kind)))
     .text("id", "of", |(_, one)| &one.id)
-    .words("from", "from", |(_, one)| one.from.map_or(Figure::None, |from| Figure::choice(from, state(from))))
-    .words("to", "to", |(_, one)| one.to.map_or(Figure::None, |to| Figure::choice(to, state(to))))
-    .words("is_rising", "upwards", |(_, one)| one.is_rising.map_or(Figure::None, Figure::YesNo))
+    .words("from", "from", |(_, one)| one.from.map(|from| Figure::choice(from, state(from))))
+    .words("to", "to", |(_, one)| one.to.map(|to| Figure::choice(to, state(to))))
+    .words("is_rising", "upwards", |(_, one)| one.is_rising)
     .column(
         Column::headed("input_speed", format!("{}, rpm", simulation.input), AngularSpeed),
         |(event, _)| speed(&event.speeds_rad_s, &simulation.input),
@@ -150,7 +150,7 @@ fn of_shifts(all: &[ShiftResult]) -> Records {
     let note =
         "T: what sets and shift elements exert on the output, from the beginning of the shift to its lock.";
     Table::new("shifts", all.iter())
-        .words("shift", "shift", |shift| text(format!("{} → {}", shift.from, shift.to)))
+        .words("shift", "shift", |shift| format!("{} → {}", shift.from, shift.to))
         .quantity("at", "at", Time, |shift| shift.at_s)
         .quantity("shift_time", "takes", Time, |shift| shift.shift_time_s)
         .headed("torque_phase", "torque phase", Time, |shift| shift.torque_phase_s)
@@ -162,8 +162,8 @@ fn of_shifts(all: &[ShiftResult]) -> Records {
         .number("torque_surge_percent", "surge, %", |shift| per_cent(shift.torque_surge))
         .quantity("heat", "heat", Energy, |shift| shift.heat_j)
         .quantity("locked", "locked", Time, |shift| shift.locked_s)
-        .words("released", "released", |shift| Figure::Texts(shift.released.clone()))
-        .words("applied", "applied", |shift| Figure::Texts(shift.applied.clone()))
+        .words("released", "released", |shift| shift.released.clone())
+        .words("applied", "applied", |shift| shift.applied.clone())
         .view("Shifts", "shift at shift_time torque_phase inertia_phase heat released applied")
         .view(
             "Torque of the output while it shifts",
@@ -212,7 +212,7 @@ fn elements(all: &[ElementResult]) -> Records {
     Table::new("elements", all.iter())
         .text("id", "element", |one| &one.id)
         .words("kind", "kind", |one| Figure::choice(one.kind, kind_of(one.kind)))
-        .words("links", "between", |one| text(format!("{}–{}", one.links[0], one.links[1])))
+        .words("links", "between", |one| format!("{}–{}", one.links[0], one.links[1]))
         .words("at_end", "at the end", |one| Figure::choice(one.at_end, state(one.at_end)))
         .quantity("slip_time", "slips", Time, |one| one.slip_time_s)
         .quantity("heat", "heat", Energy, |one| one.heat_j)
@@ -238,7 +238,7 @@ fn drags(all: &[DragResult]) -> Records {
     Table::new("drags", all.iter())
         .words("kind", "kind", |one| Figure::choice(one.kind, kind(one.kind)))
         .text("id", "of", |one| &one.id)
-        .words("links", "between", |one| text(one.links.join("–")))
+        .words("links", "between", |one| one.links.join("–"))
         .quantity("loss", "loss", Energy, |one| one.loss_j)
         .quantity("peak_power", "P", Power, |one| one.peak_power_w)
         .quantity("peak_torque", "M", Torque, |one| one.peak_torque_n_m)
@@ -252,7 +252,7 @@ fn drags(all: &[DragResult]) -> Records {
 fn shafts(all: &[ShaftResult]) -> Records {
     Table::new("shafts", all.iter())
         .text("id", "shaft", |one| &one.id)
-        .words("links", "between", |one| text(one.links.join("–")))
+        .words("links", "between", |one| one.links.join("–"))
         .quantity("peak_torque", "T", Torque, |one| one.peak_torque_n_m)
         .quantity("peak_twist", "twist", Dimension::Angle, |one| one.peak_twist_rad)
         .headed("end_torque", "T at the end", Torque, |one| one.end_torque_n_m)
@@ -267,13 +267,11 @@ fn converters(all: &[ConverterResult]) -> Records {
     let shown = ["id", "peak_torque", "peak_heat_flow", "end_torque", "end_speed_ratio", "heat"];
     Table::new("converters", all.iter())
         .text("id", "converter", |one| &one.id)
-        .words("links", "between", |one| text(one.links.join("–")))
+        .words("links", "between", |one| one.links.join("–"))
         .quantity("peak_torque", "T", Torque, |one| one.peak_torque_n_m)
         .quantity("peak_heat_flow", "heat flow", Power, |one| one.peak_heat_flow_w)
         .headed("end_torque", "T at the end", Torque, |one| one.end_torque_n_m)
-        .number("end_speed_ratio", "ν at the end", |one| {
-            one.end_speed_ratio.map_or(Figure::None, |ratio| Figure::Printed(ratio, 4))
-        })
+        .printed("end_speed_ratio", "ν at the end", 4, |one| one.end_speed_ratio)
         .quantity("heat", "heat", Energy, |one| one.heat_j)
         .view_of("Torque converters", &shown)
         .note("T: on the turbine, the greatest; ν: its speed over that of the impeller.")
@@ -330,56 +328,61 @@ fn has_dogs(simulation: &Simulation) -> bool {
 #[must_use]
 pub fn samples(simulation: &Simulation) -> Report {
     let all = &simulation.samples;
-    let mut columns = vec![Column::headed("time", "t, s", Time)];
-    let mut lists: Vec<(&[f64], Dimension)> = vec![(&all.times_s, Time)];
-    for link in &all.links {
-        columns.push(Column::quantity("speed", AngularSpeed).of(&link.link));
-        lists.push((&link.speeds_rad_s, AngularSpeed));
-    }
-    for torque in &all.torques {
-        columns.push(Column::quantity("torque", Torque).of(&torque.id));
-        lists.push((&torque.torques_n_m, Torque));
-    }
-    for element in &all.elements {
-        let mut add = |name, list, dimension| {
-            columns.push(Column::quantity(name, dimension).of(&element.id));
-            lists.push((list, dimension));
-        };
-        add("torque", &element.torques_n_m, Torque);
-        if let Some(capacities) = &element.capacities_n_m {
-            add("capacity", capacities, Torque);
-        }
-        add("slip", &element.slips_rad_s, AngularSpeed);
-        add("heat", &element.heats_j, Energy);
-        if let Some(rises) = &element.temperature_rises_k {
-            add("temperature_rise", rises, TemperatureDifference);
-        }
-    }
-    for shaft in &all.shafts {
-        columns.push(Column::quantity("torque", Torque).of(&shaft.id));
-        lists.push((&shaft.torques_n_m, Torque));
-        columns.push(Column::quantity("twist", Dimension::Angle).of(&shaft.id));
-        lists.push((&shaft.twists_rad, Dimension::Angle));
-    }
-    for converter in &all.converters {
-        columns.push(Column::quantity("impeller_torque", Torque).of(&converter.id));
-        lists.push((&converter.impeller_torques_n_m, Torque));
-        columns.push(Column::quantity("turbine_torque", Torque).of(&converter.id));
-        lists.push((&converter.turbine_torques_n_m, Torque));
-    }
-    for drag in &all.drags {
-        columns.push(Column::quantity("drag_slip", AngularSpeed).of(&drag.id));
-        lists.push((&drag.slips_rad_s, AngularSpeed));
-        columns.push(Column::quantity("drag_torque", Torque).of(&drag.id));
-        lists.push((&drag.torques_n_m, Torque));
-        columns.push(Column::quantity("drag_loss", Energy).of(&drag.id));
-        lists.push((&drag.losses_j, Energy));
-    }
-    columns.push(Column::quantity("output_torque", Torque));
-    lists.push((&all.output_torques_n_m, Torque));
-    let rows = (0..all.times_s.len()).map(|place| {
-        lists.iter().map(|(list, dimension)| column(*dimension, list.get(place).copied())).collect()
-    });
-    let records = Records { name: "samples", columns, rows: rows.collect(), views: vec![], is_answer: true };
+    let records = Table::new("samples", 0..all.times_s.len())
+        .quantity("time", "t", Time, at(&all.times_s))
+        .each(&all.links, |table, link| {
+            table.quantity("speed", "", AngularSpeed, at(&link.speeds_rad_s)).of(&link.link)
+        })
+        .each(&all.torques, |table, one| {
+            table.quantity("torque", "", Torque, at(&one.torques_n_m)).of(&one.id)
+        })
+        .each(&all.elements, |table, one| {
+            let [capacities, rises] = [&one.capacities_n_m, &one.temperature_rises_k]
+                .map(|list| list.as_deref().unwrap_or_default());
+            table
+                .quantity("torque", "", Torque, at(&one.torques_n_m))
+                .of(&one.id)
+                .quantity("capacity", "", Torque, at(capacities))
+                .of(&one.id)
+                .only_if(one.capacities_n_m.is_some())
+                .quantity("slip", "", AngularSpeed, at(&one.slips_rad_s))
+                .of(&one.id)
+                .quantity("heat", "", Energy, at(&one.heats_j))
+                .of(&one.id)
+                .quantity("temperature_rise", "", TemperatureDifference, at(rises))
+                .of(&one.id)
+                .only_if(one.temperature_rises_k.is_some())
+        })
+        .each(&all.shafts, |table, one| {
+            table
+                .quantity("torque", "", Torque, at(&one.torques_n_m))
+                .of(&one.id)
+                .quantity("twist", "", Dimension::Angle, at(&one.twists_rad))
+                .of(&one.id)
+        })
+        .each(&all.converters, |table, one| {
+            table
+                .quantity("impeller_torque", "", Torque, at(&one.impeller_torques_n_m))
+                .of(&one.id)
+                .quantity("turbine_torque", "", Torque, at(&one.turbine_torques_n_m))
+                .of(&one.id)
+        })
+        .each(&all.drags, |table, one| {
+            table
+                .quantity("drag_slip", "", AngularSpeed, at(&one.slips_rad_s))
+                .of(&one.id)
+                .quantity("drag_torque", "", Torque, at(&one.torques_n_m))
+                .of(&one.id)
+                .quantity("drag_loss", "", Energy, at(&one.losses_j))
+                .of(&one.id)
+        })
+        .quantity("output_torque", "", Torque, at(&all.output_torques_n_m))
+        .the_answer()
+        .records();
     Report { title: None, parts: vec![Part::Records(records)], warnings: None }
+}
+
+/// The figure that a list has at a place.
+fn at(list: &[f64]) -> impl Fn(&usize) -> Option<f64> {
+    |place| list.get(*place).copied()
 }

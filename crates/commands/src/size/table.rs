@@ -3,13 +3,13 @@
 use crate::shared::tooth_checks::table as tooth_checks;
 use crate::size::answer::Size;
 use crate::size::answer::records::{
-    HeldKey, LeftOut, Minimise, NotSized, Requirement, SizedDesign, SizedGear, SizedSet, Sought,
+    Minimise, NotSized, Requirement, SizedDesign, SizedGear, SizedSet, Sought,
 };
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, hours, text};
-use crate::table::quantities::{column, optional, quantity, words};
+use crate::table::quantities::{quantity, words};
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, Row, Section, View, warned};
+use crate::table::report::{Part, Records, Report, Row, Section, warned};
 use epicyclic_units::Dimension;
 
 impl AsReport for Size {
@@ -120,197 +120,80 @@ pub(crate) fn designs<'s>(
     sets: &'s [SizedSet],
     of: impl Fn(&'s SizedSet) -> &'s [SizedDesign],
 ) -> Records {
-    let row = |set: &SizedSet, (place, design): (usize, &SizedDesign)| {
-        let bearing = design.bearing.as_ref();
-        let length = |si: f64| column(Dimension::Length, Some(si));
-        let least = |safety: fn(&SizedGear) -> f64| {
-            Figure::Printed(design.over_duty.iter().map(safety).fold(f64::INFINITY, f64::min), 3)
-        };
-        let designation = bearing.and_then(|bearing| bearing.designation.as_deref());
-        vec![
-            text(&set.set),
-            Figure::Count(place as u32 + 1),
-            length(design.module_m),
-            length(design.face_width_m),
-            Figure::Printed(design.face_width_over_sun, 2),
-            Figure::Count(design.planets),
-            length(design.centre_distance_m),
-            designation.map_or(Figure::None, text),
-            length(design.ring_diameter_m),
-            column(Dimension::Mass, Some(design.mass_kg)),
-            text(governing(design)),
-            least(|one| one.flank.safety),
-            least(|one| one.root.safety),
-            optional(Dimension::Time, bearing.and_then(|bearing| bearing.life_s)),
-            bearing
-                .and_then(|bearing| bearing.life_s)
-                .map_or(Figure::None, |life| Figure::Number(hours(life))),
-            Figure::Printed(design.profile_shifts[0], 4),
-            Figure::Printed(design.profile_shifts[1], 4),
-            Figure::Printed(design.profile_shifts[2], 4),
-        ]
+    let least = |design: &SizedDesign, safety: fn(&SizedGear) -> f64| {
+        design.over_duty.iter().map(safety).fold(f64::INFINITY, f64::min)
     };
-    let rows = sets.iter().flat_map(|set| of(set).iter().enumerate().map(move |one| row(set, one))).collect();
-    Records {
+    let life = |design: &SizedDesign| design.bearing.as_ref()?.life_s;
+    Table::new(
         name,
-        columns: vec![
-            Column::words("set", "set"),
-            Column::number("place", "no."),
-            Column::headed("module", "m, mm", Dimension::Length),
-            Column::headed("face_width", "b, mm", Dimension::Length),
-            Column::number("face_width_over_sun", "b/d_s"),
-            Column::number("planets", "p"),
-            Column::headed("centre_distance", "a, mm", Dimension::Length),
-            Column::words("bearing", "bearing"),
-            Column::headed("ring_diameter", "ring, mm", Dimension::Length),
-            Column::headed("mass", "kg", Dimension::Mass),
-            Column::words("governing", "governs"),
-            Column::number("flank_safety", "S_H"),
-            Column::number("root_safety", "S_F"),
-            Column::quantity("bearing_life", Dimension::Time),
-            Column::number("bearing_hours", "L_10, h").for_people(),
-            Column::number("sun_shift", "x_s"),
-            Column::number("planet_shift", "x_p"),
-            Column::number("ring_shift", "x_r"),
-        ],
-        rows,
-        views: vec![
-            View {
-                note: "b/d_s: face width over the sun's reference diameter, which --width-ratio bounds."
-                    .to_owned(),
-                ..View::new(
-                    title,
-                    &[
-                        "set",
-                        "place",
-                        "module",
-                        "face_width",
-                        "face_width_over_sun",
-                        "planets",
-                        "centre_distance",
-                        "bearing",
-                        "ring_diameter",
-                        "mass",
-                    ],
-                )
-            },
-            View::new(
-                format!("{title}: what governs, least safeties, bearing life, shifts"),
-                &[
-                    "set",
-                    "place",
-                    "governing",
-                    "flank_safety",
-                    "root_safety",
-                    "bearing_hours",
-                    "sun_shift",
-                    "planet_shift",
-                    "ring_shift",
-                ],
-            ),
-        ],
-        is_answer: name == "designs",
-    }
+        sets.iter().flat_map(|set| (1_u32..).zip(of(set)).map(move |(place, one)| (set, place, one))),
+    )
+    .text("set", "set", |(set, ..)| &set.set)
+    .number("place", "no.", |(_, place, _)| *place)
+    .quantity("module", "m", Dimension::Length, |(.., one)| one.module_m)
+    .quantity("face_width", "b", Dimension::Length, |(.., one)| one.face_width_m)
+    .printed("face_width_over_sun", "b/d_s", 2, |(.., one)| one.face_width_over_sun)
+    .number("planets", "p", |(.., one)| one.planets)
+    .quantity("centre_distance", "a", Dimension::Length, |(.., one)| one.centre_distance_m)
+    .words("bearing", "bearing", |(.., one)| one.bearing.as_ref()?.designation.clone())
+    .quantity("ring_diameter", "ring", Dimension::Length, |(.., one)| one.ring_diameter_m)
+    .quantity("mass", "", Dimension::Mass, |(.., one)| one.mass_kg)
+    .words("governing", "governs", |(.., one)| governing(one))
+    .printed("flank_safety", "S_H", 3, |(.., one)| least(one, |gear| gear.flank.safety))
+    .printed("root_safety", "S_F", 3, |(.., one)| least(one, |gear| gear.root.safety))
+    .quantity("bearing_life", "", Dimension::Time, |(.., one)| life(one))
+    .number("bearing_hours", "L_10, h", |(.., one)| life(one).map(hours))
+    .for_people()
+    .printed("sun_shift", "x_s", 4, |(.., one)| one.profile_shifts[0])
+    .printed("planet_shift", "x_p", 4, |(.., one)| one.profile_shifts[1])
+    .printed("ring_shift", "x_r", 4, |(.., one)| one.profile_shifts[2])
+    .view(
+        title,
+        "set place module face_width face_width_over_sun planets centre_distance bearing ring_diameter mass",
+    )
+    .note("b/d_s: face width over the sun's reference diameter, which --width-ratio bounds.")
+    .view(
+        format!("{title}: what governs, least safeties, bearing life, shifts"),
+        "set place governing flank_safety root_safety bearing_hours sun_shift planet_shift ring_shift",
+    )
+    .the_answer_if(name == "designs")
+    .records()
 }
 
 pub(crate) fn left_out(sets: &[SizedSet]) -> Records {
-    let row = |set: &SizedSet| {
-        let LeftOut {
-            spacing,
-            planets_touch,
-            geometry,
-            width_ratio,
-            rim,
-            bearing_width,
-            not_calculable,
-            flank,
-            root,
-            overload,
-            bearing_life,
-        } = set.left_out;
-        let counts = [
-            set.designs,
-            spacing,
-            planets_touch,
-            geometry,
-            width_ratio,
-            rim,
-            bearing_width,
-            not_calculable,
-            flank,
-            root,
-            overload,
-            bearing_life,
-            set.not_reached,
-        ];
-        let held = set.held.iter().map(|key: &HeldKey| key.key().to_owned()).collect();
-        [text(&set.set), Figure::Texts(held)]
-            .into_iter()
-            .chain(counts.map(|count| Figure::Number(count as f64)))
-            .collect::<Vec<_>>()
-    };
-    let counts = [
-        ("designs", "designs"),
-        ("spacing", "spacing"),
-        ("planets_touch", "touch"),
-        ("geometry", "shifts"),
-        ("width_ratio", "b/d_s"),
-        ("rim", "rim"),
-        ("bearing_width", "B > b"),
-        ("not_calculable", "outside"),
-        ("flank", "S_H"),
-        ("root", "S_F"),
-        ("overload", "overload"),
-        ("bearing_life", "life"),
-        ("not_reached", "not reached"),
-    ];
-    let named = [Column::words("set", "set"), Column::words("held", "held by the file")];
-    Records {
-        name: "left_out",
-        columns: named
-            .into_iter()
-            .chain(counts.map(|(name, heading)| Column::number(name, heading)))
-            .collect(),
-        rows: sets.iter().map(row).collect(),
-        views: vec![
-            View::new(
-                "Designs left out before their strength",
-                &[
-                    "set",
-                    "designs",
-                    "spacing",
-                    "planets_touch",
-                    "geometry",
-                    "width_ratio",
-                    "rim",
-                    "bearing_width",
-                ],
-            ),
-            View {
-                note: "spacing: planets not at equal angles. shifts: none without fault. b/d_s: wider than allowed. outside: beyond the standard. A design that misses several of S_H, S_F, overload and life counts where it misses most. not reached: no better than the last one found.".to_owned(),
-                ..View::new(
-                    "Designs left out by strength and life",
-                    &[
-                        "set",
-                        "held",
-                        "not_calculable",
-                        "flank",
-                        "root",
-                        "overload",
-                        "bearing_life",
-                        "not_reached",
-                    ],
-                )
-            },
-        ],
-        is_answer: false,
-    }
+    let held = |set: &SizedSet| set.held.iter().map(|key| key.key().to_owned()).collect::<Vec<_>>();
+    Table::new("left_out", sets)
+        .text("set", "set", |set| &set.set)
+        .words("held", "held by the file", |set| held(set))
+        .number("designs", "designs", |set| set.designs as f64)
+        .number("spacing", "spacing", |set| set.left_out.spacing as f64)
+        .number("planets_touch", "touch", |set| set.left_out.planets_touch as f64)
+        .number("geometry", "shifts", |set| set.left_out.geometry as f64)
+        .number("width_ratio", "b/d_s", |set| set.left_out.width_ratio as f64)
+        .number("rim", "rim", |set| set.left_out.rim as f64)
+        .number("bearing_width", "B > b", |set| set.left_out.bearing_width as f64)
+        .number("not_calculable", "outside", |set| set.left_out.not_calculable as f64)
+        .number("flank", "S_H", |set| set.left_out.flank as f64)
+        .number("root", "S_F", |set| set.left_out.root as f64)
+        .number("overload", "overload", |set| set.left_out.overload as f64)
+        .number("bearing_life", "life", |set| set.left_out.bearing_life as f64)
+        .number("not_reached", "not reached", |set| set.not_reached as f64)
+        .view(
+            "Designs left out before their strength",
+            "set designs spacing planets_touch geometry width_ratio rim bearing_width",
+        )
+        .view(
+            "Designs left out by strength and life",
+            "set held not_calculable flank root overload bearing_life not_reached",
+        )
+        .note("spacing: planets not at equal angles. shifts: none without fault. b/d_s: wider than allowed. outside: beyond the standard. A design that misses several of S_H, S_F, overload and life counts where it misses most. not reached: no better than the last one found.")
+        .records()
 }
 
 fn not_sized(all: &[NotSized]) -> Records {
     Table::new("not_sized", all.iter())
         .text("set", "set", |one| &one.set)
-        .words("reason", "why", |one| text(one.why()))
+        .words("reason", "why", |one| one.why())
         .view("Not sized", "set reason")
         .records()
 }

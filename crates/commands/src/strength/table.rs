@@ -7,14 +7,13 @@ mod words;
 use crate::shared::tooth_checks::table as tooth_checks;
 use crate::strength::answer::Strength;
 use crate::strength::answer::records::{
-    DutyStep, Factor, FactorOverDuty, LoadSharing, MeshName, NotRated, OverDuty, Overloaded, Rated,
-    SharingBasis, ToothedGear, Wear,
+    DutyStep, LoadSharing, MeshName, NotRated, OverDuty, Overloaded, Rated, SharingBasis, ToothedGear, Wear,
 };
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, hours, text};
 use crate::table::quantities::{optional, quantity};
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, Row, Section, View, warned};
+use crate::table::report::{Part, Records, Report, Row, Section, warned};
 use epicyclic_units::Dimension;
 use planets::{axial_forces, bearing_steps, bearings, bearings_missing};
 use words::{OF_STEPS, extent, from};
@@ -141,14 +140,10 @@ impl Facts for Strength {
     }
 }
 
-fn safety(value: Option<f64>) -> Figure {
-    value.map_or(Figure::None, |value| Figure::Printed(value, 3))
-}
-
 fn duty(all: &[DutyStep]) -> Records {
     Table::new("duty", all.iter())
         .text("gear", "gear", |one| &one.gear)
-        .number("share", "share of time", |one| Figure::Share(one.share))
+        .share("share", "share of time", |one| one.share)
         .quantity("torque", "T", Dimension::Torque, |one| one.torque_n_m)
         .quantity("speed", "n", Dimension::AngularSpeed, |one| one.speed_rad_s)
         .view("Duty: torque on the input and its speed", "gear share torque speed")
@@ -160,11 +155,11 @@ fn at_point(all: &[Rated]) -> Records {
     Table::new("at_point", all.iter())
         .text("gear", "gear", |one| &one.gear)
         .text("set", "set", |one| &one.set)
-        .words("mesh", "mesh", |one| text(one.mesh.to_string()))
-        .words("toothed_gear", "of", |one| text(one.toothed_gear.to_string()))
+        .words("mesh", "mesh", |one| one.mesh.to_string())
+        .words("toothed_gear", "of", |one| one.toothed_gear.to_string())
         .text("material", "material", |one| &one.material)
-        .number("flank_safety", "S_H", |one| safety(one.flank_safety))
-        .number("root_safety", "S_F", |one| safety(one.root_safety))
+        .printed("flank_safety", "S_H", 3, |one| one.flank_safety)
+        .printed("root_safety", "S_F", 3, |one| one.root_safety)
         .headed("contact_stress", "σ_H", Dimension::Pressure, |one| one.contact_stress_pa)
         .headed("contact_limit", "σ_HG", Dimension::Pressure, |one| one.contact_limit_pa)
         .headed("root_stress", "σ_F", Dimension::Pressure, |one| one.root_stress_pa)
@@ -172,8 +167,8 @@ fn at_point(all: &[Rated]) -> Records {
         .quantity("tangential_force", "F_t", Dimension::Force, |one| one.tangential_force_n)
         .quantity("mesh_torque", "T", Dimension::Torque, |one| one.mesh_torque_n_m)
         .quantity("mesh_speed", "n", Dimension::AngularSpeed, |one| one.mesh_speed_rad_s)
-        .number("cycles", "N_L", |one| Figure::Number(one.cycles))
-        .number("million_cycles", "N_L, 10⁶", |one| Figure::Number(one.cycles / MILLION))
+        .number("cycles", "N_L", |one| one.cycles)
+        .number("million_cycles", "N_L, 10⁶", |one| one.cycles / MILLION)
         .for_people()
         .view(
             "Safeties of flanks and roots, stresses and limits in MPa",
@@ -188,32 +183,31 @@ fn at_point(all: &[Rated]) -> Records {
         .records()
 }
 
-/// A row for each factor of two gears, and two where they have it by different formulas or only one of them
-/// has it: of the factor that names it, and of the values that stand in it.
+/// The factors of two gears: each, or two where they have it by different formulas or only one of them has it,
+/// with its values side by side.
 fn by_formula<'a, F>(
     [first, second]: [&'a [F]; 2],
     symbol: impl Fn(&F) -> &str,
     formula: impl Fn(&F) -> &Option<String>,
-    row: impl Fn(&'a F, [Option<&'a F>; 2]) -> Vec<Figure>,
-) -> Vec<Vec<Figure>> {
+) -> Vec<(&'a F, [Option<&'a F>; 2])> {
     let mut rows = vec![];
     let mut rest = second;
     for one in first {
         // What the second has alone stands where it stands there.
         if let Some(place) = rest.iter().position(|other| symbol(other) == symbol(one)) {
-            rows.extend(rest[..place].iter().map(|other| row(other, [None, Some(other)])));
+            rows.extend(rest[..place].iter().map(|other| (other, [None, Some(other)])));
             let other = &rest[place];
             rest = &rest[place + 1..];
             if formula(one) == formula(other) {
-                rows.push(row(one, [Some(one), Some(other)]));
+                rows.push((one, [Some(one), Some(other)]));
             } else {
-                rows.extend([row(one, [Some(one), None]), row(other, [None, Some(other)])]);
+                rows.extend([(one, [Some(one), None]), (other, [None, Some(other)])]);
             }
         } else {
-            rows.push(row(one, [Some(one), None]));
+            rows.push((one, [Some(one), None]));
         }
     }
-    rows.extend(rest.iter().map(|other| row(other, [None, Some(other)])));
+    rows.extend(rest.iter().map(|other| (other, [None, Some(other)])));
     rows
 }
 
@@ -223,41 +217,27 @@ fn over_duty_factors(both: &[OverDuty]) -> Option<Records> {
     if first.factors.is_empty() {
         return None;
     }
-    let row = |one: &FactorOverDuty, values: [Option<&FactorOverDuty>; 2]| {
-        let names = [text(&first.set), text(first.mesh.to_string()), text(&one.symbol)];
-        let shown = values.map(|value| value.map_or(Figure::None, |value| text(extent(value))));
-        let least = values.map(|value| value.map_or(Figure::None, |value| Figure::Number(value.least)));
-        let most = values.map(|value| value.map_or(Figure::None, |value| Figure::Number(value.greatest)));
-        let from = [from(one.formula.as_deref())];
-        names.into_iter().chain(shown).chain(least).chain(most).chain(from).collect::<Vec<_>>()
-    };
     let rows =
-        by_formula([&first.factors, &second.factors], |factor| &factor.symbol, |factor| &factor.formula, row);
+        by_formula([&first.factors, &second.factors], |factor| &factor.symbol, |factor| &factor.formula);
     let [one, other] = [first, second].map(|of| of.toothed_gear.to_string());
-    Some(Records {
-        name: "factors",
-        columns: vec![
-            Column::words("set", "set"),
-            Column::words("mesh", "mesh"),
-            Column::words("symbol", "factor"),
-            Column::number("first", one).for_people(),
-            Column::number("second", other).for_people(),
-            Column::number("first_least", "least"),
-            Column::number("second_least", "least"),
-            Column::number("first_greatest", "greatest"),
-            Column::number("second_greatest", "greatest"),
-            Column::words("formula", "from"),
-        ],
-        rows,
-        views: vec![View {
-            note: OF_STEPS.to_owned(),
-            ..View::new(
-                format!("Factors over the duty: set {}, mesh {}", first.set, first.mesh),
-                &["symbol", "first", "second", "formula"],
-            )
-        }],
-        is_answer: false,
-    })
+    let table = Table::new("factors", rows)
+        .text("set", "set", |_| &first.set)
+        .words("mesh", "mesh", |_| first.mesh.to_string())
+        .text("symbol", "factor", |(factor, _)| &factor.symbol)
+        .number("first", &one, |(_, [factor, _])| factor.map(extent))
+        .for_people()
+        .number("second", &other, |(_, [_, factor])| factor.map(extent))
+        .for_people()
+        .number("first_least", "least", |(_, [factor, _])| Some(factor.as_ref()?.least))
+        .number("second_least", "least", |(_, [_, factor])| Some(factor.as_ref()?.least))
+        .number("first_greatest", "greatest", |(_, [factor, _])| Some(factor.as_ref()?.greatest))
+        .number("second_greatest", "greatest", |(_, [_, factor])| Some(factor.as_ref()?.greatest))
+        .words("formula", "from", |(factor, _)| from(factor.formula.as_deref()))
+        .view(
+            format!("Factors over the duty: set {}, mesh {}", first.set, first.mesh),
+            "symbol first second formula",
+        );
+    Some(table.note(OF_STEPS).records())
 }
 
 /// The factors of a mesh, those of its gears side by side; none where none are told.
@@ -266,31 +246,19 @@ fn at_point_factors(both: &[Rated]) -> Option<Records> {
     if first.factors.is_empty() {
         return None;
     }
-    let row = |one: &Factor, values: [Option<&Factor>; 2]| {
-        let names = [&first.gear, &first.set].map(text);
-        let mesh = [text(first.mesh.to_string()), text(&one.symbol)];
-        let values = values.map(|value| value.map_or(Figure::None, |value| Figure::Printed(value.value, 4)));
-        names.into_iter().chain(mesh).chain(values).chain([from(one.formula.as_deref())]).collect::<Vec<_>>()
-    };
     let rows =
-        by_formula([&first.factors, &second.factors], |factor| &factor.symbol, |factor| &factor.formula, row);
+        by_formula([&first.factors, &second.factors], |factor| &factor.symbol, |factor| &factor.formula);
     let [one, other] = [first, second].map(|of| of.toothed_gear.to_string());
     let title = format!("Factors: gear {}, set {}, mesh {}", first.gear, first.set, first.mesh);
-    Some(Records {
-        name: "factors",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::words("set", "set"),
-            Column::words("mesh", "mesh"),
-            Column::words("symbol", "factor"),
-            Column::number("first", one),
-            Column::number("second", other),
-            Column::words("formula", "from"),
-        ],
-        rows,
-        views: vec![View::new(title, &["symbol", "first", "second", "formula"])],
-        is_answer: false,
-    })
+    let table = Table::new("factors", rows)
+        .text("gear", "gear", |_| &first.gear)
+        .text("set", "set", |_| &first.set)
+        .words("mesh", "mesh", |_| first.mesh.to_string())
+        .text("symbol", "factor", |(factor, _)| &factor.symbol)
+        .printed("first", &one, 4, |(_, [factor, _])| Some(factor.as_ref()?.value))
+        .printed("second", &other, 4, |(_, [_, factor])| Some(factor.as_ref()?.value))
+        .words("formula", "from", |(factor, _)| from(factor.formula.as_deref()));
+    Some(table.view(title, "symbol first second formula").records())
 }
 
 /// A gear of a mesh over a duty, as it stands in a table.
@@ -312,54 +280,31 @@ impl<'a> From<&'a OverDuty> for Worn<'a> {
 }
 
 pub(crate) fn over_duty<'a>(all: impl IntoIterator<Item = Worn<'a>>) -> Records {
-    let wear = |wear: Option<&Wear>| {
-        let Some(wear) = wear else { return [Figure::None, Figure::None, Figure::None, Figure::None] };
-        let damage = wear.damage.map_or(Figure::answer("above_static_limit", "above static"), Figure::Number);
-        let shown = wear.life_s.map_or(Figure::None, |life| Figure::Number(hours(life)));
-        [safety(Some(wear.safety)), damage, optional(Dimension::Time, wear.life_s), shown]
+    let damage = |wear: &Wear| {
+        wear.damage.map_or(Figure::answer("above_static_limit", "above static"), Figure::Number)
     };
-    let row = |one: Worn<'_>| {
-        let names = [text(one.set), text(one.mesh.to_string()), text(one.toothed_gear.to_string())];
-        let wear = wear(one.flank).into_iter().chain(wear(one.root));
-        names.into_iter().chain(wear).chain([text(one.material)]).collect::<Vec<_>>()
-    };
-    Records {
-        name: "over_duty",
-        columns: vec![
-            Column::words("set", "set"),
-            Column::words("mesh", "mesh"),
-            Column::words("toothed_gear", "of"),
-            Column::number("flank_safety", "S_H"),
-            Column::number("flank_damage", "damage"),
-            Column::quantity("flank_life", Dimension::Time),
-            Column::number("flank_hours", "hours").for_people(),
-            Column::number("root_safety", "S_F"),
-            Column::number("root_damage", "damage"),
-            Column::quantity("root_life", Dimension::Time),
-            Column::number("root_hours", "hours").for_people(),
-            Column::words("material", "material"),
-        ],
-        rows: all.into_iter().map(row).collect(),
-        views: vec![View {
-            note: "Damage in the required life by Miner's rule, 1 at its end; hours until then, none where nothing does damage."
-                .to_owned(),
-            ..View::new(
-                "Over the duty: flanks, then roots",
-                &[
-                    "set",
-                    "mesh",
-                    "toothed_gear",
-                    "flank_safety",
-                    "flank_damage",
-                    "flank_hours",
-                    "root_safety",
-                    "root_damage",
-                    "root_hours",
-                ],
-            )
-        }, View::new("Materials", &["set", "mesh", "toothed_gear", "material"])],
-        is_answer: false,
-    }
+    Table::new("over_duty", all)
+        .text("set", "set", |one| one.set)
+        .words("mesh", "mesh", |one| one.mesh.to_string())
+        .words("toothed_gear", "of", |one| one.toothed_gear.to_string())
+        .printed("flank_safety", "S_H", 3, |one| Some(one.flank?.safety))
+        .number("flank_damage", "damage", |one| one.flank.map(damage))
+        .quantity("flank_life", "", Dimension::Time, |one| one.flank?.life_s)
+        .number("flank_hours", "hours", |one| one.flank?.life_s.map(hours))
+        .for_people()
+        .printed("root_safety", "S_F", 3, |one| Some(one.root?.safety))
+        .number("root_damage", "damage", |one| one.root.map(damage))
+        .quantity("root_life", "", Dimension::Time, |one| one.root?.life_s)
+        .number("root_hours", "hours", |one| one.root?.life_s.map(hours))
+        .for_people()
+        .text("material", "material", |one| one.material)
+        .view(
+            "Over the duty: flanks, then roots",
+            "set mesh toothed_gear flank_safety flank_damage flank_hours root_safety root_damage root_hours",
+        )
+        .note("Damage in the required life by Miner's rule, 1 at its end; hours until then, none where nothing does damage.")
+        .view("Materials", "set mesh toothed_gear material")
+        .records()
 }
 
 fn overload(all: &[Overloaded]) -> Records {
@@ -367,12 +312,12 @@ fn overload(all: &[Overloaded]) -> Records {
         .text("gear", "gear", |one| &one.gear)
         .quantity("torque", "T", Dimension::Torque, |one| one.torque_n_m)
         .text("set", "set", |one| &one.set)
-        .words("mesh", "mesh", |one| text(one.mesh.to_string()))
-        .words("toothed_gear", "of", |one| text(one.toothed_gear.to_string()))
-        .number("flank_safety", "S_H", |one| safety(one.flank_safety))
-        .number("required_flank", "required", |one| Figure::Number(one.required.flank))
-        .number("root_safety", "S_F", |one| safety(one.root_safety))
-        .number("required_root", "required", |one| Figure::Number(one.required.root))
+        .words("mesh", "mesh", |one| one.mesh.to_string())
+        .words("toothed_gear", "of", |one| one.toothed_gear.to_string())
+        .printed("flank_safety", "S_H", 3, |one| one.flank_safety)
+        .number("required_flank", "required", |one| one.required.flank)
+        .printed("root_safety", "S_F", 3, |one| one.root_safety)
+        .number("required_root", "required", |one| one.required.root)
         .all("Against the overload")
         .note("Static safeties, K_A and K_v being 1. T: on the input.")
         .records()
@@ -383,8 +328,8 @@ fn load_sharing(all: &[LoadSharing]) -> Records {
     let note = "K_γ of IEC 61400-4, by the number of planets. `floating` of a set says whether a member floats; `K_gamma` gives the factor itself.";
     Table::new("load_sharing", all.iter())
         .text("set", "set", |one| &one.set)
-        .number("planets", "planets", |one| Figure::Count(one.planets))
-        .number("mesh_load_factor", "K_γ", |one| Figure::Printed(one.mesh_load_factor, 3))
+        .number("planets", "planets", |one| one.planets)
+        .printed("mesh_load_factor", "K_γ", 3, |one| one.mesh_load_factor)
         .words("basis", "since", |one| {
             let words = match one.basis {
                 SharingBasis::Floating => "a member floats",
@@ -403,16 +348,19 @@ fn not_rated(all: &[NotRated]) -> Records {
     let shown = if all.iter().any(|one| one.mesh.is_some()) { &part[..] } else { &[] };
     let shown: Vec<&'static str> =
         ["set", "gears"].into_iter().chain(shown.iter().copied()).chain(["reason"]).collect();
-    let words = |word: Option<String>| word.map_or(Figure::None, text);
     Table::new("not_rated", all.iter())
         .text("set", "set", |one| &one.set)
-        .words("gears", "gears", |one| {
-            if one.gears.is_empty() { text("all") } else { Figure::Texts(one.gears.clone()) }
-        })
-        .words("mesh", "mesh", |one| words(one.mesh.map(|mesh| mesh.to_string())))
-        .words("toothed_gear", "of", |one| words(one.toothed_gear.map(|gear| gear.to_string())))
-        .words("place", "part", |one| words(one.place.map(|place| place.to_string())))
-        .words("reason", "why", |one| text(one.why()))
+        .words(
+            "gears",
+            "gears",
+            |one| {
+                if one.gears.is_empty() { text("all") } else { one.gears.clone().into() }
+            },
+        )
+        .words("mesh", "mesh", |one| one.mesh.map(|mesh| mesh.to_string()))
+        .words("toothed_gear", "of", |one| one.toothed_gear.map(|gear| gear.to_string()))
+        .words("place", "part", |one| one.place.map(|place| place.to_string()))
+        .words("reason", "why", |one| one.why())
         .view_of("Not rated", &shown)
         .records()
 }

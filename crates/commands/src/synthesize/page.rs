@@ -7,7 +7,6 @@ use crate::synthesize::answer::page::Drawn;
 use crate::synthesize::answer::{Solution, Synthesis};
 use crate::synthesize::table::families::table;
 use crate::table::columns::Table;
-use crate::table::figure::{Figure, text};
 use crate::table::report::Part;
 use crate::table::report::{AsReport as _, Report};
 use crate::table::text::Error;
@@ -64,10 +63,10 @@ fn families(answer: &Synthesis) -> Vec<Block> {
 /// Best solution: its gears and its scheme.
 fn in_short(solution: &Solution, drawn: &Drawn) -> Result<Vec<Block>, Error> {
     let records = Table::new("gears", solution.gears.iter())
-        .words("engaged", "engaged", |gear| Figure::Texts(gear.engaged.clone()))
+        .words("engaged", "engaged", |gear| gear.engaged.clone())
         .multiple("ratio", "i", |gear| gear.ratio)
         .number("deviation", "off by, %", |gear| {
-            gear.deviation.map_or(Figure::None, |deviation| text(format!("{:+.2}", 100.0 * deviation)))
+            gear.deviation.map(|deviation| format!("{:+.2}", 100.0 * deviation))
         })
         .multiple("efficiency", "η", |gear| gear.efficiency)
         .view("Gears of gearbox 1, the best", "engaged ratio deviation efficiency")

@@ -11,9 +11,10 @@ use crate::synthesize::answer::teeth::TeethOfSet;
 use crate::synthesize::answer::{
     ClassName, Edge, LeftOut, Listed, Reason, Searched, Solution, Synthesis, WantedGear,
 };
-use crate::table::figure::{self, Figure};
+use crate::table::columns::Table;
+use crate::table::figure::Figure;
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, Text, View};
+use crate::table::report::{Part, Records, Report, Text};
 use epicyclic_units::format::{significant, trimmed};
 
 /// Solutions whose gears are shown one by one.
@@ -264,124 +265,45 @@ fn space(of: f64) -> String {
 }
 
 fn searched(classes: &[Searched]) -> Records {
-    let row = |of: &Searched| {
-        vec![
-            Figure::Text(class(of.class)),
-            figure::count(of.sets),
-            figure::count(of.double_planets),
-            figure::count(of.links),
-            figure::count(of.shift_elements),
-            figure::count(of.engaged),
-            figure::count(of.gears),
-            figure::count(of.structures),
-            Figure::Number(of.space),
-            Figure::Text(space(of.space)),
-            figure::count(of.structures_searched),
-            figure::count(of.structures_in_reach),
-            figure::count(of.solutions),
-            figure::count(of.reducible),
-            figure::count(of.undecided),
-        ]
-    };
-    let columns = [
-        "class",
-        "sets",
-        "double_planets",
-        "links",
-        "shift_elements",
-        "engaged",
-        "gears",
-        "structures",
-        "space_rounded",
-        "solutions",
-    ];
     let double = classes.iter().any(|class| class.double_planets > 0);
     // Searches differ in it where gears may be missing.
     let differ = classes.iter().any(|class| class.gears != classes[0].gears);
-    let columns = columns
-        .into_iter()
-        .filter(|column| (*column != "gears" || differ) && (*column != "double_planets" || double))
-        .collect();
-    Records {
-        name: "searched",
-        columns: vec![
-            Column::words("class", "class"),
-            Column::number("sets", "sets"),
-            Column::number("double_planets", "double"),
-            Column::number("links", "links"),
-            Column::number("shift_elements", "elements"),
-            Column::number("engaged", "engaged"),
-            Column::number("gears", "gears"),
-            Column::number("structures", "structures"),
-            Column::number("space", "space"),
-            Column::number("space_rounded", "space").for_people(),
-            Column::number("structures_searched", "searched"),
-            Column::number("structures_in_reach", "in reach"),
-            Column::number("solutions", "solutions"),
-            Column::number("reducible", "reducible"),
-            Column::number("undecided", "undecided"),
-        ],
-        rows: classes.iter().map(row).collect(),
-        views: vec![View {
-            title: "Searched".into(),
-            columns,
-            note: "space: structures times sets of shift elements, each a pair of links".into(),
-        }],
-        is_answer: false,
-    }
+    let mut shown = vec!["class", "sets"];
+    shown.extend(double.then_some("double_planets"));
+    shown.extend(["links", "shift_elements", "engaged"]);
+    shown.extend(differ.then_some("gears"));
+    shown.extend(["structures", "space_rounded", "solutions"]);
+    Table::new("searched", classes)
+        .words("class", "class", |of| class(of.class))
+        .number("sets", "sets", |of| of.sets)
+        .number("double_planets", "double", |of| of.double_planets)
+        .number("links", "links", |of| of.links)
+        .number("shift_elements", "elements", |of| of.shift_elements)
+        .number("engaged", "engaged", |of| of.engaged)
+        .number("gears", "gears", |of| of.gears)
+        .number("structures", "structures", |of| of.structures)
+        .number("space", "space", |of| of.space)
+        .number("space_rounded", "space", |of| space(of.space))
+        .for_people()
+        .number("structures_searched", "searched", |of| of.structures_searched)
+        .number("structures_in_reach", "in reach", |of| of.structures_in_reach)
+        .number("solutions", "solutions", |of| of.solutions)
+        .number("reducible", "reducible", |of| of.reducible)
+        .number("undecided", "undecided", |of| of.undecided)
+        .view_of("Searched", &shown)
+        .note("space: structures times sets of shift elements, each a pair of links")
+        .records()
 }
 
 fn solutions(answer: &Synthesis) -> Records {
-    let row = |of: &Solution| {
-        let ks: Vec<f64> = of.sets.iter().map(|set| set.k).collect();
-        let joins: Vec<String> = of.shift_elements.iter().map(|element| element.joins.clone()).collect();
-        let (rating, best) = (&of.rating, of.teeth.as_ref().and_then(|teeth| teeth.choices.first()));
-        let ratios = of.gears.iter().map(|gear| gear.ratio).collect();
-        let engaged: Vec<String> = of.gears.iter().map(|gear| gear.engaged.join("+")).collect();
-        let efficiencies: Option<Vec<f64>> = of.gears.iter().map(|gear| gear.efficiency).collect();
-        // Of each set, as its k.
-        let teeth = |number: fn(&TeethOfSet) -> u32| {
-            best.map_or(Figure::None, |best| {
-                Figure::Numbers(best.sets.iter().map(|set| f64::from(number(set))).collect())
-            })
-        };
-        vec![
-            figure::count(of.number),
-            Figure::Text(of.structure.clone()),
-            Figure::Texts(joins),
-            Figure::Numbers(ks.clone()),
-            Figure::Text(ks.iter().map(|k| format!("{k:.3}")).collect::<Vec<_>>().join(" ")),
-            Figure::Number(of.greatest_deviation),
-            Figure::Text(format!("{:.2} %", 100.0 * of.greatest_deviation)),
-            figure::count(of.multiple_shifts),
-            figure::count(of.multiple_shifts),
-            Figure::Number(of.forward_efficiency),
-            of.mean_efficiency.map_or(Figure::None, Figure::Number),
-            of.reverse_efficiency.map_or(Figure::None, Figure::Number),
-            Figure::Text(format!("{:.4}", forward_efficiency(of))),
-            of.reverse_efficiency.map_or(Figure::None, |reverse| Figure::Text(format!("{reverse:.4}"))),
-            figure::count(of.missing_gears.len()),
-            Figure::Number(of.greatest_slip),
-            Figure::Number(of.greatest_link_speed),
-            Figure::Number(of.greatest_planet_speed),
-            figure::count(of.family),
-            figure::count(of.gearboxes_of_family),
-            figure::count(of.gearboxes_of_family - 1),
-            Figure::Numbers(ratios),
-            Figure::Text(engaged.join(" ")),
-            efficiencies.map_or(Figure::None, Figure::Numbers),
-            Figure::Number(rating.mean_drag_of_input),
-            Figure::Number(rating.greatest_torque_of_input),
-            Figure::Number(rating.greatest_circulating_of_entering),
-            rating.progression.map_or(Figure::None, Figure::Number),
-            Figure::YesNo(rating.drawable),
-            Figure::YesNo(rating.non_dominated),
-            teeth(|set| set.sun),
-            teeth(|set| set.planet),
-            teeth(|set| set.ring),
-            teeth(|set| set.planets),
-        ]
+    let ks = |of: &Solution| of.sets.iter().map(|set| format!("{:.3}", set.k)).collect::<Vec<_>>().join(" ");
+    // Of each set, as its k.
+    let teeth = |of: &Solution, number: fn(&TeethOfSet) -> u32| {
+        let best = of.teeth.as_ref()?.choices.first()?;
+        Some(Figure::Numbers(best.sets.iter().map(|set| f64::from(number(set))).collect()))
     };
+    let joins = |of: &Solution| of.shift_elements.iter().map(|one| one.joins.clone()).collect::<Vec<_>>();
+    let engaged = |of: &Solution| of.gears.iter().map(|gear| gear.engaged.join("+")).collect::<Vec<_>>();
     // A column of families that says nothing is left out.
     let family = match answer.listed {
         _ if answer.families.len() == answer.found => "",
@@ -391,68 +313,63 @@ fn solutions(answer: &Synthesis) -> Records {
     // Without reverse gears there is no such column.
     let reverse =
         if answer.solutions.iter().any(|of| of.reverse_efficiency.is_some()) { "reverse" } else { "" };
-    let columns = [
-        "number",
-        "structure",
-        "shift_elements",
-        "k_rounded",
-        "deviation",
-        "multiple",
-        "efficiency",
-        reverse,
-        family,
-    ];
-    Records {
-        name: "solutions",
-        columns: vec![
-            Column::number("number", "no."),
-            Column::words("structure", "structure"),
-            Column::words("shift_elements", "shift elements"),
-            Column::words("k", "k"),
-            Column::words("k_rounded", "k").for_people(),
-            Column::number("greatest_deviation", "greatest deviation"),
-            Column::number("deviation", "off by").for_people(),
-            Column::number("multiple_shifts", "multiple shifts"),
-            Column::number("multiple", "mult.").for_people(),
-            Column::number("forward_efficiency", "forward efficiency"),
-            Column::number("mean_efficiency", "mean efficiency"),
-            Column::number("reverse_efficiency", "reverse efficiency"),
-            Column::number("efficiency", "η fwd").for_people(),
-            Column::number("reverse", "η rev").for_people(),
-            Column::number("missing_gears", "missing gears"),
-            Column::number("greatest_slip", "greatest slip"),
-            Column::number("greatest_link_speed", "greatest link speed"),
-            Column::number("greatest_planet_speed", "greatest planet speed"),
-            Column::number("family", "family"),
-            Column::number("gearboxes_of_family", "gearboxes of family"),
-            Column::number("others", "others").for_people(),
-            Column::words("ratios", "ratios"),
-            Column::words("engaged", "engaged"),
-            Column::words("efficiencies", "efficiencies"),
-            Column::number("mean_drag_of_input", "drag"),
-            Column::number("greatest_torque_of_input", "torque"),
-            Column::number("greatest_circulating_of_entering", "circulating"),
-            Column::number("progression", "progression"),
-            Column::words("drawable", "drawable"),
-            Column::words("non_dominated", "on front"),
-            Column::words("sun_teeth", "suns"),
-            Column::words("planet_teeth", "planets"),
-            Column::words("ring_teeth", "rings"),
-            Column::words("planet_counts", "numbers of planets"),
-        ],
-        rows: answer.solutions.iter().map(row).collect(),
-        views: vec![View {
-            title: "Gearboxes".into(),
-            columns: columns.to_vec(),
-            note: match family {
-                "others" => "Others: further gearboxes of the family, with equal formulas.",
-                "family" => "Family: gearboxes with equal formulas have one.",
-                _ => "",
-            }
-            .into(),
-        }],
-        is_answer: true,
-    }
+    let mut shown =
+        vec!["number", "structure", "shift_elements", "k_rounded", "deviation", "multiple", "efficiency"];
+    shown.extend([reverse, family]);
+    let note = match family {
+        "others" => "Others: further gearboxes of the family, with equal formulas.",
+        "family" => "Family: gearboxes with equal formulas have one.",
+        _ => "",
+    };
+    Table::new("solutions", &answer.solutions)
+        .number("number", "no.", |of| of.number)
+        .text("structure", "structure", |of| &of.structure)
+        .words("shift_elements", "shift elements", |of| joins(of))
+        .words("k", "k", |of| Figure::Numbers(of.sets.iter().map(|set| set.k).collect()))
+        .words("k_rounded", "k", |of| ks(of))
+        .for_people()
+        .number("greatest_deviation", "greatest deviation", |of| of.greatest_deviation)
+        .number("deviation", "off by", |of| format!("{:.2} %", 100.0 * of.greatest_deviation))
+        .for_people()
+        .number("multiple_shifts", "multiple shifts", |of| of.multiple_shifts)
+        .number("multiple", "mult.", |of| of.multiple_shifts)
+        .for_people()
+        .number("forward_efficiency", "forward efficiency", |of| of.forward_efficiency)
+        .number("mean_efficiency", "mean efficiency", |of| of.mean_efficiency)
+        .number("reverse_efficiency", "reverse efficiency", |of| of.reverse_efficiency)
+        .printed("efficiency", "η fwd", 4, |of| forward_efficiency(of))
+        .for_people()
+        .printed("reverse", "η rev", 4, |of| of.reverse_efficiency)
+        .for_people()
+        .number("missing_gears", "missing gears", |of| of.missing_gears.len())
+        .number("greatest_slip", "greatest slip", |of| of.greatest_slip)
+        .number("greatest_link_speed", "greatest link speed", |of| of.greatest_link_speed)
+        .number("greatest_planet_speed", "greatest planet speed", |of| of.greatest_planet_speed)
+        .number("family", "family", |of| of.family)
+        .number("gearboxes_of_family", "gearboxes of family", |of| of.gearboxes_of_family)
+        .number("others", "others", |of| of.gearboxes_of_family - 1)
+        .for_people()
+        .words("ratios", "ratios", |of| Figure::Numbers(of.gears.iter().map(|gear| gear.ratio).collect()))
+        .words("engaged", "engaged", |of| engaged(of).join(" "))
+        .words("efficiencies", "efficiencies", |of| {
+            of.gears.iter().map(|gear| gear.efficiency).collect::<Option<_>>().map(Figure::Numbers)
+        })
+        .number("mean_drag_of_input", "drag", |of| of.rating.mean_drag_of_input)
+        .number("greatest_torque_of_input", "torque", |of| of.rating.greatest_torque_of_input)
+        .number("greatest_circulating_of_entering", "circulating", |of| {
+            of.rating.greatest_circulating_of_entering
+        })
+        .number("progression", "progression", |of| of.rating.progression)
+        .words("drawable", "drawable", |of| of.rating.drawable)
+        .words("non_dominated", "on front", |of| of.rating.non_dominated)
+        .words("sun_teeth", "suns", |of| teeth(of, |set| set.sun))
+        .words("planet_teeth", "planets", |of| teeth(of, |set| set.planet))
+        .words("ring_teeth", "rings", |of| teeth(of, |set| set.ring))
+        .words("planet_counts", "numbers of planets", |of| teeth(of, |set| set.planets))
+        .view_of("Gearboxes", &shown)
+        .note(note)
+        .the_answer()
+        .records()
 }
 
 /// Engaged elements and formulas of a solution's gears.

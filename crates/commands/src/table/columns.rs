@@ -32,10 +32,10 @@ impl<Row> Table<Row> {
     }
 
     /// Adds a column with a function for its cells.
-    pub(crate) fn column(mut self, column: Column, cell: impl Fn(&Row) -> Figure) -> Self {
+    pub(crate) fn column<F: Into<Figure>>(mut self, column: Column, cell: impl Fn(&Row) -> F) -> Self {
         self.records.columns.push(column);
         for (cells, row) in self.records.rows.iter_mut().zip(&self.rows) {
-            cells.push(cell(row));
+            cells.push(cell(row).into());
         }
         self
     }
@@ -46,12 +46,22 @@ impl<Row> Table<Row> {
     }
 
     /// Adds a column of words, aligned left.
-    pub(crate) fn words(self, key: &'static str, heading: &str, of: impl Fn(&Row) -> Figure) -> Self {
+    pub(crate) fn words<F: Into<Figure>>(
+        self,
+        key: &'static str,
+        heading: &str,
+        of: impl Fn(&Row) -> F,
+    ) -> Self {
         self.column(Column::words(key, heading), of)
     }
 
     /// Adds a column of numbers, aligned right.
-    pub(crate) fn number(self, key: &'static str, heading: &str, of: impl Fn(&Row) -> Figure) -> Self {
+    pub(crate) fn number<F: Into<Figure>>(
+        self,
+        key: &'static str,
+        heading: &str,
+        of: impl Fn(&Row) -> F,
+    ) -> Self {
         self.column(Column::number(key, heading), of)
     }
 
@@ -73,9 +83,7 @@ impl<Row> Table<Row> {
         dimension: Dimension,
         of: impl Fn(&Row) -> V,
     ) -> Self {
-        let unit = dimension.usual_unit().symbol;
-        let heading = if heading.is_empty() { unit.to_owned() } else { format!("{heading}, {unit}") };
-        self.headed(key, &heading, dimension, of)
+        self.headed(key, &with_unit(heading, dimension), dimension, of)
     }
 
     /// Adds a column of quantities in SI units whose heading does not name the unit.
@@ -90,7 +98,66 @@ impl<Row> Table<Row> {
         self.column(Column::headed(key, heading, dimension), cell)
     }
 
-    /// Leaves the last column out of CSV, because other columns have its content for programs.
+    /// A column of several quantities of one kind, in those units.
+    pub(crate) fn list(
+        self,
+        key: &'static str,
+        heading: &str,
+        dimension: Dimension,
+        of: impl Fn(&Row) -> &[f64],
+    ) -> Self {
+        let cell = |row: &Row| Figure::List { si: of(row).to_vec(), dimension };
+        self.column(Column::headed(key, with_unit(heading, dimension), dimension), cell)
+    }
+
+    /// A column of parts of a whole, in per cent.
+    pub(crate) fn share<V: Into<Option<f64>>>(
+        self,
+        key: &'static str,
+        heading: &str,
+        of: impl Fn(&Row) -> V,
+    ) -> Self {
+        self.number(key, heading, |row| of(row).into().map(Figure::Share))
+    }
+
+    /// A column of numbers with so many decimals.
+    pub(crate) fn printed<V: Into<Option<f64>>>(
+        self,
+        key: &'static str,
+        heading: &str,
+        decimals: usize,
+        of: impl Fn(&Row) -> V,
+    ) -> Self {
+        self.number(key, heading, |row| of(row).into().map(|number| Figure::Printed(number, decimals)))
+    }
+
+    /// The columns of each of several things, as `add` adds them.
+    pub(crate) fn each<Of>(
+        self,
+        all: impl IntoIterator<Item = Of>,
+        add: impl FnMut(Self, Of) -> Self,
+    ) -> Self {
+        all.into_iter().fold(self, add)
+    }
+
+    /// Makes the last column that of one of several things, which heads it.
+    pub(crate) fn of(mut self, thing: &str) -> Self {
+        if let Some(last) = self.records.columns.pop() {
+            self.records.columns.push(last.of(thing));
+        }
+        self
+    }
+
+    /// Takes the last column away where the condition does not hold.
+    pub(crate) fn only_if(mut self, holds: bool) -> Self {
+        if !holds {
+            self.records.columns.pop();
+            self.records.rows.iter_mut().for_each(|cells| drop(cells.pop()));
+        }
+        self
+    }
+
+    /// Leaves the last column out of CSV, where other columns have its content for programs.
     pub(crate) fn for_people(mut self) -> Self {
         if let Some(last) = self.records.columns.last_mut() {
             last.is_for_people = true;
@@ -112,7 +179,9 @@ impl<Row> Table<Row> {
 
     /// Shows all columns.
     pub(crate) fn all(self, title: impl Into<String>) -> Self {
-        let keys: Vec<&'static str> = self.records.columns.iter().map(|column| column.name).collect();
+        let mut keys: Vec<&'static str> = self.records.columns.iter().map(|column| column.name).collect();
+        // A key is for all columns of its name.
+        keys.dedup();
         self.view_of(title, &keys)
     }
 
@@ -145,4 +214,10 @@ impl<Row> Table<Row> {
     pub(crate) fn records(self) -> Records {
         self.records
     }
+}
+
+/// A heading that names the unit of drawings; the unit alone where it is empty.
+fn with_unit(heading: &str, dimension: Dimension) -> String {
+    let unit = dimension.usual_unit().symbol;
+    if heading.is_empty() { unit.to_owned() } else { format!("{heading}, {unit}") }
 }

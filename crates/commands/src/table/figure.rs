@@ -216,6 +216,60 @@ impl Figure {
     }
 }
 
+impl<F: Into<Figure>> From<Option<F>> for Figure {
+    fn from(value: Option<F>) -> Self {
+        value.map_or(Self::None, Into::into)
+    }
+}
+
+impl From<bool> for Figure {
+    fn from(yes: bool) -> Self {
+        Self::YesNo(yes)
+    }
+}
+
+impl From<u32> for Figure {
+    fn from(count: u32) -> Self {
+        Self::Count(count)
+    }
+}
+
+impl From<usize> for Figure {
+    fn from(number: usize) -> Self {
+        count(number)
+    }
+}
+
+impl From<u64> for Figure {
+    fn from(number: u64) -> Self {
+        count(number)
+    }
+}
+
+impl From<f64> for Figure {
+    fn from(number: f64) -> Self {
+        Self::Number(number)
+    }
+}
+
+impl From<&str> for Figure {
+    fn from(text: &str) -> Self {
+        Self::Text(text.to_owned())
+    }
+}
+
+impl From<String> for Figure {
+    fn from(text: String) -> Self {
+        Self::Text(text)
+    }
+}
+
+impl From<Vec<String>> for Figure {
+    fn from(texts: Vec<String>) -> Self {
+        Self::Texts(texts)
+    }
+}
+
 /// Unit of drawings as part of a column's name in CSV.
 #[must_use]
 pub const fn suffix(dimension: Dimension) -> &'static str {

@@ -454,17 +454,17 @@ fn rows_as_csv<'a>(
     text::csv(&header, rows, out)
 }
 
-/// Writes rows of a list as CSV, one by one, after a check that their numbers are finite; `list` is the key
-/// of the list.
-pub(crate) fn checked_rows_as_csv<E: Into<Box<dyn std::error::Error + Send + Sync>>>(
-    list: &'static str,
-    columns: &[Column],
-    rows: impl Iterator<Item = Result<Vec<Figure>, E>>,
+/// Rows of a list as CSV, each when it comes and after a check that its numbers are finite; `records` is the
+/// list of given rows.
+pub(crate) fn checked_rows_as_csv<R, E: Into<Box<dyn std::error::Error + Send + Sync>>>(
+    rows: impl Iterator<Item = Result<R, E>>,
+    records: impl Fn(&[R]) -> Records,
     out: impl io::Write,
 ) -> io::Result<()> {
+    let Records { name: list, columns, .. } = records(&[]);
     let mut fault = None;
-    let checked = |row: Result<Vec<Figure>, E>| {
-        let row = row.map_err(io::Error::other)?;
+    let checked = |row: Result<R, E>| {
+        let row = records(&[row.map_err(io::Error::other)?]).rows.remove(0);
         match columns.iter().zip(&row).find(|(_, figure)| !figure.is_finite()) {
             None => Ok(row),
             Some((column, _)) => {
@@ -474,7 +474,7 @@ pub(crate) fn checked_rows_as_csv<E: Into<Box<dyn std::error::Error + Send + Syn
         }
     };
     let rows = rows.map(checked).map_while(|row| row.map_err(|error| fault = Some(error)).ok());
-    let written = rows_as_csv(columns, rows.map(Cow::Owned), out);
+    let written = rows_as_csv(&columns, rows.map(Cow::Owned), out);
     fault.map_or(written, Err)
 }
 

@@ -7,9 +7,8 @@ use crate::shared::records::Motion;
 use crate::shared::tooth_checks::answer::{TeethLeftOut, ToothChecks};
 use crate::shared::tooth_checks::table as tooth_checks;
 use crate::table::columns::Table;
-use crate::table::figure::Figure;
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, Text, View};
+use crate::table::report::{Part, Records, Report, Text, View};
 use crate::teeth::answer::{Teeth, USUAL_PLANET_GAP};
 use epicyclic_units::Dimension;
 use epicyclic_units::format::{significant, trimmed};
@@ -100,31 +99,28 @@ fn sets(teeth: &Teeth) -> Records {
         ));
     }
     Table::new("tooth_numbers", teeth.tooth_numbers.iter())
-        .number("sun", "sun", |set| Figure::Count(set.sun))
-        .number("planet", "planet", |set| Figure::Count(set.planet))
-        .number("ring", "ring", |set| Figure::Count(set.ring))
-        .number("planets", "planets", |set| Figure::Count(set.planets))
-        .number("ratio", "ratio", |set| Figure::Number(set.ratio))
-        .number("exact_ratio", "exact", |set| Figure::Text(set.exact_ratio.to_string()))
-        .number("ratio_error", "error", |set| Figure::Number(set.ratio_error))
-        .number("error", "error, %", |set| Figure::Text(percent(set.ratio_error)))
+        .number("sun", "sun", |set| set.sun)
+        .number("planet", "planet", |set| set.planet)
+        .number("ring", "ring", |set| set.ring)
+        .number("planets", "planets", |set| set.planets)
+        .number("ratio", "ratio", |set| set.ratio)
+        .number("exact_ratio", "exact", |set| set.exact_ratio.to_string())
+        .number("ratio_error", "error", |set| set.ratio_error)
+        .number("error", "error, %", |set| percent(set.ratio_error))
         .for_people()
-        .number("most_planets", "most", |set| Figure::Count(set.most_planets))
-        .words("undercut_sun", "undercut sun", |set| Figure::YesNo(set.undercut_sun))
-        .words("undercut_planet", "undercut planet", |set| Figure::YesNo(set.undercut_planet))
+        .number("most_planets", "most", |set| set.most_planets)
+        .words("undercut_sun", "undercut sun", |set| set.undercut_sun)
+        .words("undercut_planet", "undercut planet", |set| set.undercut_planet)
         .words("undercut", "undercut", |set| {
-            Figure::Text(undercut(&[(set.undercut_sun, "sun"), (set.undercut_planet, "planet")]))
+            undercut(&[(set.undercut_sun, "sun"), (set.undercut_planet, "planet")])
         })
         .for_people()
-        .words("equal_spacing", "equal", |set| Figure::YesNo(set.equal_spacing))
-        .words("spacing", "spacing", |set| Figure::Text(spacing(set.equal_spacing).to_owned()))
+        .words("equal_spacing", "equal", |set| set.equal_spacing)
+        .words("spacing", "spacing", |set| spacing(set.equal_spacing).to_owned())
         .for_people()
-        .number("planet_gap_in_modules", "gap", |set| Figure::Printed(set.planet_gap_in_modules, 3))
-        .column(Column::quantity("planet_angles", Dimension::Angle), |set| Figure::List {
-            si: set.planet_angles_rad.clone(),
-            dimension: Dimension::Angle,
-        })
-        .number("imbalance", "imbalance", |set| Figure::Number(set.imbalance))
+        .printed("planet_gap_in_modules", "gap", 3, |set| set.planet_gap_in_modules)
+        .list("planet_angles", "", Dimension::Angle, |set| &set.planet_angles_rad)
+        .number("imbalance", "imbalance", |set| set.imbalance)
         .views(views)
         .the_answer()
         .records()

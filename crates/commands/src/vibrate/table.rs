@@ -3,14 +3,14 @@
 mod train;
 
 use crate::table::columns::Table;
-use crate::table::figure::{Figure, count, rpm, text};
-use crate::table::quantities::{column, optional, quantity, words};
+use crate::table::figure::{Figure, rpm, text};
+use crate::table::quantities::{optional, quantity, words};
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, View, warned};
+use crate::table::report::{Column, Part, Records, Report, warned};
 use crate::vibrate::answer::Vibration;
 use crate::vibrate::answer::records::{
-    self, BodyMotion, Member, Mode, ModeKind, NotCalculated, Order, Resonance, Response, SetModes, Source,
-    StiffnessOrigin, What,
+    self, BodyMotion, KineticShares, Member, Mode, ModeKind, NotCalculated, Order, Resonance, Response,
+    SetModes, Source, StiffnessOrigin, StrainShares, What,
 };
 use epicyclic_pictures::campbell::{self, Branch, Ray};
 use epicyclic_pictures::modes;
@@ -226,81 +226,58 @@ fn most<N: std::fmt::Display>(shares: impl IntoIterator<Item = (f64, N)>) -> Fig
 }
 
 fn of_modes(sets: &[SetModes], is_answer: bool) -> Records {
-    let rows = sets.iter().flat_map(|set| set.modes.iter().map(move |mode| row(set, mode)));
-    let shares =
-        ["sun", "ring", "carrier", "planets", "sun_meshes", "ring_meshes", "planet_bearings", "supports"];
-    let headings = ["sun", "ring", "carrier", "planets", "s mesh", "r mesh", "bearings", "supports"];
-    let mut columns = vec![
-        Column::words("set", "set"),
-        Column::words("gears", "gears"),
-        Column::words("held", "held"),
-        Column::number("mode", "mode"),
-        Column::words("kind", "kind"),
-        Column::number("multiplicity", "×"),
-        Column::headed("frequency", "f, Hz", Frequency),
-        Column::words("moves", "moves most, %").for_people(),
-        Column::words("strained", "strained most, %").for_people(),
-    ];
-    columns.extend(shares.into_iter().zip(headings).map(|(name, heading)| Column::number(name, heading)));
-    Records {
-        name: "modes",
-        columns,
-        rows: rows.collect(),
-        views: vec![
-            View {
-                note: "×: how many modes have this frequency. Rotational: sun, ring and carrier rotate and do not translate; translational: \
-                       they translate; planet: they are at rest. At 0 Hz all turn by their ratios."
-                    .to_owned(),
-                ..View::new(
-                    "Natural frequencies",
-                    &["set", "gears", "mode", "kind", "multiplicity", "frequency", "moves", "strained"],
-                )
-            },
-            View {
-                note: "Shares in per cent: of the bodies in the kinetic energy, of the springs in the strain energy. Springs that stiffen by \
-                       1 % raise the frequency by half their share of 1 %; a body that grows by 1 % lowers it by half its share."
-                    .to_owned(),
-                ..View::new("Where the energy is", &[&["set", "mode"][..], &shares[..]].concat())
-            },
-        ],
-        is_answer,
-    }
-}
-
-fn row(set: &SetModes, mode: &Mode) -> Vec<Figure> {
-    let kinetic = mode.kinetic;
-    let bodies = [
-        (kinetic.sun, "sun"),
-        (kinetic.ring, "ring"),
-        (kinetic.carrier, "carrier"),
-        (kinetic.planets, "planets"),
-    ];
-    let springs = mode.strain.map(|strain| {
-        [
+    let moved = |kinetic: &KineticShares| {
+        most([
+            (kinetic.sun, "sun"),
+            (kinetic.ring, "ring"),
+            (kinetic.carrier, "carrier"),
+            (kinetic.planets, "planets"),
+        ])
+    };
+    let strained = |strain: StrainShares| {
+        most([
             (strain.sun_meshes, "sun meshes"),
             (strain.ring_meshes, "ring meshes"),
             (strain.planet_bearings, "planet bearings"),
             (strain.supports, "supports"),
-        ]
-    });
-    let held = set.held.iter().map(|one| member(*one).to_owned()).collect();
-    let mut row = vec![
-        text(&set.set),
-        Figure::Texts(set.gears.clone()),
-        Figure::Texts(held),
-        count(mode.mode),
-        Figure::choice(mode.kind, kind(mode.kind)),
-        count(mode.multiplicity),
-        hertz(mode.frequency_hz),
-        most(bodies),
-        springs.map_or(Figure::None, most),
-    ];
-    row.extend(bodies.map(|(of, _)| share(of)));
-    match springs {
-        Some(springs) => row.extend(springs.map(|(of, _)| share(of))),
-        None => row.extend([Figure::None, Figure::None, Figure::None, Figure::None]),
-    }
-    row
+        ])
+    };
+    let held = |set: &SetModes| set.held.iter().map(|one| member(*one).to_owned()).collect::<Vec<_>>();
+    Table::new("modes", sets.iter().flat_map(|set| set.modes.iter().map(move |mode| (set, mode))))
+        .text("set", "set", |(set, _)| &set.set)
+        .words("gears", "gears", |(set, _)| set.gears.clone())
+        .words("held", "held", |(set, _)| held(set))
+        .number("mode", "mode", |(_, mode)| mode.mode)
+        .words("kind", "kind", |(_, mode)| Figure::choice(mode.kind, kind(mode.kind)))
+        .number("multiplicity", "×", |(_, mode)| mode.multiplicity)
+        .column(Column::headed("frequency", "f, Hz", Frequency), |(_, mode)| hertz(mode.frequency_hz))
+        .words("moves", "moves most, %", |(_, mode)| moved(&mode.kinetic))
+        .for_people()
+        .words("strained", "strained most, %", |(_, mode)| mode.strain.map(strained))
+        .for_people()
+        .number("sun", "sun", |(_, mode)| share(mode.kinetic.sun))
+        .number("ring", "ring", |(_, mode)| share(mode.kinetic.ring))
+        .number("carrier", "carrier", |(_, mode)| share(mode.kinetic.carrier))
+        .number("planets", "planets", |(_, mode)| share(mode.kinetic.planets))
+        .number("sun_meshes", "s mesh", |(_, mode)| mode.strain.map(|of| share(of.sun_meshes)))
+        .number("ring_meshes", "r mesh", |(_, mode)| mode.strain.map(|of| share(of.ring_meshes)))
+        .number("planet_bearings", "bearings", |(_, mode)| mode.strain.map(|of| share(of.planet_bearings)))
+        .number("supports", "supports", |(_, mode)| mode.strain.map(|of| share(of.supports)))
+        .view("Natural frequencies", "set gears mode kind multiplicity frequency moves strained")
+        .note(
+            "×: how many modes have this frequency. Rotational: sun, ring and carrier rotate and do not translate; translational: \
+             they translate; planet: they are at rest. At 0 Hz all turn by their ratios.",
+        )
+        .view(
+            "Where the energy is",
+            "set mode sun ring carrier planets sun_meshes ring_meshes planet_bearings supports",
+        )
+        .note(
+            "Shares in per cent: of the bodies in the kinetic energy, of the springs in the strain energy. Springs that stiffen by \
+             1 % raise the frequency by half their share of 1 %; a body that grows by 1 % lowers it by half its share.",
+        )
+        .the_answer_if(is_answer)
+        .records()
 }
 
 fn resonances(all: &[Resonance]) -> Records {
@@ -310,8 +287,8 @@ fn resonances(all: &[Resonance]) -> Records {
         .text("gear", "gear", |one| &one.gear)
         .quantity("input_speed", "n in", AngularSpeed, |one| one.input_speed_rad_s)
         .words("source", "excited by", |one| Figure::choice(one.source, source(one.source)))
-        .number("harmonic", "harm.", |one| count(one.harmonic))
-        .number("mode", "mode", |one| count(one.mode))
+        .number("harmonic", "harm.", |one| one.harmonic)
+        .number("mode", "mode", |one| one.mode)
         .words("kind", "kind", |one| Figure::choice(one.kind, kind(one.kind)))
         .column(Column::headed("frequency", "f, Hz", Frequency), |one| hertz(one.frequency_hz))
         .view("Resonances", "set gear input_speed source harmonic mode kind frequency")
@@ -332,8 +309,8 @@ fn responses(all: &[Response]) -> Records {
     Table::new("responses", rows)
         .text("set", "set", |(set, _, _, _, _)| &set.set)
         .text("gear", "gear", |(set, _, _, _, _)| &set.gear)
-        .words("mesh", "mesh", |(_, _, mesh, _, _)| text(*mesh))
-        .number("harmonic", "harm.", |(_, one, _, _, _)| count(one.harmonic))
+        .words("mesh", "mesh", |(_, _, mesh, _, _)| *mesh)
+        .number("harmonic", "harm.", |(_, one, _, _, _)| one.harmonic)
         .column(Column::headed("error", "e", Length), |(_, _, _, error, _)| quantity(Length, *error))
         .quantity("input_speed", "n in", AngularSpeed, |(_, _, _, _, greatest)| greatest.input_speed_rad_s)
         .column(Column::headed("frequency", "f, Hz", Frequency), |(_, _, _, _, greatest)| {
@@ -360,7 +337,7 @@ fn orders(all: &[Order]) -> Records {
         .text("set", "set", |one| &one.set)
         .text("gear", "gear", |one| &one.gear)
         .words("source", "excited by", |one| Figure::choice(one.source, source(one.source)))
-        .number("harmonic", "harm.", |one| count(one.harmonic))
+        .number("harmonic", "harm.", |one| one.harmonic)
         .multiple("of_input", "order", |one| one.of_input)
         .words("excites", "excites", |one| one.excites.map_or(text("all"), |of| Figure::choice(of, kind(of))))
         .view("Orders", "set gear source harmonic of_input excites")
@@ -373,7 +350,7 @@ fn bodies(sets: &[SetModes]) -> Records {
                    circle.";
     Table::new("bodies", sets.iter().flat_map(|set| set.bodies.iter().map(move |body| (set, body))))
         .text("set", "set", |(set, _)| &set.set)
-        .words("gears", "gears", |(set, _)| Figure::Texts(set.gears.clone()))
+        .words("gears", "gears", |(set, _)| set.gears.clone())
         .words("body", "body", |(_, body)| Figure::choice(body.body, member(body.body)))
         .quantity("mass", "m", Mass, |(_, body)| body.mass_kg)
         .column(Column::headed("inertia", "I", Inertia), |(_, body)| optional(Inertia, body.inertia_kg_m2))
@@ -401,24 +378,16 @@ fn springs(sets: &[SetModes]) -> Records {
             ("ring, tangential", of.ring_tangential_support_n_m, "given"),
             ("carrier, tangential", of.carrier_tangential_support_n_m, "given"),
         ];
-        all.into_iter().filter_map(move |(name, stiffness, by)| {
-            let row = [text(name), column(Stiffness, Some(stiffness?)), text(by)];
-            Some([text(&set.set), Figure::Texts(set.gears.clone())].into_iter().chain(row).collect())
-        })
+        all.into_iter().filter(|(_, stiffness, _)| stiffness.is_some()).map(move |spring| (set, spring))
     });
-    Records {
-        name: "springs",
-        columns: vec![
-            Column::words("set", "set"),
-            Column::words("gears", "gears"),
-            Column::words("spring", "spring"),
-            Column::headed("stiffness", "k, N/µm", Stiffness),
-            Column::words("by", "by"),
-        ],
-        rows: rows.collect(),
-        views: vec![View::new("Springs", &["set", "gears", "spring", "stiffness", "by"])],
-        is_answer: false,
-    }
+    Table::new("springs", rows)
+        .text("set", "set", |(set, _)| &set.set)
+        .words("gears", "gears", |(set, _)| set.gears.clone())
+        .text("spring", "spring", |(_, (name, _, _))| name)
+        .quantity("stiffness", "k", Stiffness, |(_, (_, stiffness, _))| *stiffness)
+        .text("by", "by", |(_, (_, _, by))| by)
+        .all("Springs")
+        .records()
 }
 
 fn not_calculated(all: &[NotCalculated]) -> Records {
@@ -434,7 +403,7 @@ fn not_calculated(all: &[NotCalculated]) -> Records {
             };
             Figure::choice(one.what, what)
         })
-        .words("reason", "why", |one| text(one.why()))
+        .words("reason", "why", |one| one.why())
         .view("Not calculated", "set gear what reason")
         .records()
 }

@@ -3,7 +3,6 @@
 use super::shared::{exact, state};
 use crate::analyze::answer::combinations::Combinations;
 use crate::table::columns::Table;
-use crate::table::figure::{Figure, text};
 use crate::table::report::AsReport;
 use crate::table::report::{Part, Report, warned};
 
@@ -12,13 +11,13 @@ impl AsReport for Combinations {
         let shown = ["engaged", "state", "state_links", "ratio", "exact_ratio", "efficiency", "gear"];
         let count = format!("{} combinations, {} with a ratio.", self.combinations.len(), self.with_ratio);
         let records = Table::new("combinations", self.combinations.iter())
-            .words("engaged", "engaged", |one| Figure::Texts(one.engaged.clone()))
+            .words("engaged", "engaged", |one| one.engaged.clone())
             .words("state", "state", |one| state(one.state))
-            .words("state_links", "links", |one| Figure::Texts(one.state_links.clone()))
+            .words("state_links", "links", |one| one.state_links.clone())
             .multiple("ratio", "i", |one| one.ratio)
             .number("exact_ratio", "exact", |one| exact(one.exact_ratio))
             .multiple("efficiency", "η", |one| one.efficiency)
-            .words("gear", "gear", |one| text(one.gear.clone().unwrap_or_default()))
+            .words("gear", "gear", |one| one.gear.clone().unwrap_or_default())
             .view_of("Combinations of shift elements", &shown)
             .note(count)
             .the_answer()

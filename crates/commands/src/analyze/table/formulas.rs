@@ -1,6 +1,6 @@
 //! The ratios of gears as formulas, and the way to them.
 
-use super::shared::{exact, state, yes_no};
+use super::shared::{exact, state};
 use crate::analyze::answer::formulas::{
     By, Condition, Equation, Formulas, Gear, GearTeeth, NoFormula, Reason, Speed, Steps, Substitution, Symbol,
 };
@@ -10,7 +10,6 @@ use crate::analyze::answer::step_torques::{MemberTorque, StepTorques, TorqueFrom
 use crate::analyze::answer::warnings::state_in_words;
 use crate::shared::records::Fraction;
 use crate::table::columns::Table;
-use crate::table::figure::{Figure, text};
 use crate::table::report::AsReport;
 use crate::table::report::{Part, Records, Report, Text};
 use epicyclic_units::format::trimmed;
@@ -116,16 +115,12 @@ fn spare(gear: &Gear) -> Option<String> {
 fn gears(gears: &[Gear]) -> Records {
     Table::new("gears", gears.iter())
         .text("gear", "gear", |gear| &gear.facts.gear)
-        .words("engaged", "engaged", |gear| Figure::Texts(gear.facts.engaged.clone()))
+        .words("engaged", "engaged", |gear| gear.facts.engaged.clone())
         .words("state", "state", |gear| state(gear.facts.state))
         .multiple("ratio", "i", |gear| gear.facts.ratio)
-        .words("formula", "formula", |gear| {
-            text(gear.formula.as_ref().map_or_else(String::new, |formula| formula.text.clone()))
-        })
-        .multiple("value", "value", |gear| gear.formula.as_ref().and_then(|formula| formula.value))
-        .number("exact_value", "exact", |gear| {
-            exact(gear.formula.as_ref().and_then(|formula| formula.exact_value))
-        })
+        .words("formula", "formula", |gear| Some(&*gear.formula.as_ref()?.text))
+        .multiple("value", "value", |gear| gear.formula.as_ref()?.value)
+        .number("exact_value", "exact", |gear| Some(exact(gear.formula.as_ref()?.exact_value)))
         .records()
 }
 
@@ -147,8 +142,8 @@ fn symbols(symbols: &[Symbol]) -> Records {
         .text("set", "set", |symbol| &symbol.set)
         .text("first", "1", |symbol| &symbol.first)
         .text("second", "2", |symbol| &symbol.second)
-        .words("is_negative", "negative", |symbol| yes_no(Some(symbol.is_negative)))
-        .words("in_teeth", "in teeth", |symbol| text(in_teeth(symbol)))
+        .words("is_negative", "negative", |symbol| symbol.is_negative)
+        .words("in_teeth", "in teeth", |symbol| in_teeth(symbol))
         .multiple("value", "value", |symbol| symbol.value)
         .number("exact_value", "exact", |symbol| exact(symbol.exact_value))
         .records()
@@ -414,8 +409,8 @@ fn substitutions(gear: &Gear, steps: &Steps) -> Records {
         .text("unknown", "unknown", |one| &one.unknown)
         .text("set", "set", |one| &one.set)
         .text("symbol", "symbol", |one| &one.symbol)
-        .words("terms", "terms", |one| text(speeds(&one.terms)))
-        .words("equals", "equals", |one| text(speeds(&one.equals)))
+        .words("terms", "terms", |one| speeds(&one.terms))
+        .words("equals", "equals", |one| speeds(&one.equals))
         .records()
 }
 

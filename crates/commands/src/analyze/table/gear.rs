@@ -102,7 +102,7 @@ fn links(one: &OneGear) -> Records {
     }
     Table::new("links", one.links.iter())
         .text("link", "link", |link| &link.link)
-        .words("members", "members", |link| text(made_of(link)))
+        .words("members", "members", |link| made_of(link))
         .multiple("speed_of_input", "ω/ω_in", |link| link.speed_of_input)
         .quantity("speed", "", Dimension::AngularSpeed, |link| link.speed_rad_s)
         .multiple("power_of_entering", "power", |link| link.power_of_entering)
@@ -225,11 +225,9 @@ fn sets(sets: &[Set]) -> Records {
         .multiple("basic_ratio", "i₀", |set| set.basic_ratio)
         .number("exact_ratio", "exact", |set| exact(set.exact_ratio))
         .multiple("efficiency", "η₀", |set| set.efficiency)
-        .words("rolling_power_runs", "rolling power runs", |set| {
-            set.rolling_power_runs.map_or(Figure::None, runs)
-        })
+        .words("rolling_power_runs", "rolling power runs", |set| set.rolling_power_runs.map(runs))
         .words("kreines_exponents", "x", |set| {
-            text(set.kreines_exponents.iter().map(ToString::to_string).collect::<Vec<_>>().join(" "))
+            set.kreines_exponents.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ")
         })
         .multiple("rolling_power_of_entering", "rolling", |set| set.rolling_power_of_entering)
         .multiple("loss_of_entering", "loss", |set| set.loss_of_entering)
@@ -350,7 +348,7 @@ fn patterns(patterns: &[Pattern]) -> Records {
             text(sets.collect::<Vec<_>>().join(", "))
         })
         .multiple("efficiency", "η", |pattern| pattern.efficiency)
-        .words("chosen", "chosen", |pattern| Figure::YesNo(pattern.chosen))
+        .words("chosen", "chosen", |pattern| pattern.chosen)
         .view(
             "Self-consistent sign patterns of the losses (+: from the first gear to the others)",
             "signs efficiency chosen",

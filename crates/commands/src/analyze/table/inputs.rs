@@ -1,15 +1,13 @@
 //! Gears with several inputs, at one point or over a map.
 
-use super::shared::{count, engaged, joins, kind};
+use super::shared::{engaged, joins, kind};
 use crate::analyze::answer::inputs::map::{Map, MapEntry, SpeedMap};
-use crate::analyze::answer::inputs::{Inputs, Member, Mesh, Planet, Powers, Terminal};
+use crate::analyze::answer::inputs::{Inputs, Member, Mesh, Planet, Powers};
 use crate::table::columns::Table;
-use crate::table::figure::{Figure, multiple, text};
-use crate::table::quantities::{column, quantity};
+use crate::table::figure::{Figure, count, multiple, text};
+use crate::table::quantities::quantity;
 use crate::table::report::AsReport;
-use crate::table::report::{
-    Column, Part, Records, Report, Row, Section, Text, View, checked_rows_as_csv, warned,
-};
+use crate::table::report::{Part, Records, Report, Row, Section, Text, checked_rows_as_csv, warned};
 use epicyclic_units::Dimension;
 use std::io;
 
@@ -64,7 +62,7 @@ fn links(inputs: &Inputs) -> Records {
     Table::new("links", inputs.links.iter())
         .text("link", "link", |link| &link.link)
         .quantity("speed", "", Dimension::AngularSpeed, |link| link.speed_rad_s)
-        .words("given", "given", |link| Figure::YesNo(link.given))
+        .words("given", "given", |link| link.given)
         .quantity("power", "", Dimension::Power, |link| link.power_w)
         .view_of("Links: speed, and power through each", &shown)
         .the_answer()
@@ -104,26 +102,15 @@ fn shift_elements(inputs: &Inputs) -> Records {
 }
 
 fn terminals(inputs: &Inputs) -> Records {
-    let row = |end: &Terminal| {
-        let torque = column(Dimension::Torque, Some(end.torque_n_m));
-        vec![text(&end.link), torque, column(Dimension::Power, Some(end.power_w))]
-    };
-    let housing = vec![text("ground"), column(Dimension::Torque, inputs.housing_torque_n_m), Figure::None];
-    Records {
-        name: "terminals",
-        columns: vec![
-            Column::words("link", "link"),
-            Column::quantity("torque", Dimension::Torque),
-            Column::quantity("power", Dimension::Power),
-        ],
-        rows: inputs.terminals.iter().map(row).chain([housing]).collect(),
-        views: vec![View {
-            note: "Torque on the gearbox from outside; power positive where it enters. ground: the housing."
-                .to_owned(),
-            ..View::new("Where power enters and leaves", &["link", "torque", "power"])
-        }],
-        is_answer: false,
-    }
+    let ends = inputs.terminals.iter().map(|end| (&*end.link, Some(end.torque_n_m), Some(end.power_w)));
+    let housing = ("ground", inputs.housing_torque_n_m, None);
+    Table::new("terminals", ends.chain([housing]))
+        .text("link", "link", |(link, ..)| link)
+        .quantity("torque", "", Dimension::Torque, |(_, torque, _)| *torque)
+        .quantity("power", "", Dimension::Power, |(_, _, power)| *power)
+        .all("Where power enters and leaves")
+        .note("Torque on the gearbox from outside; power positive where it enters. ground: the housing.")
+        .records()
 }
 
 fn members(members: &[Member]) -> Records {
@@ -175,13 +162,11 @@ impl AsReport for Map {
             shown.extend(["torque", "power"]);
             note = "Torque: from outside, of links where power enters or leaves. Power: through each link.";
         }
-        let records = Records {
-            name: "map",
-            columns: map_columns(&self.first_link, &self.second_link),
-            rows: self.map.iter().map(map_row).collect(),
-            views: vec![View { note: note.to_owned(), ..View::new("Map over two speeds", &shown) }],
-            is_answer: true,
-        };
+        let records = map(&self.first_link, &self.second_link, &self.map)
+            .view_of("Map over two speeds", &shown)
+            .note(note)
+            .the_answer()
+            .records();
         Report {
             title: Some(format!("{}, gear {}", self.gearbox, self.gear)),
             parts: vec![Part::Records(records)],
@@ -190,36 +175,22 @@ impl AsReport for Map {
     }
 }
 
-fn map_columns(first: &str, second: &str) -> Vec<Column> {
-    vec![
-        Column::headed("first_speed", format!("{first}, rpm"), Dimension::AngularSpeed),
-        Column::headed("second_speed", format!("{second}, rpm"), Dimension::AngularSpeed),
-        Column::words("link", "link"),
-        Column::quantity("speed", Dimension::AngularSpeed),
-        Column::quantity("torque", Dimension::Torque),
-        Column::quantity("power", Dimension::Power),
-        Column::number("efficiency", "η"),
-    ]
-}
-
-fn map_row(entry: &MapEntry) -> Vec<Figure> {
-    vec![
-        column(Dimension::AngularSpeed, Some(entry.first_speed_rad_s)),
-        column(Dimension::AngularSpeed, Some(entry.second_speed_rad_s)),
-        text(&entry.link),
-        column(Dimension::AngularSpeed, entry.speed_rad_s),
-        column(Dimension::Torque, entry.torque_n_m),
-        column(Dimension::Power, entry.power_w),
-        multiple(entry.efficiency),
-    ]
+fn map<'e>(first: &str, second: &str, entries: &'e [MapEntry]) -> Table<&'e MapEntry> {
+    Table::new("map", entries)
+        .quantity("first_speed", first, Dimension::AngularSpeed, |entry| entry.first_speed_rad_s)
+        .quantity("second_speed", second, Dimension::AngularSpeed, |entry| entry.second_speed_rad_s)
+        .text("link", "link", |entry| &entry.link)
+        .quantity("speed", "", Dimension::AngularSpeed, |entry| entry.speed_rad_s)
+        .quantity("torque", "", Dimension::Torque, |entry| entry.torque_n_m)
+        .quantity("power", "", Dimension::Power, |entry| entry.power_w)
+        .multiple("efficiency", "η", |entry| entry.efficiency)
 }
 
 /// A map as CSV, each line when it is calculated.
 ///
 /// # Errors
 /// Those of the writer and of the places; a number too large for its unit.
-pub fn map_csv(map: &SpeedMap<'_>, out: impl io::Write) -> io::Result<()> {
+pub fn map_csv(of: &SpeedMap<'_>, out: impl io::Write) -> io::Result<()> {
     // Headings are of tables alone.
-    let rows = map.entries().map(|entry| entry.map(|entry| map_row(&entry)));
-    checked_rows_as_csv("map", &map_columns("", ""), rows, out)
+    checked_rows_as_csv(of.entries(), |entries| map("", "", entries).records(), out)
 }

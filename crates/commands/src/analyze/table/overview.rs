@@ -1,18 +1,17 @@
 //! All gears of a gearbox side by side.
 
-use super::shared::{exact, joins, kind, one_way_clutches, self_locking, state, yes_no};
+use super::shared::{exact, joins, kind, one_way_clutches, self_locking, state};
 use super::{planet_bearings, sets, shifts};
-use crate::analyze::answer::elements::{InGear, SlipAndTorque};
+use crate::analyze::answer::elements::SlipAndTorque;
 use crate::analyze::answer::overview::{Gear, Overview};
 use crate::analyze::answer::planets::{self, LargestForce};
 use crate::analyze::answer::progression::Progression;
 use crate::analyze::answer::records::{GearFacts, Published, State};
 use crate::analyze::answer::warnings::state_in_words;
 use crate::table::columns::Table;
-use crate::table::figure::{Figure, multiple, text};
-use crate::table::quantities::column;
+use crate::table::figure::Figure;
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, Text, View, warned};
+use crate::table::report::{Part, Records, Report, Text, View, warned};
 use epicyclic_units::Dimension;
 use epicyclic_units::format::trimmed;
 
@@ -113,14 +112,61 @@ fn of_elements(overview: &Overview) -> Vec<View> {
     }
 }
 
+/// What the gears do, and each shift element in them: the torque of one that is engaged, the slip of one that
+/// is open.
 fn records(overview: &Overview, views: Vec<View>) -> Records {
-    Records {
-        name: "gears",
-        columns: columns().into_iter().chain(element_columns(overview)).collect(),
-        rows: overview.gears.iter().map(row).collect(),
-        views,
-        is_answer: true,
-    }
+    Table::new("gears", &overview.gears)
+        .text("gear", "gear", |gear| &gear.facts.gear)
+        .words("engaged", "engaged", |gear| gear.facts.engaged.clone())
+        .text("input", "input", |gear| &gear.facts.input)
+        .text("output", "output", |gear| &gear.facts.output)
+        .words("state", "state", |gear| state(gear.facts.state))
+        .words("state_links", "links", |gear| gear.facts.state_links.clone())
+        .multiple("ratio", "i", |gear| gear.facts.ratio)
+        .number("exact_ratio", "exact", |gear| exact(gear.facts.exact_ratio))
+        .multiple("step", "step", |gear| gear.step)
+        .share("geometric_deviation", "geom.", |gear| gear.geometric_deviation)
+        .share("progressive_deviation", "progr.", |gear| gear.progressive_deviation)
+        .number("published", "published", |gear| gear.facts.published.as_ref().map(printed))
+        .multiple("computed", "computed", |gear| gear.facts.published.as_ref()?.computed)
+        .words("agrees", "agrees", |gear| gear.facts.published.as_ref()?.agrees)
+        .words("output_over_input", "output over input", |gear| {
+            Some(gear.facts.published.as_ref()?.output_over_input)
+        })
+        .words("unverified", "unverified", |gear| Some(gear.facts.published.as_ref()?.unverified))
+        .words("remark", "remark", |gear| gear.facts.published.as_ref().map_or_else(String::new, remark))
+        .for_people()
+        .multiple("efficiency", "η", |gear| gear.facts.efficiency)
+        .multiple("back_driving_efficiency", "η back", |gear| gear.facts.back_driving_efficiency)
+        .words("self_locking", "self-locking", |gear| self_locking(gear.facts.self_locking))
+        .multiple("circulating_of_entering", "circulating", |gear| gear.circulating_of_entering)
+        .multiple("largest_speed_of_input", "largest |ω|", |gear| gear.largest_speed_of_input)
+        .multiple("largest_planet_speed_of_input", "planet", |gear| gear.largest_planet_speed_of_input)
+        .quantity("output_speed", "", Dimension::AngularSpeed, |gear| gear.output_speed_rad_s)
+        .quantity("output_torque", "", Dimension::Torque, |gear| gear.output_torque_n_m)
+        .each(overview.shift_elements.iter().enumerate(), |table, (place, one)| {
+            let name = &one.element.shift_element;
+            table
+                .words("mark", "", |gear| Figure::Mark(gear.shift_elements[place].duty.engaged))
+                .of(name)
+                .for_people()
+                .multiple("torque_of_input", "", |gear| duty(gear, place, true)?.torque_of_input)
+                .of(name)
+                .quantity("torque", "", Dimension::Torque, |gear| duty(gear, place, true)?.torque_n_m)
+                .of(name)
+                .multiple("slip_of_input", "", |gear| duty(gear, place, false)?.slip_of_input)
+                .of(name)
+                .quantity("slip", "", Dimension::AngularSpeed, |gear| duty(gear, place, false)?.slip_rad_s)
+                .of(name)
+        })
+        .views(views)
+        .the_answer()
+        .records()
+}
+
+/// What a shift element does in a gear, if it is engaged there, or open.
+fn duty(gear: &Gear, place: usize, engaged: bool) -> Option<&SlipAndTorque> {
+    Some(&gear.shift_elements[place].duty).filter(|duty| duty.engaged == engaged)
 }
 
 /// Gears that are not simply driven, each with its state.
@@ -222,35 +268,6 @@ fn over_gears(overview: &Overview) -> [View; 2] {
     ]
 }
 
-/// Columns of each shift element: its mark in the engagement table, its torque and its slip.
-fn element_columns(overview: &Overview) -> Vec<Column> {
-    let of = |name: &String| {
-        [
-            Column::words("mark", "").for_people(),
-            Column::number("torque_of_input", ""),
-            Column::quantity("torque", Dimension::Torque),
-            Column::number("slip_of_input", ""),
-            Column::quantity("slip", Dimension::AngularSpeed),
-        ]
-        .map(|column| column.of(name))
-    };
-    overview.shift_elements.iter().flat_map(|one| of(&one.element.shift_element)).collect()
-}
-
-/// What a shift element does in a gear: the torque of one that is engaged, the slip of one that is open.
-fn element_cells(one: &InGear) -> [Figure; 5] {
-    let SlipAndTorque { engaged, slip_of_input, slip_rad_s, torque_of_input, torque_n_m, .. } = one.duty;
-    let engaged_alone = |value: Option<f64>| value.filter(|_| engaged);
-    let open_alone = |value: Option<f64>| value.filter(|_| !engaged);
-    [
-        Figure::Mark(engaged),
-        multiple(engaged_alone(torque_of_input)),
-        column(Dimension::Torque, engaged_alone(torque_n_m)),
-        multiple(open_alone(slip_of_input)),
-        column(Dimension::AngularSpeed, open_alone(slip_rad_s)),
-    ]
-}
-
 /// Spread and ideal steps.
 fn progression_note(progressions: &[Progression]) -> String {
     let of = |one: &Progression| {
@@ -282,23 +299,16 @@ fn shift_elements(overview: &Overview) -> Records {
     shown.extend(["torque_gear", "slip_of_input"]);
     shown.extend(overview.operating_point.speed_rad_s.map(|_| "slip"));
     shown.push("slip_gear");
-    let gear = |gear: Option<&String>| gear.map_or(Figure::None, text);
     Table::new("shift_elements", overview.shift_elements.iter())
         .text("shift_element", "element", |one| &one.element.shift_element)
         .words("kind", "kind", |one| kind(one.element.kind))
         .words("joins", "joins", |one| joins(&one.element.links))
-        .multiple("torque_of_input", "T", |one| {
-            one.largest_torque.as_ref().map(|torque| torque.torque_of_input)
-        })
-        .quantity("torque", "", Dimension::Torque, |one| {
-            one.largest_torque.as_ref().and_then(|torque| torque.torque_n_m)
-        })
-        .words("torque_gear", "in gear", |one| gear(one.largest_torque.as_ref().map(|torque| &torque.gear)))
-        .multiple("slip_of_input", "slip", |one| one.largest_slip.as_ref().map(|slip| slip.slip_of_input))
-        .quantity("slip", "", Dimension::AngularSpeed, |one| {
-            one.largest_slip.as_ref().and_then(|slip| slip.slip_rad_s)
-        })
-        .words("slip_gear", "in gear", |one| gear(one.largest_slip.as_ref().map(|slip| &slip.gear)))
+        .multiple("torque_of_input", "T", |one| Some(one.largest_torque.as_ref()?.torque_of_input))
+        .quantity("torque", "", Dimension::Torque, |one| one.largest_torque.as_ref()?.torque_n_m)
+        .words("torque_gear", "in gear", |one| Some(&*one.largest_torque.as_ref()?.gear))
+        .multiple("slip_of_input", "slip", |one| Some(one.largest_slip.as_ref()?.slip_of_input))
+        .quantity("slip", "", Dimension::AngularSpeed, |one| one.largest_slip.as_ref()?.slip_rad_s)
+        .words("slip_gear", "in gear", |one| Some(&*one.largest_slip.as_ref()?.gear))
         .view_of("Shift elements: largest torque and slip", &shown)
         .note("T, slip: over the input's torque, with losses, and its speed.")
         .records()
@@ -330,96 +340,29 @@ fn planets(overview: &Overview) -> Option<Records> {
     if let Some((force, _)) = known {
         shown.extend([force, "force_gear"]);
     }
-    let gear = |gear: Option<&String>| gear.map_or(Figure::None, text);
     Some(
         Table::new("planets", all.iter())
             .text("set", "set", |one| &one.set)
             .text("planet", "planet", |one| &one.planet)
             .multiple("relative_speed_of_input", "speed", |one| {
-                one.largest_speed.as_ref().map(|speed| speed.relative_speed_of_input)
+                Some(one.largest_speed.as_ref()?.relative_speed_of_input)
             })
             .quantity("relative_speed", "", Dimension::AngularSpeed, |one| {
-                one.largest_speed.as_ref().and_then(|speed| speed.relative_speed_rad_s)
+                one.largest_speed.as_ref()?.relative_speed_rad_s
             })
-            .words("speed_gear", "in gear", |one| gear(one.largest_speed.as_ref().map(|speed| &speed.gear)))
-            .quantity("force", "force", Dimension::Force, |one| {
-                one.largest_force.as_ref().and_then(|force| force.force_n)
-            })
+            .words("speed_gear", "in gear", |one| Some(&*one.largest_speed.as_ref()?.gear))
+            .quantity("force", "force", Dimension::Force, |one| one.largest_force.as_ref()?.force_n)
             .quantity("tangential_force", "tangential force", Dimension::Force, |one| {
-                one.largest_force.as_ref().and_then(|force| force.tangential_force_n)
+                one.largest_force.as_ref()?.tangential_force_n
             })
             .multiple("tangential_force_n_per_input_n_m", "tangential force, N at 1 N·m", |one| {
-                one.largest_force.as_ref().and_then(|force| force.tangential_force_n_per_input_n_m)
+                one.largest_force.as_ref()?.tangential_force_n_per_input_n_m
             })
-            .words("force_gear", "in gear", |one| gear(one.largest_force.as_ref().map(|force| &force.gear)))
+            .words("force_gear", "in gear", |one| Some(&*one.largest_force.as_ref()?.gear))
             .view_of("Planets: largest speed, and force on the bearing where it follows", &shown)
             .note("Speed: relative to the carrier, over the input's.")
             .records(),
     )
-}
-
-fn columns() -> Vec<Column> {
-    vec![
-        Column::words("gear", "gear"),
-        Column::words("engaged", "engaged"),
-        Column::words("input", "input"),
-        Column::words("output", "output"),
-        Column::words("state", "state"),
-        Column::words("state_links", "links"),
-        Column::number("ratio", "i"),
-        Column::number("exact_ratio", "exact"),
-        Column::number("step", "step"),
-        Column::number("geometric_deviation", "geom."),
-        Column::number("progressive_deviation", "progr."),
-        Column::number("published", "published"),
-        Column::number("computed", "computed"),
-        Column::words("agrees", "agrees"),
-        Column::words("output_over_input", "output over input"),
-        Column::words("unverified", "unverified"),
-        Column::words("remark", "remark").for_people(),
-        Column::number("efficiency", "η"),
-        Column::number("back_driving_efficiency", "η back"),
-        Column::words("self_locking", "self-locking"),
-        Column::number("circulating_of_entering", "circulating"),
-        Column::number("largest_speed_of_input", "largest |ω|"),
-        Column::number("largest_planet_speed_of_input", "planet"),
-        Column::quantity("output_speed", Dimension::AngularSpeed),
-        Column::quantity("output_torque", Dimension::Torque),
-    ]
-}
-
-fn row(gear: &Gear) -> Vec<Figure> {
-    let facts = &gear.facts;
-    let published = facts.published.as_ref();
-    let mut cells = vec![
-        text(&facts.gear),
-        Figure::Texts(facts.engaged.clone()),
-        text(&facts.input),
-        text(&facts.output),
-        state(facts.state),
-        Figure::Texts(facts.state_links.clone()),
-        multiple(facts.ratio),
-        exact(facts.exact_ratio),
-        multiple(gear.step),
-        gear.geometric_deviation.map_or(Figure::None, Figure::Share),
-        gear.progressive_deviation.map_or(Figure::None, Figure::Share),
-        published.map_or(Figure::None, printed),
-        multiple(published.and_then(|published| published.computed)),
-        yes_no(published.and_then(|published| published.agrees)),
-        yes_no(published.map(|published| published.output_over_input)),
-        yes_no(published.map(|published| published.unverified)),
-        text(published.map_or_else(String::new, remark)),
-        multiple(facts.efficiency),
-        multiple(facts.back_driving_efficiency),
-        self_locking(facts.self_locking),
-        multiple(gear.circulating_of_entering),
-        multiple(gear.largest_speed_of_input),
-        multiple(gear.largest_planet_speed_of_input),
-        column(Dimension::AngularSpeed, gear.output_speed_rad_s),
-        column(Dimension::Torque, gear.output_torque_n_m),
-    ];
-    cells.extend(gear.shift_elements.iter().flat_map(element_cells));
-    cells
 }
 
 /// A published ratio with its decimals.

@@ -2,10 +2,9 @@
 
 use crate::analyze::answer::OperatingPoint;
 use crate::analyze::answer::planet_bearings::{Lack, LackName, PlanetBearing};
-use crate::table::figure::{Figure, multiple, text};
-use crate::table::quantities::column;
-use crate::table::report::{Column, Records, View};
-use epicyclic_units::Dimension;
+use crate::table::columns::Table;
+use crate::table::report::{Records, View};
+use epicyclic_units::Dimension::{AngularSpeed, Force, Length, Mass, Torque};
 
 /// Seconds of an hour, in which a bearing's life is told.
 const HOUR_S: f64 = 3600.0;
@@ -68,63 +67,30 @@ pub(super) fn records(bearings: &[PlanetBearing], at: &OperatingPoint, of_one_ge
             ..View::new("Life of the planet bearings", &[first, shown].concat())
         });
     }
-    Some(Records {
-        name: "planet_bearings",
-        columns: columns(),
-        rows: bearings.iter().map(row).collect(),
-        views,
-        is_answer: false,
-    })
-}
-
-fn columns() -> Vec<Column> {
-    vec![
-        Column::words("set", "set"),
-        Column::words("gear", "gear"),
-        Column::words("planet", "planet"),
-        Column::number("planets", "n"),
-        Column::headed("carrier_radius", "at radius, mm", Dimension::Length),
-        Column::headed("planet_mass", "mass, kg", Dimension::Mass),
-        Column::number("carrier_torque_of_input", "|T_H|"),
-        Column::number("carrier_torque_each_of_input", "|T_H|/n"),
-        Column::number("tangential_force_n_per_input_n_m", "tangential"),
-        Column::number("radial_force_n_per_input_n_m", "radial"),
-        Column::headed("tangential_force", "tangential", Dimension::Force),
-        Column::headed("radial_force", "radial", Dimension::Force),
-        Column::headed("centrifugal_force", "centrifugal", Dimension::Force),
-        Column::headed("force", "together", Dimension::Force),
-        Column::headed("axial_force_sun", "at the sun", Dimension::Force),
-        Column::headed("axial_force_ring", "at the ring", Dimension::Force),
-        Column::headed("tilting_moment", "tilting, N·m", Dimension::Torque),
-        Column::headed("bearing_load_rating", "C, N", Dimension::Force),
-        Column::headed("bearing_speed", "speed, rpm", Dimension::AngularSpeed),
-        Column::number("bearing_life_h", "life, h"),
-    ]
-}
-
-fn row(one: &PlanetBearing) -> Vec<Figure> {
-    vec![
-        text(&one.set),
-        text(&one.gear),
-        text(&one.planet),
-        one.planets.map_or(Figure::None, Figure::Count),
-        column(Dimension::Length, one.carrier_radius_m),
-        column(Dimension::Mass, one.planet_mass_kg),
-        multiple(one.carrier_torque_of_input),
-        multiple(one.carrier_torque_each_of_input),
-        multiple(one.tangential_force_n_per_input_n_m),
-        multiple(one.radial_force_n_per_input_n_m),
-        column(Dimension::Force, one.tangential_force_n),
-        column(Dimension::Force, one.radial_force_n),
-        column(Dimension::Force, one.centrifugal_force_n),
-        column(Dimension::Force, one.force_n),
-        column(Dimension::Force, one.axial_forces_n.map(|[sun, _]| sun)),
-        column(Dimension::Force, one.axial_forces_n.map(|[_, ring]| ring)),
-        column(Dimension::Torque, one.tilting_moment_n_m),
-        column(Dimension::Force, one.bearing_load_rating_n),
-        column(Dimension::AngularSpeed, one.bearing_speed_rad_s),
-        one.bearing_life_s.map_or(Figure::None, |life| Figure::Number(life / HOUR_S)),
-    ]
+    let table = Table::new("planet_bearings", bearings)
+        .text("set", "set", |one| &one.set)
+        .text("gear", "gear", |one| &one.gear)
+        .text("planet", "planet", |one| &one.planet)
+        .number("planets", "n", |one| one.planets)
+        .quantity("carrier_radius", "at radius", Length, |one| one.carrier_radius_m)
+        .quantity("planet_mass", "mass", Mass, |one| one.planet_mass_kg)
+        .multiple("carrier_torque_of_input", "|T_H|", |one| one.carrier_torque_of_input)
+        .multiple("carrier_torque_each_of_input", "|T_H|/n", |one| one.carrier_torque_each_of_input)
+        .multiple("tangential_force_n_per_input_n_m", "tangential", |one| {
+            one.tangential_force_n_per_input_n_m
+        })
+        .multiple("radial_force_n_per_input_n_m", "radial", |one| one.radial_force_n_per_input_n_m)
+        .headed("tangential_force", "tangential", Force, |one| one.tangential_force_n)
+        .headed("radial_force", "radial", Force, |one| one.radial_force_n)
+        .headed("centrifugal_force", "centrifugal", Force, |one| one.centrifugal_force_n)
+        .headed("force", "together", Force, |one| one.force_n)
+        .headed("axial_force_sun", "at the sun", Force, |one| one.axial_forces_n.map(|[sun, _]| sun))
+        .headed("axial_force_ring", "at the ring", Force, |one| one.axial_forces_n.map(|[_, ring]| ring))
+        .quantity("tilting_moment", "tilting", Torque, |one| one.tilting_moment_n_m)
+        .quantity("bearing_load_rating", "C", Force, |one| one.bearing_load_rating_n)
+        .quantity("bearing_speed", "speed", AngularSpeed, |one| one.bearing_speed_rad_s)
+        .number("bearing_life_h", "life, h", |one| one.bearing_life_s.map(|life| life / HOUR_S));
+    Some(table.views(views).records())
 }
 
 /// What the columns are, and what is missing of which set.

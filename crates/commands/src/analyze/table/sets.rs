@@ -3,7 +3,7 @@
 use super::shared::{exact, kind_in_words};
 use crate::analyze::answer::sets::{Fit, SetFacts, TeethOf};
 use crate::table::columns::Table;
-use crate::table::figure::{Figure, text};
+use crate::table::figure::Figure;
 use crate::table::report::Records;
 use epicyclic_units::format::trimmed;
 
@@ -23,12 +23,12 @@ pub(crate) fn records(sets: &[SetFacts]) -> Records {
     Table::new("sets", sets.iter())
         .text("set", "set", |set| &set.set)
         .words("kind", "kind", |set| Figure::choice(set.kind, kind_in_words(set.kind)))
-        .words("gears", "teeth", |set| text(gears(&set.gears)))
+        .words("gears", "teeth", |set| gears(&set.gears))
         .multiple("basic_ratio", "i₀", |set| set.basic_ratio)
         .number("exact_ratio", "exact", |set| exact(set.exact_ratio))
         .multiple("efficiency", "η₀", |set| set.efficiency)
-        .number("planets", "planets", |set| set.planets.map_or(Figure::None, Figure::Count))
-        .words("fit", "fit", |set| text(fit(set.assembly, set.clearance)))
+        .number("planets", "planets", |set| set.planets)
+        .words("fit", "fit", |set| fit(set.assembly, set.clearance))
         .view_of("Planet sets", &shown)
         .note(note(sets))
         .records()

@@ -10,15 +10,6 @@ pub(super) fn exact(ratio: Option<Fraction>) -> Figure {
     ratio.map_or(Figure::None, |ratio| Figure::Text(ratio.to_string()))
 }
 
-/// How many.
-pub(super) fn count(count: usize) -> Figure {
-    Figure::Count(u32::try_from(count).unwrap_or(u32::MAX))
-}
-
-pub(super) fn yes_no(yes: Option<bool>) -> Figure {
-    yes.map_or(Figure::None, Figure::YesNo)
-}
-
 /// A state in a word or two.
 pub(super) fn state(state: State) -> Figure {
     let words = match state {
@@ -105,10 +96,10 @@ pub(super) fn one_way_clutches(clutches: &[OneWayClutch], of_one_gear: bool) -> 
     Table::new("one_way_clutches", clutches.iter())
         .text("gear", "gear", |one| &one.gear)
         .text("clutch", "clutch", |one| &one.clutch)
-        .words("relied_on", "relied on", |one| Figure::YesNo(one.relied_on))
+        .words("relied_on", "relied on", |one| one.relied_on)
         .words("drive", "on drive", |one| duty(one.drive))
         .words("coast", "on coast", |one| duty(one.coast))
-        .words("engine_braking", "engine braking", |one| yes_no(one.engine_braking))
+        .words("engine_braking", "engine braking", |one| one.engine_braking)
         .view_of("One-way clutches", &shown)
         .note("Engine braking: of gears that rely on a one-way clutch.")
         .records()

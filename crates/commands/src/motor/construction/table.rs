@@ -2,10 +2,11 @@
 
 use crate::motor::construction::answer::{ConstructedArcs, Departure, Junction, Misfit, MotorConstruction};
 use crate::motor::table::{family, numbers, title};
+use crate::table::columns::Table;
 use crate::table::figure::Figure;
 use crate::table::quantities::{optional, quantity, remarked};
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, Row, Section, View, headline, warned};
+use crate::table::report::{Part, Records, Report, Row, Section, headline, warned};
 use epicyclic_units::Dimension::{self, Angle, Length};
 
 impl AsReport for MotorConstruction {
@@ -103,20 +104,10 @@ fn junction(junction: &Junction) -> Vec<Row> {
 }
 
 fn departures(departures: &[Departure]) -> Records {
-    let rows = departures.iter().map(|departure| {
-        [departure.equation, departure.printed, departure.used]
-            .map(|words| Figure::Text(words.to_owned()))
-            .into()
-    });
-    Records {
-        name: "departures",
-        columns: vec![
-            Column::words("equation", "of"),
-            Column::words("printed", "the document prints"),
-            Column::words("used", "used here"),
-        ],
-        rows: rows.collect(),
-        views: vec![View::new("Departures from the document", &["equation", "printed", "used"])],
-        is_answer: false,
-    }
+    Table::new("departures", departures)
+        .text("equation", "of", |departure| departure.equation)
+        .text("printed", "the document prints", |departure| departure.printed)
+        .text("used", "used here", |departure| departure.used)
+        .all("Departures from the document")
+        .records()
 }

@@ -1,9 +1,8 @@
 //! What the tables of both searches for hydromotors share: the numbers of a design, and what it does in its
 //! size.
 
-use crate::table::figure::{Figure, count};
+use crate::table::columns::Table;
 use crate::table::quantities::column;
-use crate::table::report::Column;
 use epicyclic_units::Dimension::{Length, Power, Torque, Volume, VolumeRate};
 
 /// How many were found, how many shown.
@@ -29,32 +28,26 @@ pub(crate) const fn of_set(first_of_each_set: bool) -> &'static str {
     }
 }
 
-/// Columns of a design's number, lobes and teeth.
-pub(crate) fn number_columns() -> Vec<Column> {
-    vec![
-        Column::number("design", "no"),
-        Column::words("lobes", "N×n").for_people(),
-        Column::number("stator_lobes", "N"),
-        Column::number("rotor_lobes", "n"),
-        Column::words("teeth", "Z₃/Z₁/Z_s").for_people(),
-        Column::number("stator_teeth", "Z₃"),
-        Column::number("rotor_teeth", "Z₁"),
-        Column::number("satellite_teeth", "Z_s"),
-    ]
+/// A design's number, its lobes of stator and rotor, its teeth of stator, rotor and satellites.
+pub(crate) struct Numbers {
+    pub(crate) design: usize,
+    pub(crate) lobes: [u32; 2],
+    pub(crate) teeth: [u32; 3],
 }
 
-/// Their figures: the design, the lobes of stator and rotor, the teeth of stator, rotor and satellites.
-pub(crate) fn numbers(design: usize, [stator, rotor]: [u32; 2], [z3, z1, zs]: [u32; 3]) -> Vec<Figure> {
-    vec![
-        count(design),
-        Figure::Text(format!("{stator}×{rotor}")),
-        Figure::Count(stator),
-        Figure::Count(rotor),
-        Figure::Text(format!("{z3}/{z1}/{zs}")),
-        Figure::Count(z3),
-        Figure::Count(z1),
-        Figure::Count(zs),
-    ]
+/// A table of designs with their numbers.
+pub(crate) fn numbered<D>(designs: impl IntoIterator<Item = D>, of: impl Fn(&D) -> Numbers) -> Table<D> {
+    Table::new("designs", designs)
+        .number("design", "no", |design| of(design).design)
+        .words("lobes", "N×n", |design| of(design).lobes.map(|lobes| lobes.to_string()).join("×"))
+        .for_people()
+        .number("stator_lobes", "N", |design| of(design).lobes[0])
+        .number("rotor_lobes", "n", |design| of(design).lobes[1])
+        .words("teeth", "Z₃/Z₁/Z_s", |design| of(design).teeth.map(|teeth| teeth.to_string()).join("/"))
+        .for_people()
+        .number("stator_teeth", "Z₃", |design| of(design).teeth[0])
+        .number("rotor_teeth", "Z₁", |design| of(design).teeth[1])
+        .number("satellite_teeth", "Z_s", |design| of(design).teeth[2])
 }
 
 /// What a design does in its size, and the modules that serve.
@@ -67,33 +60,20 @@ pub(crate) struct Duty<'a> {
     pub(crate) modules_m: &'a [f64],
 }
 
-/// Its columns.
-pub(crate) fn duty_columns() -> Vec<Column> {
-    vec![
-        Column::headed("displacement", "q, cm³", Volume),
-        Column::headed("torque", "M, N·m", Torque),
-        Column::headed("least_torque", "least", Torque),
-        Column::headed("flow", "l/min", VolumeRate),
-        Column::headed("power", "kW", Power),
-        Column::headed("modules", "all m, mm", Length),
-        Column::words("all_modules", "all m, mm").for_people(),
-    ]
-}
-
-impl Duty<'_> {
-    /// Its figures.
-    pub(crate) fn figures(&self) -> Vec<Figure> {
-        let modules = self.modules_m.iter().map(|module| column(Length, Some(*module)).table());
-        vec![
-            column(Volume, Some(self.displacement_m3)),
-            column(Torque, self.torque_n_m),
-            column(Torque, self.least_torque_n_m),
-            column(VolumeRate, self.flow_m3_s),
-            column(Power, self.power_w),
-            Figure::List { si: self.modules_m.to_vec(), dimension: Length },
-            Figure::Text(modules.collect::<Vec<_>>().join(" ")),
-        ]
-    }
+/// The table with what its designs do.
+pub(crate) fn with_duty<D>(table: Table<D>, of: impl Fn(&D) -> Duty<'_>) -> Table<D> {
+    let shown = |module: &f64| column(Length, Some(*module)).table();
+    table
+        .quantity("displacement", "q", Volume, |design| of(design).displacement_m3)
+        .quantity("torque", "M", Torque, |design| of(design).torque_n_m)
+        .headed("least_torque", "least", Torque, |design| of(design).least_torque_n_m)
+        .quantity("flow", "", VolumeRate, |design| of(design).flow_m3_s)
+        .quantity("power", "", Power, |design| of(design).power_w)
+        .list("modules", "all m", Length, |design| of(design).modules_m)
+        .words("all_modules", "all m, mm", |design| {
+            of(design).modules_m.iter().map(shown).collect::<Vec<_>>().join(" ")
+        })
+        .for_people()
 }
 
 /// Columns of the sizes: what is known of the first design's duty after the given ones, as many as fit a

@@ -2,13 +2,13 @@
 
 use crate::motor::answer::GoverningLimit;
 use crate::motor::designs::table::{
-    Duty, duty_columns, found_and_shown, hidden, number_columns, numbers, of_set, size_columns,
+    Duty, Numbers, found_and_shown, hidden, numbered, of_set, size_columns, with_duty,
 };
-use crate::motor::forms::answer::{Crest, Design, Family, Flanks, Funnel, MotorForms, Objective};
+use crate::motor::forms::answer::{Allowed, Crest, Design, Family, Flanks, Funnel, MotorForms, Objective};
 use crate::table::figure::{Figure, count as many};
-use crate::table::quantities::{column, words};
+use crate::table::quantities::words;
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, Row, Section, Text, View, headline, warned};
+use crate::table::report::{Part, Records, Report, Row, Section, Text, View, headline, warned};
 use epicyclic_units::Dimension::{Angle, Length, Pressure, Volume};
 
 impl AsReport for MotorForms {
@@ -71,45 +71,55 @@ fn objective(objective: &Objective) -> String {
 }
 
 fn records(search: &MotorForms) -> Records {
-    let mut columns = number_columns();
-    columns.extend([
-        Column::words("family", "family"),
-        Column::words("place", "place").for_people(),
-        Column::number("l_over_module", "l/m"),
-        Column::number("second_amplitude", "ε₂"),
-        Column::headed("pressure_angle", "α, °", Angle),
-        Column::number("addendum", "h_a*"),
-        Column::number("shift", "x"),
-        Column::number("clearance", "c*"),
-        Column::number("fillet", "ρ*"),
-        Column::number("backlash", "j*"),
-        Column::words("crest", "crest"),
-        Column::number("displacement_by_volume", "q/V"),
-        Column::number("ripple", "δ, pitch"),
-        Column::number("least_radius_in_modules", "ϱ/m"),
-        Column::number("contact_ratio", "contact"),
-        Column::number("designs_of_the_set", "of set"),
-        Column::number("flank_ripple", "δ, flanks"),
-        Column::number("flank_least_over_mean", "least, flanks"),
-        Column::headed("contact_on_path", "p_H, MPa", Pressure),
-        Column::headed("root_on_path", "σ_F, MPa", Pressure),
-        Column::headed("allowed_on_path", "Δp, MPa", Pressure),
-        Column::headed("allowed_by_contact", "contact", Pressure),
-        Column::headed("allowed_by_root", "root", Pressure),
-        Column::words("governing", "limit"),
-        Column::headed("module", "m, mm", Length),
-        Column::headed("width", "b, mm", Length),
-        Column::headed("outer_diameter", "Ø, mm", Length),
-        Column::headed("l", "l, mm", Length),
-    ]);
-    columns.extend(duty_columns());
-    Records {
-        name: "designs",
-        columns,
-        rows: search.designs.iter().map(row).collect(),
-        views: views(search),
-        is_answer: true,
-    }
+    let table = numbered(&search.designs, |design| Numbers {
+        design: design.design,
+        lobes: [design.stator_lobes, design.rotor_lobes],
+        teeth: [design.stator_teeth, design.rotor_teeth, design.satellite_teeth],
+    })
+    .words("family", "family", |design| Figure::choice(design.family, family(design.family)))
+    .words("place", "place", |design| match design.family {
+        Family::Arcs => design.l_over_module,
+        Family::Cosine => None,
+        Family::SecondHarmonic => design.second_amplitude,
+    })
+    .for_people()
+    .number("l_over_module", "l/m", |design| design.l_over_module)
+    .number("second_amplitude", "ε₂", |design| design.second_amplitude)
+    .headed("pressure_angle", "α, °", Angle, |design| design.form.pressure_angle_rad)
+    .number("addendum", "h_a*", |design| design.form.addendum)
+    .number("shift", "x", |design| design.form.shift)
+    .number("clearance", "c*", |design| design.form.clearance)
+    .number("fillet", "ρ*", |design| design.form.fillet)
+    .number("backlash", "j*", |design| design.form.backlash)
+    .words("crest", "crest", |design| match design.form.crest {
+        Crest::Space => Figure::choice(Crest::Space, "space"),
+        Crest::Tooth => Figure::choice(Crest::Tooth, "tooth"),
+    })
+    .multiple("displacement_by_volume", "q/V", |design| design.displacement_by_volume)
+    .share("ripple", "δ, pitch", |design| design.ripple)
+    .multiple("least_radius_in_modules", "ϱ/m", |design| design.least_radius_in_modules)
+    .multiple("contact_ratio", "contact", |design| design.contact_ratio)
+    .number("designs_of_the_set", "of set", |design| design.designs_of_the_set)
+    .share("flank_ripple", "δ, flanks", |design| Some(design.flanks.as_ref()?.ripple))
+    .share("flank_least_over_mean", "least, flanks", |design| Some(design.flanks.as_ref()?.least_over_mean))
+    .quantity("contact_on_path", "p_H", Pressure, |design| design.flanks.as_ref()?.contact_on_path_pa)
+    .quantity("root_on_path", "σ_F", Pressure, |design| design.flanks.as_ref()?.root_on_path_pa)
+    .quantity("allowed_on_path", "Δp", Pressure, |design| Some(allowed(design)?.on_path_pa))
+    .headed("allowed_by_contact", "contact", Pressure, |design| Some(allowed(design)?.by_contact_pa))
+    .headed("allowed_by_root", "root", Pressure, |design| Some(allowed(design)?.by_root_pa))
+    .words("governing", "limit", |design| {
+        allowed(design).map(|allowed| Figure::choice(allowed.governing, governing(allowed.governing)))
+    })
+    .quantity("module", "m", Length, |design| design.size.module_m)
+    .quantity("width", "b", Length, |design| design.size.width_m)
+    .quantity("outer_diameter", "Ø", Length, |design| design.size.outer_diameter_m)
+    .quantity("l", "l", Length, |design| design.size.l_m);
+    with_duty(table, |design| duty(design)).views(views(search)).the_answer().records()
+}
+
+/// The pressure drop that the material allows.
+fn allowed(design: &Design) -> Option<&Allowed> {
+    design.flanks.as_ref()?.allowed.as_ref()
 }
 
 fn views(search: &MotorForms) -> Vec<View> {
@@ -213,59 +223,6 @@ fn duty(design: &Design) -> Duty<'_> {
         power_w: size.power_w,
         modules_m: &design.modules_m,
     }
-}
-
-fn row(design: &Design) -> Vec<Figure> {
-    let (form, size) = (&design.form, &design.size);
-    let flanks = design.flanks.as_ref();
-    let allowed = flanks.and_then(|flanks| flanks.allowed.as_ref());
-    let number = |value: Option<f64>| value.map_or(Figure::None, Figure::Number);
-    let share = |value: Option<f64>| value.map_or(Figure::None, Figure::Share);
-    let mut row = numbers(
-        design.design,
-        [design.stator_lobes, design.rotor_lobes],
-        [design.stator_teeth, design.rotor_teeth, design.satellite_teeth],
-    );
-    row.extend([
-        Figure::choice(design.family, family(design.family)),
-        match design.family {
-            Family::Arcs => number(design.l_over_module),
-            Family::Cosine => Figure::None,
-            Family::SecondHarmonic => number(design.second_amplitude),
-        },
-        number(design.l_over_module),
-        number(design.second_amplitude),
-        column(Angle, Some(form.pressure_angle_rad)),
-        Figure::Number(form.addendum),
-        Figure::Number(form.shift),
-        Figure::Number(form.clearance),
-        Figure::Number(form.fillet),
-        Figure::Number(form.backlash),
-        match form.crest {
-            Crest::Space => Figure::choice(form.crest, "space"),
-            Crest::Tooth => Figure::choice(form.crest, "tooth"),
-        },
-        Figure::Multiple(design.displacement_by_volume),
-        Figure::Share(design.ripple),
-        Figure::Multiple(design.least_radius_in_modules),
-        Figure::Multiple(design.contact_ratio),
-        many(design.designs_of_the_set),
-        share(flanks.map(|flanks| flanks.ripple)),
-        share(flanks.map(|flanks| flanks.least_over_mean)),
-        column(Pressure, flanks.and_then(|flanks| flanks.contact_on_path_pa)),
-        column(Pressure, flanks.and_then(|flanks| flanks.root_on_path_pa)),
-        column(Pressure, allowed.map(|allowed| allowed.on_path_pa)),
-        column(Pressure, allowed.map(|allowed| allowed.by_contact_pa)),
-        column(Pressure, allowed.map(|allowed| allowed.by_root_pa)),
-        allowed
-            .map_or(Figure::None, |allowed| Figure::choice(allowed.governing, governing(allowed.governing))),
-        column(Length, Some(size.module_m)),
-        column(Length, Some(size.width_m)),
-        column(Length, Some(size.outer_diameter_m)),
-        column(Length, size.l_m),
-    ]);
-    row.extend(duty(design).figures());
-    row
 }
 
 const fn family(family: Family) -> &'static str {

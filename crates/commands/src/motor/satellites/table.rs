@@ -5,7 +5,7 @@ use crate::table::columns::Table;
 use crate::table::figure::Figure;
 use crate::table::quantities::words;
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, Row, Section, Text, View, headline, warned};
+use crate::table::report::{Part, Records, Report, Row, Section, Text, headline, warned};
 use epicyclic_units::Dimension::{Area, Length};
 
 impl AsReport for MotorSatellites {
@@ -72,36 +72,19 @@ fn motors(answer: &MotorSatellites) -> Records {
         let ends = motor.family.first().zip(motor.family.last());
         ends.map_or([None, None], |(first, last)| [Some(first.from_m), last.to_m])
     };
-    let columns = [
-        "satellite_teeth",
-        "from",
-        "to",
-        "l",
-        "a",
-        "least_chamber",
-        "displacement_per_width",
-        "ripple",
-        "teeth",
-    ];
     let note = "Motors close for l from … to. l, a and what follows: the motor in the middle of that family. q/b: \
                    displacement a revolution over width. δ: ripple at the pitch points. Teeth: the first limit that they break.";
     Table::new("motors", answer.motors.iter())
-        .number("satellite_teeth", "Z_s", |motor| Figure::Count(motor.satellite_teeth))
-        .headed("from", "l from", Length, |motor| {
-            let [from, _to] = of_family(motor);
-            from
-        })
-        .quantity("to", "to", Length, |motor| {
-            let [_from, to] = of_family(motor);
-            to
-        })
+        .number("satellite_teeth", "Z_s", |motor| motor.satellite_teeth)
+        .headed("from", "l from", Length, |motor| of_family(motor)[0])
+        .quantity("to", "to", Length, |motor| of_family(motor)[1])
         .quantity("l", "l", Length, |motor| motor.l_m)
         .quantity("a", "a", Length, |motor| motor.a_m)
         .quantity("least_chamber", "A_min", Area, |motor| motor.least_chamber_m2)
         .quantity("displacement_per_width", "q/b", Area, |motor| motor.displacement_per_width_m2)
-        .number("ripple", "δ", |motor| Figure::Share(motor.ripple))
-        .words("teeth", "teeth", |motor| Figure::Text(teeth(motor)))
-        .view_of("Motors, each in the middle of its family", &columns)
+        .share("ripple", "δ", |motor| motor.ripple)
+        .words("teeth", "teeth", |motor| teeth(motor))
+        .all("Motors, each in the middle of its family")
         .note(note)
         .records()
 }
@@ -117,17 +100,10 @@ fn without(without: &[SatellitesWithout]) -> Records {
         };
         Figure::answer(name, reason.words())
     };
-    let rows =
-        without.iter().map(|one| vec![Figure::Count(one.from), Figure::Count(one.to), reason(one.reason)]);
-    Records {
-        name: "without",
-        columns: vec![
-            Column::number("from", "Z_s from"),
-            Column::number("to", "to"),
-            Column::words("reason", "reason"),
-        ],
-        rows: rows.collect(),
-        views: vec![View::new("Satellites without such a motor", &["from", "to", "reason"])],
-        is_answer: false,
-    }
+    Table::new("without", without)
+        .number("from", "Z_s from", |one| one.from)
+        .number("to", "to", |one| one.to)
+        .words("reason", "reason", |one| reason(one.reason))
+        .all("Satellites without such a motor")
+        .records()
 }

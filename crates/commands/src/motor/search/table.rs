@@ -2,14 +2,14 @@
 
 use crate::motor::answer::Subject;
 use crate::motor::designs::table::{
-    Duty, duty_columns, found_and_shown, hidden, number_columns, numbers, of_set, size_columns,
+    Duty, Numbers, found_and_shown, hidden, numbered, of_set, size_columns, with_duty,
 };
 use crate::motor::search::answer::{Design, MotorSearch, SpacingError, TeethLimits};
 use crate::motor::table::subject;
 use crate::table::figure::{Figure, count as many};
-use crate::table::quantities::{column, words};
+use crate::table::quantities::words;
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, Row, Section, View, headline, warned};
+use crate::table::report::{Part, Records, Report, Row, Section, View, headline, warned};
 use epicyclic_units::Dimension::{Length, Pressure, Volume};
 
 /// The objectives, of which the error is stated.
@@ -137,43 +137,45 @@ fn records(search: &MotorSearch) -> Records {
             .to_owned(),
         ..View::new("Sizes", &sizes)
     };
-    let mut columns = number_columns();
-    columns.extend([
-        Column::number("l_over_module", "l/m"),
-        Column::number("displacement_by_volume", "q/V"),
-        Column::number("ripple", "δ, pitch"),
-        Column::number("least_over_mean", "least, pitch"),
-        Column::number("flank_ripple", "δ, flanks"),
-        Column::number("flank_least_over_mean", "least, flanks"),
-        Column::words("without_flanks", ""),
-        Column::number("least_radius_in_modules", "ϱ/m"),
-        Column::words("teeth_limits", "teeth"),
-        Column::headed("contact_stress", "σ_H, MPa", Pressure),
-        Column::words("nearest_check", "nearest limit"),
-        Column::words("nearest", "nearest limit").for_people(),
-        Column::number("nearest_margin", "spare"),
-        Column::number("designs_of_the_set", "of set"),
-        Column::number("spacing_error_displacement_by_volume", ""),
-        Column::number("spacing_error_ripple", ""),
-        Column::number("spacing_error_least_radius", ""),
-        Column::number("spacing_error_flank_ripple", ""),
-        Column::number("spacing_error_least_torque", ""),
-        Column::headed("module", "m, mm", Length),
-        Column::headed("width", "b, mm", Length),
-        Column::headed("outer_diameter", "Ø, mm", Length),
-        Column::headed("l", "l, mm", Length),
-        Column::headed("a", "a, mm", Length),
-        Column::headed("r1", "R₁, mm", Length),
-        Column::headed("r2", "R₂, mm", Length),
-    ]);
-    columns.extend(duty_columns());
-    Records {
-        name: "designs",
-        columns,
-        rows: search.designs.iter().map(row).collect(),
-        views: vec![shapes, flanks, sizes],
-        is_answer: true,
-    }
+    let table = numbered(&search.designs, |design| Numbers {
+        design: design.design,
+        lobes: [design.stator_lobes, design.rotor_lobes],
+        teeth: [design.stator_teeth, design.rotor_teeth, design.satellite_teeth],
+    })
+    .multiple("l_over_module", "l/m", |design| design.l_over_module)
+    .multiple("displacement_by_volume", "q/V", |design| design.displacement_by_volume)
+    .share("ripple", "δ, pitch", |design| design.ripple)
+    .share("least_over_mean", "least, pitch", |design| design.least_over_mean)
+    .share("flank_ripple", "δ, flanks", |design| Some(design.at_flanks.as_ref()?.ripple))
+    .share("flank_least_over_mean", "least, flanks", |design| {
+        Some(design.at_flanks.as_ref()?.least_over_mean)
+    })
+    .words("without_flanks", "", |design| design.without_flanks.clone())
+    .multiple("least_radius_in_modules", "ϱ/m", |design| design.least_radius_in_modules)
+    .words("teeth_limits", "teeth", |design| match design.teeth_limits {
+        TeethLimits::Hold => "hold",
+        TeethLimits::Fail => "fail",
+        TeethLimits::None => "none",
+    })
+    .quantity("contact_stress", "σ_H", Pressure, |design| design.contact_stress_pa)
+    .words("nearest_check", "nearest limit", |design| subject(design.nearest_check))
+    .words("nearest", "nearest limit", |design| short(design.nearest_check))
+    .for_people()
+    .share("nearest_margin", "spare", |design| design.nearest_margin)
+    .number("designs_of_the_set", "of set", |design| design.designs_of_the_set)
+    .share("spacing_error_displacement_by_volume", "", |design| design.spacing_error.displacement_by_volume)
+    .share("spacing_error_ripple", "", |design| design.spacing_error.ripple)
+    .share("spacing_error_least_radius", "", |design| design.spacing_error.least_radius)
+    .share("spacing_error_flank_ripple", "", |design| design.spacing_error.flank_ripple)
+    .share("spacing_error_least_torque", "", |design| design.spacing_error.least_torque)
+    .quantity("module", "m", Length, |design| design.size.module_m)
+    .quantity("width", "b", Length, |design| design.size.width_m)
+    .quantity("outer_diameter", "Ø", Length, |design| design.size.outer_diameter_m)
+    .quantity("l", "l", Length, |design| design.size.l_m)
+    .quantity("a", "a", Length, |design| design.size.a_m)
+    .quantity("r1", "R₁", Length, |design| design.size.r1_m)
+    .quantity("r2", "R₂", Length, |design| design.size.r2_m);
+    with_duty(table, |design| duty(design)).views(vec![shapes, flanks, sizes]).the_answer().records()
 }
 
 fn duty(design: &Design) -> Duty<'_> {
@@ -186,49 +188,6 @@ fn duty(design: &Design) -> Duty<'_> {
         power_w: size.power_w,
         modules_m: &design.modules_m,
     }
-}
-
-fn row(design: &Design) -> Vec<Figure> {
-    let size = &design.size;
-    let mut row = numbers(
-        design.design,
-        [design.stator_lobes, design.rotor_lobes],
-        [design.stator_teeth, design.rotor_teeth, design.satellite_teeth],
-    );
-    row.extend([
-        Figure::Multiple(design.l_over_module),
-        Figure::Multiple(design.displacement_by_volume),
-        Figure::Share(design.ripple),
-        Figure::Share(design.least_over_mean),
-        share(design.at_flanks.as_ref().map(|at| at.ripple)),
-        share(design.at_flanks.as_ref().map(|at| at.least_over_mean)),
-        design.without_flanks.as_ref().map_or(Figure::None, |why| Figure::Text(why.clone())),
-        Figure::Multiple(design.least_radius_in_modules),
-        match design.teeth_limits {
-            TeethLimits::Hold => Figure::answer("hold", "hold"),
-            TeethLimits::Fail => Figure::answer("fail", "fail"),
-            TeethLimits::None => Figure::answer("none", "none"),
-        },
-        column(Pressure, design.contact_stress_pa),
-        Figure::Text(subject(design.nearest_check).to_owned()),
-        Figure::Text(short(design.nearest_check).to_owned()),
-        Figure::Share(design.nearest_margin),
-        many(design.designs_of_the_set),
-        share(design.spacing_error.displacement_by_volume),
-        share(design.spacing_error.ripple),
-        share(design.spacing_error.least_radius),
-        share(design.spacing_error.flank_ripple),
-        share(design.spacing_error.least_torque),
-        column(Length, Some(size.module_m)),
-        column(Length, Some(size.width_m)),
-        column(Length, Some(size.outer_diameter_m)),
-        column(Length, Some(size.l_m)),
-        column(Length, Some(size.a_m)),
-        column(Length, Some(size.r1_m)),
-        column(Length, Some(size.r2_m)),
-    ]);
-    row.extend(duty(design).figures());
-    row
 }
 
 fn share(value: Option<f64>) -> Figure {

@@ -4,8 +4,8 @@ use crate::motor::answer::{Between, LimitKind, Wheel};
 use crate::motor::answer::{ChamberState, Clearance, Motor, Side, Subject, ToothLimit, ToothPart, Verdict};
 use crate::table::columns::Table;
 use crate::table::figure::Figure;
-use crate::table::quantities::{column, words};
-use crate::table::report::{Column, Records, View};
+use crate::table::quantities::words;
+use crate::table::report::Records;
 use epicyclic_units::Dimension::{Angle, Area, Force, Length, Pressure};
 
 fn verdict(verdict: Verdict) -> Figure {
@@ -113,7 +113,7 @@ pub(crate) fn chambers(motor: &Motor) -> Records {
     let note = "Counter-clockwise from the x axis, which runs through a crest of the stator; running \
                    counter-clockwise.";
     Table::new("chambers", motor.chambers.iter())
-        .number("chamber", "chamber", |chamber| Figure::Count(chamber.chamber))
+        .number("chamber", "chamber", |chamber| chamber.chamber)
         .quantity("area", "area", Area, |chamber| chamber.area_m2)
         .headed("growth_per_radian", "growth, mm²/rad", Area, |chamber| chamber.growth_per_radian_m2)
         .words("state", "state", |chamber| state(chamber.state))
@@ -127,63 +127,26 @@ pub(crate) fn chambers(motor: &Motor) -> Records {
 
 pub(crate) fn satellites(motor: &Motor) -> Records {
     let has_forces = motor.satellites.iter().any(|satellite| satellite.force_n.is_some());
-    let mut columns = vec![
-        Column::number("satellite", "satellite"),
-        Column::headed("x", "x, mm", Length),
-        Column::headed("y", "y, mm", Length),
-        Column::headed("rotation", "turned, deg", Angle),
-    ];
-    if has_forces {
-        columns.push(Column::headed("pressure_behind", "behind, MPa", Pressure));
-        columns.push(Column::headed("pressure_in_front", "in front, MPa", Pressure));
-        columns.push(Column::headed("force", "force, N", Force));
-    }
     let has_flanks = motor.satellites.iter().any(|satellite| satellite.flank_force_n.is_some());
-    if has_flanks {
-        columns.push(Column::headed("flank_force", "on a flank", Force));
-    }
-    let rows = motor.satellites.iter().map(|satellite| {
-        let mut row = vec![
-            Figure::Count(satellite.satellite),
-            column(Length, Some(satellite.x_m)),
-            column(Length, Some(satellite.y_m)),
-            column(Angle, Some(satellite.rotation_rad)),
-        ];
-        if has_forces {
-            row.push(column(Pressure, satellite.pressure_behind_pa));
-            row.push(column(Pressure, satellite.pressure_in_front_pa));
-            row.push(column(Force, satellite.force_n));
-        }
-        if has_flanks {
-            row.push(column(Force, satellite.flank_force_n));
-        }
-        row
-    });
     let note = if has_forces {
         "Force of the pressures, positive counter-clockwise across the ray from the axis. Low pressure counts as 0."
     } else {
         ""
     };
-    Records {
-        name: "satellites",
-        rows: rows.collect(),
-        views: vec![View {
-            note: note.to_owned(),
-            ..View::new(
-                format!("Satellites, rotor turned by {}", words(Angle, motor.angle_rad, 6)),
-                &[
-                    "satellite",
-                    "x",
-                    "y",
-                    "rotation",
-                    "pressure_behind",
-                    "pressure_in_front",
-                    "force",
-                    "flank_force",
-                ],
-            )
-        }],
-        columns,
-        is_answer: false,
-    }
+    Table::new("satellites", &motor.satellites)
+        .number("satellite", "satellite", |satellite| satellite.satellite)
+        .quantity("x", "x", Length, |satellite| satellite.x_m)
+        .quantity("y", "y", Length, |satellite| satellite.y_m)
+        .headed("rotation", "turned, deg", Angle, |satellite| satellite.rotation_rad)
+        .quantity("pressure_behind", "behind", Pressure, |satellite| satellite.pressure_behind_pa)
+        .only_if(has_forces)
+        .quantity("pressure_in_front", "in front", Pressure, |satellite| satellite.pressure_in_front_pa)
+        .only_if(has_forces)
+        .quantity("force", "force", Force, |satellite| satellite.force_n)
+        .only_if(has_forces)
+        .headed("flank_force", "on a flank", Force, |satellite| satellite.flank_force_n)
+        .only_if(has_flanks)
+        .all(format!("Satellites, rotor turned by {}", words(Angle, motor.angle_rad, 6)))
+        .note(note)
+        .records()
 }

@@ -7,8 +7,8 @@ use crate::motor::answer::{
 };
 use crate::table::columns::Table;
 use crate::table::figure::Figure;
-use crate::table::quantities::{column, remarked};
-use crate::table::report::{Column, Part, Records, Row, Section, Text};
+use crate::table::quantities::remarked;
+use crate::table::report::{Part, Records, Row, Section, Text};
 use epicyclic_units::Dimension::{
     Angle, AngularSpeed, Area, Force, Length, Power, Pressure, Torque, Volume, VolumeRate,
 };
@@ -332,35 +332,19 @@ fn efficiency(point: &Efficiency) -> Vec<Row> {
 /// A line for each point of the map.
 fn map_records(map: &crate::motor::answer::EfficiencyMap) -> Records {
     let rows = map.pressures_pa.iter().enumerate().flat_map(|(row, pressure)| {
-        map.speeds_rad_s.iter().enumerate().map(move |(place, speed)| {
-            let at = |of: &[Vec<f64>]| {
-                let value = of.get(row).and_then(|values| values.get(place));
-                value.map_or(Figure::None, |value| Figure::Multiple(*value))
-            };
-            vec![
-                column(Pressure, Some(*pressure)),
-                column(AngularSpeed, Some(*speed)),
-                at(&map.volumetric),
-                at(&map.mechanical),
-                at(&map.total),
-                at(&map.total_with_least_friction),
-            ]
-        })
+        map.speeds_rad_s.iter().enumerate().map(move |(place, speed)| (row, *pressure, place, *speed))
     });
-    Records {
-        name: "efficiency_map",
-        columns: vec![
-            Column::headed("pressure", "Δp, MPa", Pressure),
-            Column::headed("speed", "n, rpm", AngularSpeed),
-            Column::number("volumetric", "η_v"),
-            Column::number("mechanical", "η_m"),
-            Column::number("total", "η"),
-            Column::number("total_with_least_friction", "η, least μ_f"),
-        ],
-        rows: rows.collect(),
-        views: vec![],
-        is_answer: false,
-    }
+    let at = |of: &[Vec<f64>], row: usize, place: usize| of.get(row)?.get(place).copied();
+    Table::new("efficiency_map", rows)
+        .quantity("pressure", "Δp", Pressure, |(_, pressure, ..)| *pressure)
+        .quantity("speed", "n", AngularSpeed, |(.., speed)| *speed)
+        .multiple("volumetric", "η_v", |(row, _, place, _)| at(&map.volumetric, *row, *place))
+        .multiple("mechanical", "η_m", |(row, _, place, _)| at(&map.mechanical, *row, *place))
+        .multiple("total", "η", |(row, _, place, _)| at(&map.total, *row, *place))
+        .multiple("total_with_least_friction", "η, least μ_f", |(row, _, place, _)| {
+            at(&map.total_with_least_friction, *row, *place)
+        })
+        .records()
 }
 
 /// What is left out, by what was given.

@@ -2,12 +2,11 @@
 
 use super::{joined, name, words};
 use crate::schemes::table::speed_lines;
-use crate::select::answer::candidate::{BrakedGear, Candidate};
+use crate::select::answer::candidate::{Candidate, Engagement};
 use crate::shared::catalogue::ShiftElement;
 use crate::table::columns::Table;
-use crate::table::figure::{Figure, multiple, text};
-use crate::table::quantities::column;
-use crate::table::report::{Column, Part, Records, Report, Text, View};
+use crate::table::figure::Figure;
+use crate::table::report::{Part, Records, Report, Text, View};
 use epicyclic_units::Dimension;
 
 /// The parts that show a candidate in full.
@@ -26,18 +25,8 @@ pub(super) fn parts(one: &Candidate) -> Vec<Part> {
 
 /// A candidate in one table: gears with their shift elements, ratios, efficiencies, and what the output does.
 pub(crate) fn in_short(one: &Candidate) -> Report {
-    let rows = one.engagement_table.iter().map(|line| {
-        let braked = one.gears.iter().find(|gear| gear.gear == line.gear);
-        let at = one.operation.iter().find(|gear| gear.gear == line.gear);
-        vec![
-            text(line.gear.name()),
-            text(line.engaged.name()),
-            Figure::Multiple(line.ratio),
-            multiple(braked.map_or(Some(1.0), |gear| gear.efficiency)),
-            column(Dimension::AngularSpeed, at.and_then(|gear| gear.output_speed_rad_s)),
-            column(Dimension::Torque, at.and_then(|gear| gear.output_torque_n_m)),
-        ]
-    });
+    let braked = |line: &Engagement| one.gears.iter().find(|gear| gear.gear == line.gear);
+    let at = |line: &Engagement| one.operation.iter().find(|gear| gear.gear == line.gear);
     let shown = ["gear", "engaged", "ratio", "efficiency", "output_speed", "output_torque"];
     let has_torque = one.operation.iter().any(|gear| gear.output_torque_n_m.is_some());
     let shown = &shown[..4 + usize::from(!one.operation.is_empty()) + usize::from(has_torque)];
@@ -45,20 +34,16 @@ pub(crate) fn in_short(one: &Candidate) -> Report {
     let ks: Vec<String> = ks.map(|(place, set)| format!("k{} = {:.4}", place + 1, set.k)).collect();
     let note = format!("{}. rpm, N·m: of the output.", ks.join(", "));
     let note = if one.operation.is_empty() { format!("{}.", ks.join(", ")) } else { note };
-    let records = Records {
-        name: "gears",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::words("engaged", "engaged"),
-            Column::number("ratio", "i"),
-            Column::number("efficiency", "η"),
-            Column::quantity("output_speed", Dimension::AngularSpeed),
-            Column::quantity("output_torque", Dimension::Torque),
-        ],
-        rows: rows.collect(),
-        views: vec![View { note, ..View::new(heading("gears", one), shown) }],
-        is_answer: false,
-    };
+    let records = Table::new("gears", &one.engagement_table)
+        .text("gear", "gear", |line| line.gear.name())
+        .text("engaged", "engaged", |line| line.engaged.name())
+        .multiple("ratio", "i", |line| line.ratio)
+        .multiple("efficiency", "η", |line| braked(line).map_or(Some(1.0), |gear| gear.efficiency))
+        .quantity("output_speed", "", Dimension::AngularSpeed, |line| at(line)?.output_speed_rad_s)
+        .quantity("output_torque", "", Dimension::Torque, |line| at(line)?.output_torque_n_m)
+        .view_of(heading("gears", one), shown)
+        .note(note)
+        .records();
     Report { parts: vec![Part::Records(records)], ..Report::default() }
 }
 
@@ -76,39 +61,29 @@ fn those(one: &Candidate, all: &[&'static str], of_gear_2: &str) -> Vec<&'static
 }
 
 fn speeds(one: &Candidate) -> Records {
-    let mut rows = vec![];
-    for (place, set) in one.sets.iter().enumerate() {
-        for (name, link, of) in speed_lines(place + 1, &set.links) {
-            let speed = |gear: Option<&BrakedGear>| multiple(gear.and_then(|gear| of(gear.sets.get(place)?)));
-            let link = text(link.unwrap_or_default());
-            rows.push(vec![text(name), link, speed(one.gears.first()), speed(one.gears.get(1))]);
-        }
-    }
-    Records {
-        name: "speeds",
-        columns: vec![
-            Column::words("member", "member"),
-            Column::words("link", "link"),
-            Column::number("gear_1", "gear 1"),
-            Column::number("gear_2", "gear 2"),
-        ],
-        rows,
-        views: vec![View::new(
+    let rows = one.sets.iter().enumerate().flat_map(|(place, set)| {
+        speed_lines(place + 1, &set.links).map(|(member, link, of)| (place, member, link, of))
+    });
+    Table::new("speeds", rows)
+        .text("member", "member", |(_, member, ..)| member)
+        .text("link", "link", |(_, _, link, _)| link.unwrap_or_default())
+        .multiple("gear_1", "gear 1", |(place, .., of)| of(one.gears.first()?.sets.get(*place)?))
+        .multiple("gear_2", "gear 2", |(place, .., of)| of(one.gears.get(1)?.sets.get(*place)?))
+        .view_of(
             heading("speeds over the input's; g planet, on H relative to its carrier", one),
             &those(one, &["member", "link", "gear_1", "gear_2"], "gear_2"),
-        )],
-        is_answer: false,
-    }
+        )
+        .records()
 }
 
 fn direct_drive_clutches(one: &Candidate) -> Records {
     Table::new("direct_drive_clutches", one.direct_drive_clutches.iter())
-        .words("joins", "joins", |clutch| text(joined(clutch)))
+        .words("joins", "joins", |clutch| joined(clutch))
         .multiple("torque", "T", |clutch| clutch.torque_of_input)
         .multiple("slip_1", "slip in 1", |clutch| clutch.slips_of_input.first().copied())
         .multiple("slip_2", "slip in 2", |clutch| clutch.slips_of_input.get(1).copied())
-        .words("drawable", "drawable", |clutch| Figure::YesNo(clutch.drawable))
-        .words("chosen", "chosen", |clutch| Figure::YesNo(clutch.chosen))
+        .words("drawable", "drawable", |clutch| clutch.drawable)
+        .words("chosen", "chosen", |clutch| clutch.chosen)
         .view_of(
             heading("options for the direct-drive clutch", one),
             &those(one, &["joins", "torque", "slip_1", "slip_2", "drawable", "chosen"], "slip_2"),
@@ -117,34 +92,19 @@ fn direct_drive_clutches(one: &Candidate) -> Records {
 }
 
 fn engagement_table(one: &Candidate) -> Records {
-    let rows = one.engagement_table.iter().map(|line| {
-        let at = |element| Figure::Mark(line.engaged == element);
-        vec![
-            text(line.gear.name()),
-            Figure::Multiple(line.ratio),
-            at(ShiftElement::K1),
-            at(ShiftElement::K2),
-            at(ShiftElement::L),
-            text(if line.reverses { "backward" } else { "forward" }),
-        ]
-    });
-    Records {
-        name: "engagement_table",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::number("ratio", "i"),
-            Column::words("k1", "K1"),
-            Column::words("k2", "K2"),
-            Column::words("direct_drive_clutch", "direct-drive clutch"),
-            Column::words("output", "output"),
-        ],
-        rows: rows.collect(),
-        views: vec![View::new(
+    let engages = |line: &Engagement, element| Figure::Mark(line.engaged == element);
+    Table::new("engagement_table", &one.engagement_table)
+        .text("gear", "gear", |line| line.gear.name())
+        .multiple("ratio", "i", |line| line.ratio)
+        .words("k1", "K1", |line| engages(line, ShiftElement::K1))
+        .words("k2", "K2", |line| engages(line, ShiftElement::K2))
+        .words("direct_drive_clutch", "direct-drive clutch", |line| engages(line, ShiftElement::L))
+        .words("output", "output", |line| if line.reverses { "backward" } else { "forward" })
+        .view_of(
             heading("engagement table, the slowest output first", one),
             &those(one, &["gear", "ratio", "k1", "k2", "direct_drive_clutch", "output"], "k2"),
-        )],
-        is_answer: false,
-    }
+        )
+        .records()
 }
 
 fn of_gears(one: &Candidate) -> Records {
@@ -180,7 +140,7 @@ fn of_gears(one: &Candidate) -> Records {
         });
     }
     Table::new("operation", one.operation.iter())
-        .words("gear", "gear", |gear| text(gear.gear.name()))
+        .words("gear", "gear", |gear| gear.gear.name())
         .headed("output_speed", "output", Dimension::AngularSpeed, |gear| gear.output_speed_rad_s)
         .headed("input_torque", "input", Dimension::Torque, |gear| gear.input_torque_n_m)
         .headed("output_torque", "output", Dimension::Torque, |gear| gear.output_torque_n_m)
@@ -198,33 +158,13 @@ fn of_gears(one: &Candidate) -> Records {
 }
 
 fn of_members(one: &Candidate) -> Records {
-    let mut rows = vec![];
-    for gear in &one.operation {
-        for (set, torques) in (1..).zip(&gear.sets) {
-            let torque = |n_m| column(Dimension::Torque, n_m);
-            rows.push(vec![
-                text(gear.gear.name()),
-                Figure::Count(set),
-                torque(torques.sun_torque_n_m),
-                torque(torques.ring_torque_n_m),
-                torque(torques.carrier_torque_n_m),
-            ]);
-        }
-    }
-    Records {
-        name: "member_torques",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::words("set", "set"),
-            Column::headed("sun_torque", "sun", Dimension::Torque),
-            Column::headed("ring_torque", "ring", Dimension::Torque),
-            Column::headed("carrier_torque", "carrier", Dimension::Torque),
-        ],
-        rows,
-        views: vec![View::new(
-            heading("torques on the members of the sets, N·m", one),
-            &["gear", "set", "sun_torque", "ring_torque", "carrier_torque"],
-        )],
-        is_answer: false,
-    }
+    let rows = one.operation.iter().flat_map(|gear| (1_u32..).zip(&gear.sets).map(move |of| (gear, of)));
+    Table::new("member_torques", rows)
+        .text("gear", "gear", |(gear, _)| gear.gear.name())
+        .words("set", "set", |(_, (set, _))| *set)
+        .headed("sun_torque", "sun", Dimension::Torque, |(_, (_, of))| of.sun_torque_n_m)
+        .headed("ring_torque", "ring", Dimension::Torque, |(_, (_, of))| of.ring_torque_n_m)
+        .headed("carrier_torque", "carrier", Dimension::Torque, |(_, (_, of))| of.carrier_torque_n_m)
+        .all(heading("torques on the members of the sets, N·m", one))
+        .records()
 }

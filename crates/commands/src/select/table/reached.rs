@@ -2,7 +2,6 @@
 
 use crate::select::answer::reached::ReachedSpeed;
 use crate::table::columns::Table;
-use crate::table::figure::text;
 use crate::table::report::Records;
 use epicyclic_units::Dimension;
 
@@ -34,13 +33,13 @@ pub(crate) fn speeds_reached(speeds: &[ReachedSpeed]) -> Records {
         );
     }
     Table::new("speeds_reached", speeds.iter())
-        .words("gear", "gear", |one| text(one.gear.name()))
+        .words("gear", "gear", |one| one.gear.name())
         .quantity("asked_speed", "asked", Dimension::Speed, |one| one.asked_speed_m_s)
         .quantity("reached_speed", "reached", Dimension::Speed, |one| one.speed_m_s)
-        .number("speed_deviation", "deviation", |one| text(percent(one.speed_deviation)))
+        .number("speed_deviation", "deviation", |one| percent(one.speed_deviation))
         .multiple("asked_ratio", "i asked", |one| one.asked_ratio)
         .multiple("reached_ratio", "i reached", |one| one.ratio)
-        .number("ratio_deviation", "deviation", |one| text(percent(one.ratio_deviation)))
+        .number("ratio_deviation", "deviation", |one| percent(one.ratio_deviation))
         .headed("asked_output_speed", "n asked", Dimension::AngularSpeed, |one| one.asked_output_speed_rad_s)
         .headed("reached_output_speed", "n reached", Dimension::AngularSpeed, |one| one.output_speed_rad_s)
         .view_of(if of_machine { "Speeds asked and reached" } else { "Ratios asked and reached" }, &shown)

@@ -1,18 +1,17 @@
 //! The choice over tooth numbers, as tables.
 
-use super::{
-    best, common_columns, common_figures, length, size_column, size_note, speeds_reached, title, with_speeds,
-};
+use super::{best, of_candidate, size_column, size_note, speeds_reached, title, with_speeds};
 use crate::select::answer::candidate::Candidate;
 use crate::select::answer::required::Required;
 use crate::select::answer::teeth::{BestOfStructure, Design, SelectTeeth, SetTeeth};
-use crate::table::figure::{Figure, multiple, text};
+use crate::table::columns::Table;
+use crate::table::figure::Figure;
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, Text, View, checked_rows_as_csv};
+use crate::table::report::{Part, Records, Report, Text, View, checked_rows_as_csv};
 use crate::teeth::answer::shifted::{RequiredShifts, SetShifts};
 use crate::teeth::table::left_out;
 use crate::teeth::table::shifted::aim;
-use epicyclic_units::Dimension;
+use epicyclic_units::Dimension::Length;
 use std::io;
 
 impl AsReport for SelectTeeth {
@@ -74,8 +73,17 @@ struct SetColumns {
     shifts: [&'static str; 8],
 }
 
-/// The headings of the columns of shifts.
-const SHIFTS: [&str; 8] = ["offset", "a", "x sun", "x planet", "x ring", "k sun", "k planet", "k ring"];
+/// The columns of shifts: heading and figure.
+const SHIFTS: [(&str, fn(&SetShifts) -> Figure); 8] = [
+    ("offset", |of| Figure::Number(f64::from(of.ring_offset))),
+    ("a", |of| Figure::Printed(of.centre_distance_in_modules, 3)),
+    ("x sun", |of| Figure::Printed(of.profile_shifts[0], 4)),
+    ("x planet", |of| Figure::Printed(of.profile_shifts[1], 4)),
+    ("x ring", |of| Figure::Printed(of.profile_shifts[2], 4)),
+    ("k sun", |of| Figure::Printed(of.tip_alterations[0], 4)),
+    ("k planet", |of| Figure::Printed(of.tip_alterations[1], 4)),
+    ("k ring", |of| Figure::Printed(of.tip_alterations[2], 4)),
+];
 
 const SETS: [SetColumns; 2] = [
     SetColumns {
@@ -120,7 +128,6 @@ fn designs(select: &SelectTeeth) -> Records {
     let candidates: Vec<Candidate> =
         select.designs.iter().take(1).map(|design| design.candidate.clone()).collect();
     let size = size_column(&candidates);
-    let columns = columns(select.profile_shift.is_some());
     let one = is_of_one_set(&select.required);
     let (sets, ratios): (&[&str], &[&str]) = if one {
         (&["no", "scheme", "teeth_1", "others"], &["no", "ratio_1", "k1", "efficiency_1"])
@@ -168,13 +175,7 @@ fn designs(select: &SelectTeeth) -> Records {
     if let Some(shift) = &select.profile_shift {
         views.extend(shifts(select, shift, one));
     }
-    Records {
-        name: "designs",
-        columns,
-        rows: select.designs.iter().map(|design| row(design, select.profile_shift.is_some())).collect(),
-        views,
-        is_answer: true,
-    }
+    table(&select.designs, select.profile_shift.is_some()).views(views).the_answer().records()
 }
 
 /// The profile shifts of each set.
@@ -204,10 +205,10 @@ fn shifts(select: &SelectTeeth, shift: &RequiredShifts, one: bool) -> Vec<View> 
 /// The best design of each structure: designs of one differ little from each other at the head of the list.
 fn of_structures(select: &SelectTeeth) -> Records {
     let one = is_of_one_set(&select.required);
-    let shown: &[&str] = if one {
-        &["scheme", "teeth_1", "ratio_1", "efficiency_1", "speed", "ratio_error", "size"]
+    let shown = if one {
+        "scheme teeth_1 ratio_1 efficiency_1 speed ratio_error size"
     } else {
-        &["scheme", "teeth_1", "teeth_2", "ratio_1", "ratio_2", "efficiency"]
+        "scheme teeth_1 teeth_2 ratio_1 ratio_2 efficiency"
     };
     let reversed = if select.best_of_structures.iter().any(|one| one.mixed_directions) {
         " A negative ratio: the output reverses against direct drive; such designs are ranked last."
@@ -215,63 +216,53 @@ fn of_structures(select: &SelectTeeth) -> Records {
         ""
     };
     let note = format!("By the same order, whether or not another structure surpasses it.{reversed}");
-    let row = |one: &BestOfStructure| {
-        let gear = |place: usize| one.gears.get(place);
-        let teeth =
-            |place: usize| one.tooth_numbers.get(place).map_or(Figure::None, |set| text(teeth_of(set)));
-        vec![
-            text(one.scheme.unwrap_or(&one.structure)),
-            teeth(0),
-            teeth(1),
-            multiple(gear(0).map(|gear| gear.ratio)),
-            multiple(gear(1).map(|gear| gear.ratio)),
-            multiple(gear(0).and_then(|gear| gear.efficiency)),
-            Figure::Multiple(one.objectives.efficiency),
-            Figure::Multiple(one.objectives.speed_of_input),
-            Figure::Multiple(one.objectives.ratio_error),
-            Figure::Multiple(one.objectives.size),
-        ]
-    };
-    Records {
-        name: "best_of_structures",
-        columns: vec![
-            Column::words("scheme", "scheme"),
-            Column::words("teeth_1", "set 1"),
-            Column::words("teeth_2", "set 2"),
-            Column::number("ratio_1", "i₁"),
-            Column::number("ratio_2", "i₂"),
-            Column::number("efficiency_1", "η₁"),
-            Column::number("efficiency", "least η"),
-            Column::number("speed", "speed"),
-            Column::number("ratio_error", "ratio error"),
-            Column::number("size", "size"),
-        ],
-        rows: select.best_of_structures.iter().map(row).collect(),
-        views: vec![View { note, ..View::new("The best design of each scheme", shown) }],
-        is_answer: false,
-    }
+    let teeth = |one: &BestOfStructure, set: usize| one.tooth_numbers.get(set).map(teeth_of);
+    Table::new("best_of_structures", &select.best_of_structures)
+        .words("scheme", "scheme", |one| one.scheme.unwrap_or(&one.structure))
+        .words("teeth_1", "set 1", |one| teeth(one, 0))
+        .words("teeth_2", "set 2", |one| teeth(one, 1))
+        .multiple("ratio_1", "i₁", |one| Some(one.gears.first()?.ratio))
+        .multiple("ratio_2", "i₂", |one| Some(one.gears.get(1)?.ratio))
+        .multiple("efficiency_1", "η₁", |one| one.gears.first()?.efficiency)
+        .multiple("efficiency", "least η", |one| one.objectives.efficiency)
+        .multiple("speed", "speed", |one| one.objectives.speed_of_input)
+        .multiple("ratio_error", "ratio error", |one| one.objectives.ratio_error)
+        .multiple("size", "size", |one| one.objectives.size)
+        .view("The best design of each scheme", shown)
+        .note(note)
+        .records()
 }
 
-/// What the list says of each design, with profile shift or without.
-fn columns(shifted: bool) -> Vec<Column> {
-    let mut columns = common_columns();
-    columns.push(Column::number("others", "others"));
-    for set in SETS {
-        columns.push(Column::words(set.shown, set.heading).for_people());
-        columns.extend(set.numbers.map(|name| Column::number(name, name)));
-        columns.push(Column::number(set.size, set.size));
-        let number = set.heading.trim_start_matches("set ");
-        for (name, what) in [(set.ring_diameter, "ring"), (set.module, "module")] {
-            let heading = format!("{what} {number}, mm");
-            columns.push(Column { heading, ..Column::quantity(name, Dimension::Length) });
-        }
-        if shifted {
-            columns.extend(
-                set.shifts.into_iter().zip(SHIFTS).map(|(name, heading)| Column::number(name, heading)),
-            );
-        }
-    }
-    columns
+/// The list with what it says of each design, with profile shift or without.
+fn table(designs: &[Design], shifted: bool) -> Table<&Design> {
+    of_candidate(Table::new("designs", designs), |design| &design.candidate)
+        .number("others", "others", |design| design.others)
+        .each((0..).zip(SETS), |table, (place, set)| {
+            let [sun, planet, ring, planets] = set.numbers;
+            let number = set.heading.trim_start_matches("set ");
+            table
+                .words(set.shown, set.heading, |design| design.tooth_numbers.get(place).map(teeth_of))
+                .for_people()
+                .number(sun, sun, |design| Some(design.tooth_numbers.get(place)?.sun))
+                .number(planet, planet, |design| Some(design.tooth_numbers.get(place)?.planet))
+                .number(ring, ring, |design| Some(design.tooth_numbers.get(place)?.ring))
+                .number(planets, planets, |design| Some(design.tooth_numbers.get(place)?.planets))
+                .multiple(set.size, set.size, |design| Some(design.tooth_numbers.get(place)?.size))
+                .quantity(set.ring_diameter, &format!("ring {number}"), Length, |design| {
+                    design.tooth_numbers.get(place)?.ring_diameter_m
+                })
+                .quantity(set.module, &format!("module {number}"), Length, |design| {
+                    design.tooth_numbers.get(place)?.module_m
+                })
+                .each(
+                    set.shifts.into_iter().zip(SHIFTS).filter(|_| shifted),
+                    |table, (key, (heading, of))| {
+                        table.number(key, heading, |design| {
+                            design.tooth_numbers.get(place)?.shifts.as_ref().map(of)
+                        })
+                    },
+                )
+        })
 }
 
 /// The list as CSV, each design when it comes; of sets with profile shift these, too.
@@ -283,47 +274,9 @@ pub fn csv<E: Into<Box<dyn std::error::Error + Send + Sync>>>(
     shifted: bool,
     out: impl io::Write,
 ) -> io::Result<()> {
-    let rows = designs.map(|design| design.map(|design| row(&design, shifted)));
-    checked_rows_as_csv("designs", &columns(shifted), rows, out)
-}
-
-fn row(design: &Design, shifted: bool) -> Vec<Figure> {
-    let mut figures = common_figures(&design.candidate);
-    figures.push(Figure::Count(u32::try_from(design.others).unwrap_or(u32::MAX)));
-    for set in 0..SETS.len() {
-        figures.extend(of_set(design.tooth_numbers.get(set)));
-        if shifted {
-            figures.extend(of_shifts(design.tooth_numbers.get(set).and_then(|set| set.shifts.as_ref())));
-        }
-    }
-    figures
+    checked_rows_as_csv(designs, |designs| table(designs, shifted).records(), out)
 }
 
 fn teeth_of(set: &SetTeeth) -> String {
     format!("{} {} {} x{}", set.sun, set.planet, set.ring, set.planets)
-}
-
-fn of_shifts(shifts: Option<&SetShifts>) -> Vec<Figure> {
-    let Some(shifts) = shifts else { return vec![Figure::None; SHIFTS.len()] };
-    let mut figures = vec![
-        Figure::Number(f64::from(shifts.ring_offset)),
-        Figure::Printed(shifts.centre_distance_in_modules, 3),
-    ];
-    figures.extend(shifts.profile_shifts.map(|shift| Figure::Printed(shift, 4)));
-    figures.extend(shifts.tip_alterations.map(|alteration| Figure::Printed(alteration, 4)));
-    figures
-}
-
-fn of_set(set: Option<&SetTeeth>) -> Vec<Figure> {
-    let Some(set) = set else { return vec![Figure::None; 8] };
-    vec![
-        text(teeth_of(set)),
-        Figure::Count(set.sun),
-        Figure::Count(set.planet),
-        Figure::Count(set.ring),
-        Figure::Count(set.planets),
-        Figure::Multiple(set.size),
-        length(set.ring_diameter_m),
-        length(set.module_m),
-    ]
 }

@@ -2,7 +2,7 @@
 
 use crate::shared::tooth_checks::answer::{NotChecked, Severity, ToothChecks};
 use crate::table::columns::Table;
-use crate::table::figure::{Figure, text};
+use crate::table::figure::Figure;
 use crate::table::report::Records;
 
 /// Decimals of a value and its limit.
@@ -19,17 +19,13 @@ pub(crate) fn table(all: &ToothChecks) -> Records {
     let shown = ["set", "check", "gears", "value", "limit", "unit", "severity"];
     Table::new("tooth_checks", missed)
         .text("set", "set", |check| &check.set)
-        .words("check", "check", |check| text(check.name))
-        .words("gears", "of", |check| {
-            if check.gears.is_empty() { Figure::None } else { text(check.gears.join(", ")) }
-        })
-        .number("value", "value", |check| {
-            check.value.map_or(Figure::None, |value| Figure::Printed(value, DECIMALS))
-        })
-        .number("limit", "limit", |check| Figure::Printed(check.limit, DECIMALS))
-        .words("unit", "unit", |check| if check.unit.is_empty() { Figure::None } else { text(check.unit) })
+        .words("check", "check", |check| check.name)
+        .words("gears", "of", |check| (!check.gears.is_empty()).then(|| check.gears.join(", ")))
+        .printed("value", "value", DECIMALS, |check| check.value)
+        .printed("limit", "limit", DECIMALS, |check| check.limit)
+        .words("unit", "unit", |check| Some(check.unit).filter(|unit| !unit.is_empty()))
         .words("severity", "severity", |check| severity(check.severity))
-        .words("remedy", "remedy", |check| check.remedy.map_or(Figure::None, text))
+        .words("remedy", "remedy", |check| check.remedy)
         .view_of("Checks of the teeth that do not hold", &shown)
         .note(note)
         .records()

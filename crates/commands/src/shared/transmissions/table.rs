@@ -2,18 +2,16 @@
 
 use crate::shared::transmissions::answer::Transmissions;
 use crate::table::columns::Table;
-use crate::table::figure::Figure;
 use crate::table::report::AsReport;
 use crate::table::report::{Part, Report, Text};
 
 impl AsReport for Transmissions {
     fn report(&self) -> Report {
-        let count = |count: usize| Figure::Count(u32::try_from(count).unwrap_or(u32::MAX));
         let records = Table::new("transmissions", self.transmissions.iter())
             .text("name", "name", |one| &one.name)
-            .number("sets", "sets", |one| count(one.sets))
-            .number("shift_elements", "shift elements", |one| count(one.shift_elements))
-            .number("gears", "gears", |one| count(one.gears))
+            .number("sets", "sets", |one| one.sets)
+            .number("shift_elements", "shift elements", |one| one.shift_elements)
+            .number("gears", "gears", |one| one.gears)
             .view("Transmissions", "name sets shift_elements gears")
             .the_answer()
             .records();

@@ -1,13 +1,13 @@
 //! Several runs of a scenario as tables.
 
 use super::per_cent;
-use crate::simulate::answer::ElementKind;
-use crate::simulate::answer::sweep::{Sweep, SweptRun};
-use crate::table::figure::{Figure, text};
+use crate::simulate::answer::sweep::Sweep;
+use crate::simulate::answer::{ElementKind, ElementResult};
+use crate::table::columns::Table;
 use crate::table::quantities::column;
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Part, Records, Report, View, warned};
-use epicyclic_units::Dimension::{self, AngularSpeed, Energy, Power, TemperatureDifference, Time};
+use crate::table::report::{Column, Part, Records, Report, warned};
+use epicyclic_units::Dimension::{AngularSpeed, Energy, Power, TemperatureDifference, Time};
 
 impl AsReport for Sweep {
     fn report(&self) -> Report {
@@ -19,85 +19,72 @@ impl AsReport for Sweep {
     }
 }
 
-/// A column and what it says of a run.
-type Told<'a> = (Column, Box<dyn Fn(&SweptRun) -> Figure + 'a>);
-
 fn records(sweep: &Sweep) -> Records {
     let Some(like) = sweep.runs.iter().find(|run| run.refused.is_none()).or(sweep.runs.first()) else {
-        let columns = vec![Column::number("value", "value")];
-        return Records { name: "runs", columns, rows: vec![], views: vec![], is_answer: true };
+        return Table::new("runs", &sweep.runs)
+            .number("value", "value", |run| run.value)
+            .the_answer()
+            .records();
     };
-    let heading = sweep.unit.clone().unwrap_or_else(|| "value".to_owned());
-    let mut all: Vec<Told<'_>> =
-        vec![(Column::number("value", heading), Box::new(|run| Figure::Number(run.value)))];
-    for place in 0..like.shifts.len() {
-        let shift = &like.shifts[place];
-        let mut add = |name, heading: &str, dimension: Option<Dimension>, of: fn(&_) -> Figure| {
-            let own = match dimension {
-                Some(dimension) => Column::headed(name, heading, dimension),
-                None => Column::number(name, heading),
-            };
-            // Of one shift the heading needs no name.
-            let own =
-                if like.shifts.len() == 1 { own } else { own.of(format!("{} → {}", shift.from, shift.to)) };
-            all.push((own, Box::new(move |run| run.shifts.get(place).map_or(Figure::None, of))));
-        };
-        add("shift_time", "takes, s", Some(Time), |one: &crate::simulate::answer::ShiftResult| {
-            column(Time, one.shift_time_s)
-        });
-        add("torque_hole_percent", "hole, %", None, |one| per_cent(one.torque_hole));
-        add("torque_surge_percent", "surge, %", None, |one| per_cent(one.torque_surge));
-        add("shift_heat", "heat, J", Some(Energy), |one| column(Energy, Some(one.heat_j)));
-    }
-    let heats = like.elements.iter().enumerate().filter(|(_, one)| one.kind != ElementKind::OneWayClutch);
-    for (place, one) in heats {
-        let mut add = |name, dimension, of: fn(&crate::simulate::answer::ElementResult) -> Option<f64>| {
-            let own = Column::quantity(name, dimension).of(&one.id);
-            let of = move |run: &SweptRun| column(dimension, run.elements.get(place).and_then(of));
-            all.push((own, Box::new(of)));
-        };
-        add("heat", Energy, |one| Some(one.heat_j));
-        add("peak_power", Power, |one| Some(one.peak_power_w));
-        if one.peak_temperature_rise_k.is_some() {
-            add("peak_temperature_rise", TemperatureDifference, |one| one.peak_temperature_rise_k);
-        }
-    }
-    for (place, one) in like.thresholds.iter().enumerate() {
-        let of = move |run: &SweptRun| column(Time, run.thresholds.get(place).and_then(|one| one.time_s));
-        all.push((Column::quantity("passed", Time).of(&one.id), Box::new(of)));
-    }
-    for (place, one) in like.end.iter().enumerate() {
-        let of = move |run: &SweptRun| column(AngularSpeed, run.end.get(place).map(|one| one.speed_rad_s));
-        all.push((Column::quantity("end_speed", AngularSpeed).of(&one.link), Box::new(of)));
-    }
-    if sweep.runs.iter().any(|run| run.refused.is_some()) {
-        let of = |run: &SweptRun| run.refused.as_ref().map_or(Figure::None, text);
-        all.push((Column::words("refused", "refused"), Box::new(of)));
-    }
-    let rows = sweep.runs.iter().map(|run| all.iter().map(|(_, of)| of(run)).collect());
-    let rows = rows.collect();
-    let mut views = vec![];
-    let mut view = |is_there: bool, title: &str, name: &[&'static str]| {
-        if is_there {
-            views.push(View::new(title, &[&["value"], name].concat()));
-        }
-    };
-    view(
-        !like.shifts.is_empty(),
-        "Shifts",
-        &["shift_time", "torque_hole_percent", "torque_surge_percent", "shift_heat"],
-    );
-    view(!like.elements.is_empty(), "Heat of the elements, J", &["heat"]);
+    let is_refused = sweep.runs.iter().any(|run| run.refused.is_some());
     let is_thermal = like.elements.iter().any(|one| one.peak_temperature_rise_k.is_some());
-    view(is_thermal, "Greatest temperature over the oil, K", &["peak_temperature_rise"]);
-    view(!like.thresholds.is_empty(), "Thresholds passed, s", &["passed"]);
-    view(like.shifts.is_empty(), "Speeds at the end, rpm", &["end_speed"]);
-    view(sweep.runs.iter().any(|run| run.refused.is_some()), "Refused", &["refused"]);
-    Records {
-        name: "runs",
-        columns: all.into_iter().map(|(column, _)| column).collect(),
-        rows,
-        views,
-        is_answer: true,
-    }
+    let has_heat = |(_, one): &(usize, &ElementResult)| one.kind != ElementKind::OneWayClutch;
+    // Of one shift the heading needs no name.
+    let own = |place: usize, column: Column| match &like.shifts[..] {
+        [_] => column,
+        all => column.of(format!("{} → {}", all[place].from, all[place].to)),
+    };
+    let views = [
+        (!like.shifts.is_empty(), "Shifts", "shift_time torque_hole_percent torque_surge_percent shift_heat"),
+        (!like.elements.is_empty(), "Heat of the elements, J", "heat"),
+        (is_thermal, "Greatest temperature over the oil, K", "peak_temperature_rise"),
+        (!like.thresholds.is_empty(), "Thresholds passed, s", "passed"),
+        (like.shifts.is_empty(), "Speeds at the end, rpm", "end_speed"),
+        (is_refused, "Refused", "refused"),
+    ];
+    Table::new("runs", &sweep.runs)
+        .number("value", sweep.unit.as_deref().unwrap_or("value"), |run| run.value)
+        .each(0..like.shifts.len(), |table, place| {
+            table
+                .column(own(place, Column::headed("shift_time", "takes, s", Time)), |run| {
+                    column(Time, run.shifts.get(place).and_then(|one| one.shift_time_s))
+                })
+                .column(own(place, Column::number("torque_hole_percent", "hole, %")), |run| {
+                    Some(per_cent(run.shifts.get(place)?.torque_hole))
+                })
+                .column(own(place, Column::number("torque_surge_percent", "surge, %")), |run| {
+                    Some(per_cent(run.shifts.get(place)?.torque_surge))
+                })
+                .column(own(place, Column::headed("shift_heat", "heat, J", Energy)), |run| {
+                    column(Energy, run.shifts.get(place).map(|one| one.heat_j))
+                })
+        })
+        .each(like.elements.iter().enumerate().filter(has_heat), |table, (place, one)| {
+            table
+                .quantity("heat", "", Energy, |run| Some(run.elements.get(place)?.heat_j))
+                .of(&one.id)
+                .quantity("peak_power", "", Power, |run| Some(run.elements.get(place)?.peak_power_w))
+                .of(&one.id)
+                .quantity("peak_temperature_rise", "", TemperatureDifference, |run| {
+                    run.elements.get(place)?.peak_temperature_rise_k
+                })
+                .of(&one.id)
+                .only_if(one.peak_temperature_rise_k.is_some())
+        })
+        .each(like.thresholds.iter().enumerate(), |table, (place, one)| {
+            table.quantity("passed", "", Time, |run| run.thresholds.get(place)?.time_s).of(&one.id)
+        })
+        .each(like.end.iter().enumerate(), |table, (place, one)| {
+            table
+                .quantity("end_speed", "", AngularSpeed, |run| Some(run.end.get(place)?.speed_rad_s))
+                .of(&one.link)
+        })
+        .words("refused", "refused", |run| run.refused.clone())
+        .only_if(is_refused)
+        .each(views.into_iter().filter(|(is_there, ..)| *is_there), |table, (_, title, keys)| {
+            let keys: Vec<&'static str> = ["value"].into_iter().chain(keys.split(' ')).collect();
+            table.view_of(title, &keys)
+        })
+        .the_answer()
+        .records()
 }

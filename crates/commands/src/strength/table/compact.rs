@@ -3,8 +3,8 @@
 use super::words::{OF_STEPS, extent, from};
 use crate::strength::answer::Strength;
 use crate::strength::answer::records::{MeshName, OverDuty, Rated, ToothedGear};
-use crate::table::figure::{Figure, text};
-use crate::table::report::{Column, Records, View};
+use crate::table::columns::Table;
+use crate::table::report::Records;
 
 /// A factor of a gear in a mesh: symbol, value as it is shown, and formula.
 struct Told {
@@ -88,34 +88,30 @@ const fn heading(mesh: MeshName, gear: ToothedGear) -> &'static str {
 
 /// A row for each factor, and for each formula where the gears have it by several.
 fn table(title: String, note: &str, all: &[InMesh]) -> Records {
-    let mut columns = vec![Column::words("symbol", "factor")];
-    columns.extend(all.iter().map(|one| Column::number("value", one.heading)));
-    columns.push(Column::words("formula", "from"));
     let mut rows = vec![];
     // A flank or root that is not rated has no factors: the gear with most of them has the whole chain in
     // order.
     let longest = all.iter().max_by_key(|one| one.factors.len());
-    for factor in longest.map_or(&[][..], |one| &one.factors[..]) {
-        let own = |one: &'_ InMesh| one.factors.iter().position(|own| own.symbol == factor.symbol);
+    for Told { symbol, .. } in longest.map_or(&[][..], |one| &one.factors[..]) {
         let told: Vec<Option<&Told>> =
-            all.iter().map(|one| own(one).map(|place| &one.factors[place])).collect();
+            all.iter().map(|one| one.factors.iter().find(|own| own.symbol == *symbol)).collect();
         let mut formulas: Vec<Option<&str>> = vec![];
         for one in told.iter().flatten() {
             if !formulas.contains(&one.formula.as_deref()) {
                 formulas.push(one.formula.as_deref());
             }
         }
-        for formula in formulas {
-            let value = |one: &Option<&Told>| {
-                let own = one.filter(|one| one.formula.as_deref() == formula);
-                own.map_or(Figure::None, |one| text(&one.value))
-            };
-            let mut row = vec![text(&factor.symbol)];
-            row.extend(told.iter().map(value));
-            row.push(from(formula));
-            rows.push(row);
-        }
+        rows.extend(formulas.into_iter().map(|formula| (symbol, formula, told.clone())));
     }
-    let view = View { note: note.to_owned(), ..View::new(title, &["symbol", "value", "formula"]) };
-    Records { name: "factors", columns, rows, views: vec![view], is_answer: false }
+    Table::new("factors", rows)
+        .text("symbol", "factor", |(symbol, ..)| symbol)
+        .each(all.iter().enumerate(), |table, (place, one)| {
+            table.number("value", one.heading, |(_, formula, told)| {
+                told[place].filter(|one| one.formula.as_deref() == *formula).map(|one| &*one.value)
+            })
+        })
+        .words("formula", "from", |(_, formula, _)| from(*formula))
+        .all(title)
+        .note(note)
+        .records()
 }

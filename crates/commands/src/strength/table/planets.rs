@@ -3,9 +3,7 @@
 use crate::strength::answer::records::{AxialForce, BearingOverDuty};
 use crate::table::columns::Table;
 use crate::table::figure::hours;
-use crate::table::figure::{Figure, text};
-use crate::table::quantities::optional;
-use crate::table::report::{Column, Records, View};
+use crate::table::report::Records;
 use epicyclic_units::Dimension;
 
 pub(super) fn axial_forces(all: &[AxialForce]) -> Records {
@@ -20,7 +18,7 @@ pub(super) fn axial_forces(all: &[AxialForce]) -> Records {
     Table::new("axial_forces", all.iter())
         .text("set", "set", |one| &one.set)
         .text("gear", "gear", |one| &one.gear)
-        .number("step", "step", |one| one.step.map_or(Figure::None, Figure::Count))
+        .number("step", "step", |one| one.step)
         .quantity("axial_force", "F_a", Dimension::Force, |one| one.axial_force_n)
         .quantity("tilting_moment", "M", Dimension::Torque, |one| one.tilting_moment_n_m)
         .view_of("Axial forces of helical teeth", shown)
@@ -29,73 +27,45 @@ pub(super) fn axial_forces(all: &[AxialForce]) -> Records {
 }
 
 pub(super) fn bearings(all: &[BearingOverDuty]) -> Records {
-    let time = |si: Option<f64>| optional(Dimension::Time, si);
-    let views = vec![View {
-        note: "K_γ: of the forces of the meshes. F: the greatest of duty and overloads. f_s: static load rating over it. L_10: basic life, L_nm: modified life over the duty, of the bearings stated."
-            .to_owned(),
-        ..View::new(
-            "Planet bearings over the duty",
-            &[
-                "set",
-                "planet",
-                "rolling",
-                "load_rating",
-                "load_sharing",
-                "greatest_force",
-                "static_safety",
-                "basic_hours",
-                "reliability",
-                "modified_hours",
-            ],
-        )
-    }];
-    let in_hours = |si: Option<f64>| si.map_or(Figure::None, |si| Figure::Number(hours(si)));
     let modified = |one: &BearingOverDuty| one.modified.and_then(|modified| modified.life_s);
     Table::new("bearings", all.iter())
         .text("set", "set", |one| &one.set)
         .text("planet", "planet", |one| &one.planet)
-        .words("rolling", "of", |one| text(if one.rollers { "rollers" } else { "balls" }))
+        .words("rolling", "of", |one| if one.rollers { "rollers" } else { "balls" })
         .quantity("load_rating", "C", Dimension::Force, |one| one.load_rating_n)
-        .number("load_sharing", "K_γ", |one| {
-            one.load_sharing.map_or(Figure::None, |factor| Figure::Printed(factor, 2))
-        })
+        .printed("load_sharing", "K_γ", 2, |one| one.load_sharing)
         .quantity("greatest_force", "F", Dimension::Force, |one| one.greatest_force_n)
-        .number("static_safety", "f_s", |one| {
-            one.static_safety.map_or(Figure::None, |safety| Figure::Printed(safety, 3))
-        })
-        .column(Column::quantity("basic_life", Dimension::Time), |one| time(one.basic_life_s))
-        .number("basic_hours", "L_10, h", |one| in_hours(one.basic_life_s))
+        .printed("static_safety", "f_s", 3, |one| one.static_safety)
+        .quantity("basic_life", "", Dimension::Time, |one| one.basic_life_s)
+        .number("basic_hours", "L_10, h", |one| one.basic_life_s.map(hours))
         .for_people()
-        .number("reliability", "of", |one| {
-            one.modified.map_or(Figure::None, |modified| Figure::Share(modified.reliability))
-        })
-        .column(Column::quantity("modified_life", Dimension::Time), |one| time(modified(one)))
-        .number("modified_hours", "L_nm, h", |one| in_hours(modified(one)))
+        .share("reliability", "of", |one| Some(one.modified?.reliability))
+        .quantity("modified_life", "", Dimension::Time, |one| modified(one))
+        .number("modified_hours", "L_nm, h", |one| modified(one).map(hours))
         .for_people()
-        .views(views)
+        .view(
+            "Planet bearings over the duty",
+            "set planet rolling load_rating load_sharing greatest_force static_safety basic_hours reliability \
+             modified_hours",
+        )
+        .note("K_γ: of the forces of the meshes. F: the greatest of duty and overloads. f_s: static load rating over it. L_10: basic life, L_nm: modified life over the duty, of the bearings stated.")
         .records()
 }
 
 /// Keys missing for a bearing, or the reason why nothing follows; `None` where every bearing is judged.
 pub(super) fn bearings_missing(all: &[BearingOverDuty]) -> Option<Records> {
-    let lacking = all.iter().filter(|one| !one.missing.is_empty());
-    let row = |one: &BearingOverDuty| vec![text(&one.set), text(&one.planet), text(one.missing.join(", "))];
-    let rows: Vec<_> = lacking.map(row).collect();
-    (!rows.is_empty()).then(|| Records {
-        name: "bearings_missing",
-        columns: vec![
-            Column::words("set", "set"),
-            Column::words("planet", "planet"),
-            Column::words("missing", "missing"),
-        ],
-        rows,
-        views: vec![View::new("Planet bearings: what is missing", &["set", "planet", "missing"])],
-        is_answer: false,
-    })
+    let lacking: Vec<_> = all.iter().filter(|one| !one.missing.is_empty()).collect();
+    if lacking.is_empty() {
+        return None;
+    }
+    let table = Table::new("bearings_missing", lacking)
+        .text("set", "set", |one| &one.set)
+        .text("planet", "planet", |one| &one.planet)
+        .words("missing", "missing", |one| one.missing.join(", "));
+    Some(table.all("Planet bearings: what is missing").records())
 }
 
 pub(super) fn bearing_steps(all: &[BearingOverDuty]) -> Records {
-    let number = |value: Option<f64>| value.map_or(Figure::None, Figure::Number);
     Table::new(
         "bearing_steps",
         all.iter()
@@ -107,8 +77,8 @@ pub(super) fn bearing_steps(all: &[BearingOverDuty]) -> Records {
     .text("gear", "gear", |(_, step)| &step.gear)
     .quantity("force", "F", Dimension::Force, |(_, step)| step.force_n)
     .quantity("speed", "n", Dimension::AngularSpeed, |(_, step)| step.speed_rad_s)
-    .number("viscosity_ratio", "κ", |(_, step)| number(step.viscosity_ratio))
-    .number("modification", "a_ISO", |(_, step)| number(step.modification))
+    .number("viscosity_ratio", "κ", |(_, step)| step.viscosity_ratio)
+    .number("modification", "a_ISO", |(_, step)| step.modification)
     .view(
         "Planet bearings in the steps of the duty",
         "set planet gear force speed viscosity_ratio modification",

@@ -3,8 +3,8 @@
 use crate::shared::drawability::table::shut_in;
 use crate::synthesize::answer::rating::Objective;
 use crate::synthesize::answer::{Solution, Synthesis};
-use crate::table::figure::{self, Figure};
-use crate::table::report::{Column, Records, Text, View};
+use crate::table::columns::Table;
+use crate::table::report::{Records, Text};
 use epicyclic_units::format::trimmed;
 
 /// Solutions behind the first that are told one by one.
@@ -12,53 +12,29 @@ const MOST_TOLD: usize = 9;
 
 /// The figures of all solutions told.
 pub(super) fn ratings(found: &[Solution]) -> Records {
-    let row = |of: &Solution| {
-        let rating = &of.rating;
-        vec![
-            figure::count(of.number),
-            Figure::Number(super::forward_efficiency(of)),
-            Figure::Number(rating.mean_drag_of_input),
-            Figure::Number(rating.greatest_torque_of_input),
-            Figure::Number(rating.greatest_speed_of_input),
-            Figure::Number(rating.greatest_circulating_of_entering),
-            rating.progression.map_or(Figure::None, Figure::Number),
-            Figure::YesNo(rating.drawable),
-            Figure::YesNo(rating.non_dominated),
-        ]
-    };
-    Records {
-        name: "ratings",
-        columns: vec![
-            Column::number("number", "no."),
-            Column::number("efficiency", "η fwd"),
-            Column::number("mean_drag_of_input", "drag"),
-            Column::number("greatest_torque_of_input", "torque"),
-            Column::number("greatest_speed_of_input", "speed"),
-            Column::number("greatest_circulating_of_entering", "circulating"),
-            Column::number("progression", "progression"),
-            Column::words("drawable", "drawable"),
-            Column::words("non_dominated", "on front"),
-        ],
-        rows: found.iter().map(row).collect(),
-        views: vec![View {
-            title: "Ratings, over the input's".into(),
-            columns: vec![
-                "number",
-                "mean_drag_of_input",
-                "greatest_torque_of_input",
-                "greatest_speed_of_input",
-                "greatest_circulating_of_entering",
-                "progression",
-                "drawable",
-                "non_dominated",
-            ],
-            note: "Drag: slips of the open shift elements, summed, the mean over the forward gears. Torque: the greatest of a shift \
-                   element or member, with losses. Speed: the greatest of a link, or of a planet relative to its carrier. Progression: \
-                   the greatest step over the one before. On front: no other is nowhere worse and somewhere better."
-                .into(),
-        }],
-        is_answer: false,
-    }
+    Table::new("ratings", found)
+        .number("number", "no.", |of| of.number)
+        .number("efficiency", "η fwd", |of| super::forward_efficiency(of))
+        .number("mean_drag_of_input", "drag", |of| of.rating.mean_drag_of_input)
+        .number("greatest_torque_of_input", "torque", |of| of.rating.greatest_torque_of_input)
+        .number("greatest_speed_of_input", "speed", |of| of.rating.greatest_speed_of_input)
+        .number("greatest_circulating_of_entering", "circulating", |of| {
+            of.rating.greatest_circulating_of_entering
+        })
+        .number("progression", "progression", |of| of.rating.progression)
+        .words("drawable", "drawable", |of| of.rating.drawable)
+        .words("non_dominated", "on front", |of| of.rating.non_dominated)
+        .view(
+            "Ratings, over the input's",
+            "number mean_drag_of_input greatest_torque_of_input greatest_speed_of_input \
+             greatest_circulating_of_entering progression drawable non_dominated",
+        )
+        .note(
+            "Drag: slips of the open shift elements, summed, the mean over the forward gears. Torque: the greatest of a shift \
+             element or member, with losses. Speed: the greatest of a link, or of a planet relative to its carrier. Progression: \
+             the greatest step over the one before. On front: no other is nowhere worse and somewhere better.",
+        )
+        .records()
 }
 
 /// Slips, torques, speeds and circulating power of a solution's gears.

@@ -4,7 +4,7 @@ use super::{count, left_out, parts, percent, title, undercut};
 use crate::table::columns::Table;
 use crate::table::figure::Figure;
 use crate::table::report::AsReport;
-use crate::table::report::{Column, Records, Report, View};
+use crate::table::report::{Records, Report, View};
 use crate::teeth::answer::double_planet::DoublePlanetTeeth;
 use epicyclic_units::Dimension;
 
@@ -39,24 +39,20 @@ fn sets(teeth: &DoublePlanetTeeth) -> Records {
         ));
     }
     Table::new("tooth_numbers", teeth.tooth_numbers.iter())
-        .number("sun", "sun", |set| Figure::Count(set.sun))
-        .number("inner_planet", "inner", |set| Figure::Count(set.inner_planet))
-        .number("outer_planet", "outer", |set| Figure::Count(set.outer_planet))
-        .number("ring", "ring", |set| Figure::Count(set.ring))
-        .number("pairs", "pairs", |set| Figure::Count(set.pairs))
-        .number("ratio", "ratio", |set| Figure::Number(set.ratio))
-        .number("exact_ratio", "exact", |set| Figure::Text(set.exact_ratio.to_string()))
-        .number("ratio_error", "error", |set| Figure::Number(set.ratio_error))
-        .number("error", "error, %", |set| Figure::Text(percent(set.ratio_error)))
+        .number("sun", "sun", |set| set.sun)
+        .number("inner_planet", "inner", |set| set.inner_planet)
+        .number("outer_planet", "outer", |set| set.outer_planet)
+        .number("ring", "ring", |set| set.ring)
+        .number("pairs", "pairs", |set| set.pairs)
+        .number("ratio", "ratio", |set| set.ratio)
+        .number("exact_ratio", "exact", |set| set.exact_ratio.to_string())
+        .number("ratio_error", "error", |set| set.ratio_error)
+        .number("error", "error, %", |set| percent(set.ratio_error))
         .for_people()
-        .number("choices", "choices", |set| Figure::Count(u32::try_from(set.choices).unwrap_or(u32::MAX)))
-        .words("undercut_sun", "undercut sun", |set| Figure::YesNo(set.undercut_sun))
-        .words("undercut_inner_planet", "undercut inner planet", |set| {
-            Figure::YesNo(set.undercut_inner_planet)
-        })
-        .words("undercut_outer_planet", "undercut outer planet", |set| {
-            Figure::YesNo(set.undercut_outer_planet)
-        })
+        .number("choices", "choices", |set| set.choices)
+        .words("undercut_sun", "undercut sun", |set| set.undercut_sun)
+        .words("undercut_inner_planet", "undercut inner planet", |set| set.undercut_inner_planet)
+        .words("undercut_outer_planet", "undercut outer planet", |set| set.undercut_outer_planet)
         .words("undercut", "undercut", |set| {
             let gears = [
                 (set.undercut_sun, "sun"),
@@ -66,12 +62,9 @@ fn sets(teeth: &DoublePlanetTeeth) -> Records {
             Figure::Text(undercut(&gears))
         })
         .for_people()
-        .words("equal_spacing", "equal", |set| Figure::YesNo(set.equal_spacing))
-        .column(Column::quantity("pair_angles", Dimension::Angle), |set| Figure::List {
-            si: set.pair_angles_rad.clone(),
-            dimension: Dimension::Angle,
-        })
-        .number("imbalance", "imbalance", |set| Figure::Number(set.imbalance))
+        .words("equal_spacing", "equal", |set| set.equal_spacing)
+        .list("pair_angles", "", Dimension::Angle, |set| &set.pair_angles_rad)
+        .number("imbalance", "imbalance", |set| set.imbalance)
         .views(views)
         .the_answer()
         .records()

@@ -1,14 +1,14 @@
 //! Modes of the whole gearbox as tables: torsional with what excites them, and coupled in the plane.
 
 use super::{SECONDS_A_MINUTE, branch_kind, hertz, kind, member, most, ray_name, share, source};
-use crate::table::figure::{Figure, count, rpm, text};
-use crate::table::quantities::column;
-use crate::table::report::{Column, Records, View};
+use crate::table::columns::Table;
+use crate::table::figure::{Figure, rpm, text};
+use crate::table::report::{Column, Records};
 use crate::vibrate::answer::Vibration;
 use crate::vibrate::answer::records::Source;
 use crate::vibrate::answer::train_records::{
-    CoupledKinetic, CoupledMode, CoupledModes, KineticPart, StrainPart, TorsionalMode, TorsionalModes,
-    TorsionalOrder, TorsionalResonance, TorsionalStrain,
+    CentreBody, CoupledKinetic, CoupledMode, CoupledModes, KineticPart, StrainPart, TorsionalKinetic,
+    TorsionalMode, TorsionalModes, TorsionalOrder, TorsionalStrain,
 };
 use epicyclic_pictures::campbell::{self, Branch, Campbell, Ray};
 use epicyclic_units::Dimension::{AngularSpeed, Frequency, Mass, Stiffness};
@@ -60,125 +60,59 @@ fn strained(one: &TorsionalStrain) -> (f64, String) {
     (one.share, name)
 }
 
-/// Columns of a mode of the whole gearbox, then one given, then where its energy is.
-fn mode_columns(given: Option<Column>) -> Vec<Column> {
-    let mut all = vec![
-        Column::words("gear", "gear"),
-        Column::number("mode", "mode"),
-        Column::words("kind", "kind"),
-        Column::number("multiplicity", "×"),
-        Column::headed("frequency", "f, Hz", Frequency),
-    ];
-    all.extend(given);
-    all.extend([Column::words("moves", "moves most, %"), Column::words("strained", "strained most, %")]);
-    all
-}
-
 pub(super) fn torsional(all: &[TorsionalModes]) -> Records {
-    let rows = all.iter().flat_map(|gear| {
-        gear.modes.iter().map(move |mode| {
-            let kinetic = mode.kinetic.iter().map(|one| {
-                let name = one.planets_of.as_ref().map(|set| format!("planets of {set}"));
-                (one.share, name.unwrap_or_else(|| one.links.join("+")))
-            });
-            vec![
-                text(&gear.gear),
-                count(mode.mode),
-                Figure::choice(mode.kind, kind(mode.kind)),
-                count(mode.multiplicity),
-                hertz(mode.frequency_hz),
-                most(kinetic),
-                most(mode.strain.iter().map(strained)),
-            ]
-        })
-    });
-    Records {
-        name: "torsional",
-        columns: mode_columns(None),
-        rows: rows.collect(),
-        views: vec![View {
-            note: "The whole gearbox with centres at rest: links as inertias, meshes and shafts as springs. Rotational: links rotate; planet: they are at rest. At 0 Hz as many motions as the gear has \
-                   freedoms."
-                .to_owned(),
-            ..View::new(
-                "Torsional frequencies",
-                &["gear", "mode", "kind", "multiplicity", "frequency", "moves", "strained"],
-            )
-        }],
-        is_answer: false,
-    }
+    let moved = |one: &TorsionalKinetic| {
+        let planets = one.planets_of.as_ref().map(|set| format!("planets of {set}"));
+        (one.share, planets.unwrap_or_else(|| one.links.join("+")))
+    };
+    Table::new("torsional", all.iter().flat_map(|gear| gear.modes.iter().map(move |mode| (gear, mode))))
+        .text("gear", "gear", |(gear, _)| &gear.gear)
+        .number("mode", "mode", |(_, mode)| mode.mode)
+        .words("kind", "kind", |(_, mode)| Figure::choice(mode.kind, kind(mode.kind)))
+        .number("multiplicity", "×", |(_, mode)| mode.multiplicity)
+        .column(Column::headed("frequency", "f, Hz", Frequency), |(_, mode)| hertz(mode.frequency_hz))
+        .words("moves", "moves most, %", |(_, mode)| most(mode.kinetic.iter().map(moved)))
+        .words("strained", "strained most, %", |(_, mode)| most(mode.strain.iter().map(strained)))
+        .all("Torsional frequencies")
+        .note(
+            "The whole gearbox with centres at rest: links as inertias, meshes and shafts as springs. Rotational: links rotate; planet: they are at rest. At 0 Hz as many motions as the gear has \
+             freedoms.",
+        )
+        .records()
 }
 
 pub(super) fn resonances(all: &[TorsionalModes]) -> Records {
-    let row = |gear: &TorsionalModes, one: &TorsionalResonance| {
-        vec![
-            text(&gear.gear),
-            column(AngularSpeed, Some(one.input_speed_rad_s)),
-            text(&one.of),
-            Figure::choice(one.source, source(one.source)),
-            count(one.harmonic),
-            count(one.mode),
-            hertz(one.frequency_hz),
-            share(one.share),
-        ]
-    };
-    let rows = all.iter().flat_map(|gear| gear.resonances.iter().map(move |one| row(gear, one)));
-    Records {
-        name: "torsional_resonances",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::headed("input_speed", "n in, rpm", AngularSpeed),
-            Column::words("of", "of"),
-            Column::words("source", "excited by"),
-            Column::number("harmonic", "harm."),
-            Column::number("mode", "mode"),
-            Column::headed("frequency", "f, Hz", Frequency),
-            Column::number("share", "share, %"),
-        ],
-        rows: rows.collect(),
-        views: vec![View {
-            note: "Speeds of the input at which what excites has the frequency of a torsional mode that it can excite. Share: of the meshes of the set in the strain energy \
-                   of the mode, or of the shaft in its kinetic energy; where it is small, the resonance is."
-                .to_owned(),
-            ..View::new(
-                "Torsional resonances",
-                &["gear", "input_speed", "of", "source", "harmonic", "mode", "frequency", "share"],
-            )
-        }],
-        is_answer: false,
-    }
+    let rows = all.iter().flat_map(|gear| gear.resonances.iter().map(move |one| (gear, one)));
+    Table::new("torsional_resonances", rows)
+        .text("gear", "gear", |(gear, _)| &gear.gear)
+        .quantity("input_speed", "n in", AngularSpeed, |(_, one)| one.input_speed_rad_s)
+        .text("of", "of", |(_, one)| &one.of)
+        .words("source", "excited by", |(_, one)| Figure::choice(one.source, source(one.source)))
+        .number("harmonic", "harm.", |(_, one)| one.harmonic)
+        .number("mode", "mode", |(_, one)| one.mode)
+        .column(Column::headed("frequency", "f, Hz", Frequency), |(_, one)| hertz(one.frequency_hz))
+        .number("share", "share, %", |(_, one)| share(one.share))
+        .all("Torsional resonances")
+        .note(
+            "Speeds of the input at which what excites has the frequency of a torsional mode that it can excite. Share: of the meshes of the set in the strain energy \
+             of the mode, or of the shaft in its kinetic energy; where it is small, the resonance is.",
+        )
+        .records()
 }
 
 pub(super) fn orders(all: &[TorsionalModes]) -> Records {
-    let row = |gear: &TorsionalModes, one: &TorsionalOrder| {
-        vec![
-            text(&gear.gear),
-            text(&one.of),
-            Figure::choice(one.source, source(one.source)),
-            count(one.harmonic),
-            Figure::Multiple(one.of_input),
-            one.excites.map_or(text("all"), |of| Figure::choice(of, kind(of))),
-        ]
-    };
-    let rows = all.iter().flat_map(|gear| gear.orders.iter().map(move |one| row(gear, one)));
-    Records {
-        name: "torsional_orders",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::words("of", "of"),
-            Column::words("source", "excited by"),
-            Column::number("harmonic", "harm."),
-            Column::number("of_input", "order"),
-            Column::words("excites", "excites"),
-        ],
-        rows: rows.collect(),
-        views: vec![View {
-            note: "Which torsional modes the phases of the planets of a set let it excite; a shaft excites those in which it rotates."
-                .to_owned(),
-            ..View::new("Torsional orders", &["gear", "of", "source", "harmonic", "of_input", "excites"])
-        }],
-        is_answer: false,
-    }
+    let excited = |one: &TorsionalOrder| one.excites.map_or(text("all"), |of| Figure::choice(of, kind(of)));
+    let rows = all.iter().flat_map(|gear| gear.orders.iter().map(move |one| (gear, one)));
+    Table::new("torsional_orders", rows)
+        .text("gear", "gear", |(gear, _)| &gear.gear)
+        .text("of", "of", |(_, one)| &one.of)
+        .words("source", "excited by", |(_, one)| Figure::choice(one.source, source(one.source)))
+        .number("harmonic", "harm.", |(_, one)| one.harmonic)
+        .multiple("of_input", "order", |(_, one)| one.of_input)
+        .words("excites", "excites", |(_, one)| excited(one))
+        .all("Torsional orders")
+        .note("Which torsional modes the phases of the planets of a set let it excite; a shaft excites those in which it rotates.")
+        .records()
 }
 
 pub(super) fn coupled(all: &[CoupledModes]) -> Records {
@@ -196,62 +130,34 @@ pub(super) fn coupled(all: &[CoupledModes]) -> Records {
         let all: Vec<String> = mode.sets.iter().map(|one| format!("{} {}", one.set, of(one.kind))).collect();
         text(all.join(", "))
     };
-    let rows = all.iter().flat_map(|gear| {
-        gear.modes.iter().map(move |mode| {
-            vec![
-                text(&gear.gear),
-                count(mode.mode),
-                Figure::choice(mode.kind, kind(mode.kind)),
-                count(mode.multiplicity),
-                hertz(mode.frequency_hz),
-                in_sets(mode),
-                most(mode.kinetic.iter().map(moved)),
-                most(mode.strain.iter().map(strained)),
-            ]
-        })
-    });
-    Records {
-        name: "coupled",
-        columns: mode_columns(Some(Column::words("sets", "sets"))),
-        rows: rows.collect(),
-        views: vec![
-            View {
-                note: "The whole gearbox in the plane, at rest: sets on common links and centres. Kind: rotational, links rotate; translational, centres move; planet, the planets of \
-                       a set alone. Sets: what the sun, ring and carrier of each do."
-                    .to_owned(),
-                ..View::new("Coupled frequencies", &["gear", "mode", "kind", "multiplicity", "frequency", "sets"])
-            },
-            View::new("Where the energy of coupled modes is", &["gear", "mode", "moves", "strained"]),
-        ],
-        is_answer: false,
-    }
+    Table::new("coupled", all.iter().flat_map(|gear| gear.modes.iter().map(move |mode| (gear, mode))))
+        .text("gear", "gear", |(gear, _)| &gear.gear)
+        .number("mode", "mode", |(_, mode)| mode.mode)
+        .words("kind", "kind", |(_, mode)| Figure::choice(mode.kind, kind(mode.kind)))
+        .number("multiplicity", "×", |(_, mode)| mode.multiplicity)
+        .column(Column::headed("frequency", "f, Hz", Frequency), |(_, mode)| hertz(mode.frequency_hz))
+        .words("sets", "sets", |(_, mode)| in_sets(mode))
+        .words("moves", "moves most, %", |(_, mode)| most(mode.kinetic.iter().map(moved)))
+        .words("strained", "strained most, %", |(_, mode)| most(mode.strain.iter().map(strained)))
+        .view("Coupled frequencies", "gear mode kind multiplicity frequency sets")
+        .note(
+            "The whole gearbox in the plane, at rest: sets on common links and centres. Kind: rotational, links rotate; translational, centres move; planet, the planets of \
+             a set alone. Sets: what the sun, ring and carrier of each do.",
+        )
+        .view("Where the energy of coupled modes is", "gear mode moves strained")
+        .records()
 }
 
 pub(super) fn centres(all: &[CoupledModes]) -> Records {
-    let rows = all.iter().flat_map(|gear| {
-        gear.centres.iter().map(move |centre| {
-            let of = centre.members.iter().map(|one| format!("{} of {}", member(one.member), one.set));
-            vec![
-                text(&gear.gear),
-                Figure::Texts(of.collect()),
-                column(Mass, centre.mass_kg),
-                column(Stiffness, centre.support_n_m),
-            ]
-        })
-    });
-    Records {
-        name: "centres",
-        columns: vec![
-            Column::words("gear", "gear"),
-            Column::words("members", "members"),
-            Column::headed("mass", "m, kg", Mass),
-            Column::headed("support", "k, N/µm", Stiffness),
-        ],
-        rows: rows.collect(),
-        views: vec![View {
-            note: "What moves in the plane as one piece: mass, carriers without planets, and radial support. Without a mass the centre is held.".to_owned(),
-            ..View::new("Centres", &["gear", "members", "mass", "support"])
-        }],
-        is_answer: false,
-    }
+    let members = |centre: &CentreBody| {
+        centre.members.iter().map(|one| format!("{} of {}", member(one.member), one.set)).collect::<Vec<_>>()
+    };
+    Table::new("centres", all.iter().flat_map(|gear| gear.centres.iter().map(move |centre| (gear, centre))))
+        .text("gear", "gear", |(gear, _)| &gear.gear)
+        .words("members", "members", |(_, centre)| members(centre))
+        .quantity("mass", "m", Mass, |(_, centre)| centre.mass_kg)
+        .quantity("support", "k", Stiffness, |(_, centre)| centre.support_n_m)
+        .all("Centres")
+        .note("What moves in the plane as one piece: mass, carriers without planets, and radial support. Without a mass the centre is held.")
+        .records()
 }
