@@ -455,7 +455,7 @@ fn rows_as_csv<'a>(
 }
 
 /// Rows that become cells together.
-const TOGETHER: usize = 16;
+const TOGETHER: usize = 64;
 
 /// Rows of a list as CSV, a few at a time as they come and after a check that their numbers are finite;
 /// `records` is the list of given rows.
