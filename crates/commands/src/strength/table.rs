@@ -185,11 +185,11 @@ fn at_point(all: &[Rated]) -> Records {
 
 /// The factors of two gears: each, or two where they have it by different formulas or only one of them has it,
 /// with its values side by side.
-fn by_formula<'a, F>(
-    [first, second]: [&'a [F]; 2],
+fn by_formula<F>(
+    [first, second]: [&[F]; 2],
     symbol: impl Fn(&F) -> &str,
     formula: impl Fn(&F) -> &Option<String>,
-) -> Vec<(&'a F, [Option<&'a F>; 2])> {
+) -> Vec<(&F, [Option<&F>; 2])> {
     let mut rows = vec![];
     let mut rest = second;
     for one in first {

@@ -131,7 +131,7 @@ impl<Row> Table<Row> {
         self.number(key, heading, |row| of(row).into().map(|number| Figure::Printed(number, decimals)))
     }
 
-    /// The columns of each of several things, as `add` adds them.
+    /// Adds the columns of each of several things.
     pub(crate) fn each<Of>(
         self,
         all: impl IntoIterator<Item = Of>,

@@ -454,17 +454,27 @@ fn rows_as_csv<'a>(
     text::csv(&header, rows, out)
 }
 
-/// Rows of a list as CSV, each when it comes and after a check that its numbers are finite; `records` is the
-/// list of given rows.
+/// Rows that become cells together.
+const TOGETHER: usize = 64;
+
+/// Rows of a list as CSV, a few at a time as they come and after a check that their numbers are finite;
+/// `records` is the list of given rows.
 pub(crate) fn checked_rows_as_csv<R, E: Into<Box<dyn std::error::Error + Send + Sync>>>(
-    rows: impl Iterator<Item = Result<R, E>>,
+    mut rows: impl Iterator<Item = Result<R, E>>,
     records: impl Fn(&[R]) -> Records,
     out: impl io::Write,
 ) -> io::Result<()> {
     let Records { name: list, columns, .. } = records(&[]);
-    let mut fault = None;
-    let checked = |row: Result<R, E>| {
-        let row = records(&[row.map_err(io::Error::other)?]).rows.remove(0);
+    let cells = std::iter::from_fn(|| {
+        let mut fault = None;
+        let next = rows.by_ref().take(TOGETHER);
+        let next: Vec<R> = next.map_while(|row| row.map_err(|error| fault = Some(error)).ok()).collect();
+        let fault = fault.map(|error| Err(io::Error::other(error)));
+        let cells: Vec<io::Result<_>> = records(&next).rows.into_iter().map(Ok).chain(fault).collect();
+        (!cells.is_empty()).then_some(cells)
+    });
+    let checked = |row: io::Result<Vec<Figure>>| {
+        let row = row?;
         match columns.iter().zip(&row).find(|(_, figure)| !figure.is_finite()) {
             None => Ok(row),
             Some((column, _)) => {
@@ -473,7 +483,8 @@ pub(crate) fn checked_rows_as_csv<R, E: Into<Box<dyn std::error::Error + Send + 
             }
         }
     };
-    let rows = rows.map(checked).map_while(|row| row.map_err(|error| fault = Some(error)).ok());
+    let mut fault = None;
+    let rows = cells.flatten().map(checked).map_while(|row| row.map_err(|error| fault = Some(error)).ok());
     let written = rows_as_csv(&columns, rows.map(Cow::Owned), out);
     fault.map_or(written, Err)
 }

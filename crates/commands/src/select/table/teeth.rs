@@ -73,8 +73,11 @@ struct SetColumns {
     shifts: [&'static str; 8],
 }
 
+/// One of the figures of shifts.
+type OfShifts = fn(&SetShifts) -> Figure;
+
 /// The columns of shifts: heading and figure.
-const SHIFTS: [(&str, fn(&SetShifts) -> Figure); 8] = [
+const SHIFTS: [(&str, OfShifts); 8] = [
     ("offset", |of| Figure::Number(f64::from(of.ring_offset))),
     ("a", |of| Figure::Printed(of.centre_distance_in_modules, 3)),
     ("x sun", |of| Figure::Printed(of.profile_shifts[0], 4)),
