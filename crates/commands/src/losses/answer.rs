@@ -588,7 +588,7 @@ gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }, { name: no
         assert!((place.loss_w.unwrap() - point.loss_w).abs() < 1e-12 * point.input_power_w);
         // At rest there is no power; without an input torque the output would have to help.
         assert!(found.map[2].efficiency.is_none() && found.map[15].efficiency.is_none());
-        assert!(Places::new(rpm(0.0), rpm(1.0), 1).is_err());
+        assert!(Places::<_>::new(rpm(0.0), rpm(1.0), 1).is_err());
     }
 
     #[test]
