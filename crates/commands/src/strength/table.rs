@@ -183,8 +183,8 @@ fn at_point(all: &[Rated]) -> Records {
         .records()
 }
 
-/// The factors of two gears: each, or two where they have it by different formulas or only one of them has it,
-/// with its values side by side.
+/// The factors of two gears, each with its values side by side; two of a name where the formulas differ, or
+/// where only one gear has it.
 fn by_formula<F>(
     [first, second]: [&[F]; 2],
     symbol: impl Fn(&F) -> &str,
