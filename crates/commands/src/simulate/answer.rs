@@ -10,6 +10,8 @@
 //! # Temperature
 //! The heat of an element goes into one body with heat capacity `C` and conductance `G` to the oil. Its
 //! temperature `θ` is that above the oil:
+//!
+//! ```text
 //! C·dθ/dt = P − G·θ       θ(t + Δt) = θ·e + (ΔQ/Δt)/G·(1 − e)     e = exp(−G·Δt/C)     G = 0: θ + ΔQ/C
 //! ```
 //!
