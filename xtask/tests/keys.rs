@@ -8,8 +8,8 @@ use std::path::Path;
 use xtask::book::keys::{all_keys, schemas};
 use xtask::schema::{case_schema, index_schema};
 
-/// Keys that were there before are there still. A key that is to go leaves `keys.txt` with the change that takes
-/// it away, which also raises the version of the records; `UPDATE_BOOK=1` adds those that are new.
+/// Every key listed in `keys.txt` still exists. A change that removes a key removes it there too and raises
+/// the version of the records; `UPDATE_BOOK=1` adds new keys.
 #[test]
 fn no_key_has_gone() {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/keys.txt");

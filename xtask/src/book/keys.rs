@@ -1,4 +1,4 @@
-//! Keys of the answers in JSON, as a chapter of the book lists them, from the schemas that the program prints.
+//! Keys of the answers in JSON for a chapter of the book, from the schemas that the program prints.
 
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
@@ -73,8 +73,7 @@ fn keys(part: &Value) -> BTreeSet<String> {
 /// Answers by their keys: an answer that is part of another one is named there, without its keys.
 type Answers = BTreeMap<BTreeSet<String>, String>;
 
-/// A row for each key below a part of a schema: `[]` stands for each entry of a list, `*` for each name of a
-/// map.
+/// Adds a row for each key below a part of a schema: `[]` means each entry of a list, `*` each name of a map.
 fn rows(schema: &Value, part: &Value, path: &str, answers: &Answers, page: &mut String) {
     for choice in choices(schema, part) {
         if let Some(entries) = choice.get("items") {

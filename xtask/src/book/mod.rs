@@ -92,7 +92,10 @@ pub fn build(source: &Path, pages: &Path) -> Result<usize, String> {
     config.build.build_dir = pages.to_owned();
     let mut book = MDBook::load_with_config(source, config).map_err(said)?;
     let typesetter = Typesetter::default();
-    let keys = keys::tables()?;
+    let mut lists_keys = false;
+    book.book.for_each_chapter_mut(|chapter| lists_keys |= chapter.content.contains(KEYS_HERE));
+    // The program prints its fifty schemas for them.
+    let keys = if lists_keys { keys::tables()? } else { String::new() };
     let (mut chapters, mut has_report, mut faults) = (0, false, Vec::new());
     book.book.for_each_chapter_mut(|chapter| {
         chapters += 1;
