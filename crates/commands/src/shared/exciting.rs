@@ -8,7 +8,7 @@ use crate::vibrate::answer::Wanted;
 use epicyclic_units::Quantity as Given;
 use uom::si::f64::{AngularVelocity, Length, Ratio};
 
-/// What excites a vibration, and where it is looked at. What is not given here the file may say.
+/// Options of the excitation of a vibration and of its speeds. The file may state those that are not given.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Exciting {
     /// Resonances and frequencies over these speeds of the input: 500rpm..3000rpm/11, both ends and how many

@@ -13,7 +13,7 @@ use epicyclic_units::Quantity;
 use std::path::Path;
 use uom::si::f64::Ratio;
 
-/// Which gearbox.
+/// Options that choose a gearbox.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Choice {
     /// The file, in YAML, or - for standard input; or a scheme of the catalogue (I … III-3) or a structure

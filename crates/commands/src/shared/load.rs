@@ -5,7 +5,7 @@ use epicyclic_train::InputLoad;
 use epicyclic_units::Quantity;
 use uom::si::f64::{AngularVelocity, Power, Torque};
 
-/// What its input does.
+/// Options of the speed and load of the input.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Load {
     /// Torque on the input: 500 N·m.
