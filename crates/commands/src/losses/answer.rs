@@ -274,7 +274,7 @@ pub fn map(
     torques: &Places<Torque>,
 ) -> Result<LossMap, Error> {
     let analysis = analysis(&subject.gearbox, gear)?;
-    let mut map = Vec::with_capacity(speeds.count() as usize * torques.count() as usize);
+    let mut map = Vec::with_capacity(speeds.count() * torques.count());
     for speed in speeds.values() {
         for torque in torques.values() {
             let load = GivenLoad::Input(InputLoad::Torque(torque));

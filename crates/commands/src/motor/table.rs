@@ -75,8 +75,8 @@ impl AsReport for Motor {
     }
 }
 
-/// What a motor is chosen by, each with its name and as a table has it: rows that its width, pressure, or
-/// speed would give are left out without them.
+/// Figures by which a motor is chosen, each with its name and as in a table. Figures that need a width,
+/// pressure or speed are left out without it.
 #[must_use]
 pub fn key(motor: &Motor) -> Vec<[String; 2]> {
     const KEY: [&str; 7] =

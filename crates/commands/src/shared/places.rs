@@ -33,8 +33,8 @@ impl<T: Physical, const MOST: u32> Places<T, MOST> {
     }
 
     /// Number of places.
-    pub(crate) const fn count(&self) -> u32 {
-        self.places
+    pub(crate) const fn count(&self) -> usize {
+        self.places as usize
     }
 
     /// Values in increasing index order.

@@ -75,8 +75,8 @@ fn tables(strength: &Strength) -> Vec<Part> {
     parts
 }
 
-/// The same as parts of a page: with all factors of a set in one table, at an operating point those of the
-/// gear in which a safety of it is least over what is required.
+/// Report for a page, with all factors of a set in one table. At an operating point they are those of the
+/// gear with the least safety over the required one.
 pub(crate) fn for_page(strength: &Strength) -> Report {
     let mut parts = vec![Part::Facts(strength.facts())];
     parts.extend(tables(strength));

@@ -16,6 +16,9 @@ use crate::table::quantities;
 use crate::table::report::{Column, Records, View};
 use epicyclic_units::Dimension;
 
+/// Number of columns that most tables do not exceed.
+const COLUMNS: usize = 16;
+
 /// Table of rows, to which columns are added.
 pub(crate) struct Table<Row> {
     rows: Vec<Row>,
@@ -26,7 +29,9 @@ impl<Row> Table<Row> {
     /// Table without columns.
     pub(crate) fn new(name: &'static str, rows: impl IntoIterator<Item = Row>) -> Self {
         let rows: Vec<Row> = rows.into_iter().collect();
-        let cells = rows.iter().map(|_| vec![]).collect();
+        // Streamed lists make tables a few rows at a time, where growing column by column would cost as much
+        // as the cells.
+        let cells = rows.iter().map(|_| Vec::with_capacity(COLUMNS)).collect();
         let records = Records { name, columns: vec![], rows: cells, views: vec![], is_answer: false };
         Self { rows, records }
     }
@@ -98,7 +103,7 @@ impl<Row> Table<Row> {
         self.column(Column::headed(key, heading, dimension), cell)
     }
 
-    /// A column of several quantities of one kind, in those units.
+    /// Adds a column of lists of quantities of one kind, in the units of drawings.
     pub(crate) fn list(
         self,
         key: &'static str,
@@ -110,7 +115,7 @@ impl<Row> Table<Row> {
         self.column(Column::headed(key, with_unit(heading, dimension), dimension), cell)
     }
 
-    /// A column of parts of a whole, in per cent.
+    /// Adds a column of parts of a whole, in per cent.
     pub(crate) fn share<V: Into<Option<f64>>>(
         self,
         key: &'static str,
@@ -120,7 +125,7 @@ impl<Row> Table<Row> {
         self.number(key, heading, |row| of(row).into().map(Figure::Share))
     }
 
-    /// A column of numbers with so many decimals.
+    /// Adds a column of numbers with so many decimals.
     pub(crate) fn printed<V: Into<Option<f64>>>(
         self,
         key: &'static str,
@@ -129,6 +134,19 @@ impl<Row> Table<Row> {
         of: impl Fn(&Row) -> V,
     ) -> Self {
         self.number(key, heading, |row| of(row).into().map(|number| Figure::Printed(number, decimals)))
+    }
+
+    /// Adds a column of quantities with so many decimals in the unit of drawings.
+    pub(crate) fn measured<V: Into<Option<f64>>>(
+        self,
+        key: &'static str,
+        heading: &str,
+        dimension: Dimension,
+        decimals: usize,
+        of: impl Fn(&Row) -> V,
+    ) -> Self {
+        let cell = |row: &Row| of(row).into().map(|si| Figure::Measured { si, dimension, decimals });
+        self.column(Column::headed(key, with_unit(heading, dimension), dimension), cell)
     }
 
     /// Adds the columns of each of several things.
@@ -216,7 +234,7 @@ impl<Row> Table<Row> {
     }
 }
 
-/// A heading that names the unit of drawings; the unit alone where it is empty.
+/// Heading with the unit of drawings, or the unit alone for an empty heading.
 fn with_unit(heading: &str, dimension: Dimension) -> String {
     let unit = dimension.usual_unit().symbol;
     if heading.is_empty() { unit.to_owned() } else { format!("{heading}, {unit}") }

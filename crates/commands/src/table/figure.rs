@@ -79,21 +79,6 @@ pub enum Figure {
     Mark(bool),
 }
 
-/// Figure of a quantity.
-pub fn quantity<T: Physical>(value: T) -> Figure {
-    Figure::Quantity { si: value.si(), dimension: T::DIMENSION }
-}
-
-/// Figure of a quantity, or of none.
-pub fn optional<T: Physical>(value: Option<T>) -> Figure {
-    value.map_or(Figure::Without(T::DIMENSION), quantity)
-}
-
-/// Figure of a quantity below a heading with its unit.
-pub fn column<T: Physical>(value: Option<T>) -> Figure {
-    value.map_or(Figure::None, |value| Figure::Column { si: value.si(), dimension: T::DIMENSION })
-}
-
 /// Figure of a multiple, or of none.
 pub fn multiple(value: Option<f64>) -> Figure {
     value.map_or(Figure::None, Figure::Multiple)

@@ -179,11 +179,6 @@ impl AsReport for Vibration {
     }
 }
 
-/// A frequency with one decimal.
-fn hertz(si: f64) -> Figure {
-    Figure::Measured { si, dimension: Frequency, decimals: 1 }
-}
-
 /// A share in per cent.
 fn share(of: f64) -> Figure {
     Figure::Printed(100.0 * of, 1)
@@ -250,7 +245,7 @@ fn of_modes(sets: &[SetModes], is_answer: bool) -> Records {
         .number("mode", "mode", |(_, mode)| mode.mode)
         .words("kind", "kind", |(_, mode)| Figure::choice(mode.kind, kind(mode.kind)))
         .number("multiplicity", "×", |(_, mode)| mode.multiplicity)
-        .column(Column::headed("frequency", "f, Hz", Frequency), |(_, mode)| hertz(mode.frequency_hz))
+        .measured("frequency", "f", Frequency, 1, |(_, mode)| mode.frequency_hz)
         .words("moves", "moves most, %", |(_, mode)| moved(&mode.kinetic))
         .for_people()
         .words("strained", "strained most, %", |(_, mode)| mode.strain.map(strained))
@@ -290,7 +285,7 @@ fn resonances(all: &[Resonance]) -> Records {
         .number("harmonic", "harm.", |one| one.harmonic)
         .number("mode", "mode", |one| one.mode)
         .words("kind", "kind", |one| Figure::choice(one.kind, kind(one.kind)))
-        .column(Column::headed("frequency", "f, Hz", Frequency), |one| hertz(one.frequency_hz))
+        .measured("frequency", "f", Frequency, 1, |one| one.frequency_hz)
         .view("Resonances", "set gear input_speed source harmonic mode kind frequency")
         .note(note)
         .records()
@@ -313,9 +308,7 @@ fn responses(all: &[Response]) -> Records {
         .number("harmonic", "harm.", |(_, one, _, _, _)| one.harmonic)
         .column(Column::headed("error", "e", Length), |(_, _, _, error, _)| quantity(Length, *error))
         .quantity("input_speed", "n in", AngularSpeed, |(_, _, _, _, greatest)| greatest.input_speed_rad_s)
-        .column(Column::headed("frequency", "f, Hz", Frequency), |(_, _, _, _, greatest)| {
-            hertz(greatest.frequency_hz)
-        })
+        .measured("frequency", "f", Frequency, 1, |(_, _, _, _, greatest)| greatest.frequency_hz)
         .quantity("force", "F", Force, |(_, _, _, _, greatest)| greatest.force_n)
         .quantity("parts_below_sun_torque", "T sun", Torque, |(_, _, _, _, greatest)| {
             greatest.parts_below_sun_torque_n_m

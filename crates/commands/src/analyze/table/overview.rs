@@ -112,8 +112,8 @@ fn of_elements(overview: &Overview) -> Vec<View> {
     }
 }
 
-/// What the gears do, and each shift element in them: the torque of one that is engaged, the slip of one that
-/// is open.
+/// Table of the gears and of each shift element in them: the torque of an engaged one, the slip of an open
+/// one.
 fn records(overview: &Overview, views: Vec<View>) -> Records {
     Table::new("gears", &overview.gears)
         .text("gear", "gear", |gear| &gear.facts.gear)
@@ -164,7 +164,7 @@ fn records(overview: &Overview, views: Vec<View>) -> Records {
         .records()
 }
 
-/// What a shift element does in a gear, if it is engaged there, or open.
+/// Duty of a shift element in a gear if its state there is that asked for, engaged or open.
 fn duty(gear: &Gear, place: usize, engaged: bool) -> Option<&SlipAndTorque> {
     Some(&gear.shift_elements[place].duty).filter(|duty| duty.engaged == engaged)
 }

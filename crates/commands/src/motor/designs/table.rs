@@ -1,5 +1,5 @@
-//! What the tables of both searches for hydromotors share: the numbers of a design, and what it does in its
-//! size.
+//! Columns that the tables of both searches for hydromotors share: numbers of a design, and its performance
+//! at its size.
 
 use crate::table::columns::Table;
 use crate::table::quantities::column;

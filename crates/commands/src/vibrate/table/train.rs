@@ -1,9 +1,9 @@
 //! Modes of the whole gearbox as tables: torsional with what excites them, and coupled in the plane.
 
-use super::{SECONDS_A_MINUTE, branch_kind, hertz, kind, member, most, ray_name, share, source};
+use super::{SECONDS_A_MINUTE, branch_kind, kind, member, most, ray_name, share, source};
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, rpm, text};
-use crate::table::report::{Column, Records};
+use crate::table::report::Records;
 use crate::vibrate::answer::Vibration;
 use crate::vibrate::answer::records::Source;
 use crate::vibrate::answer::train_records::{
@@ -70,7 +70,7 @@ pub(super) fn torsional(all: &[TorsionalModes]) -> Records {
         .number("mode", "mode", |(_, mode)| mode.mode)
         .words("kind", "kind", |(_, mode)| Figure::choice(mode.kind, kind(mode.kind)))
         .number("multiplicity", "×", |(_, mode)| mode.multiplicity)
-        .column(Column::headed("frequency", "f, Hz", Frequency), |(_, mode)| hertz(mode.frequency_hz))
+        .measured("frequency", "f", Frequency, 1, |(_, mode)| mode.frequency_hz)
         .words("moves", "moves most, %", |(_, mode)| most(mode.kinetic.iter().map(moved)))
         .words("strained", "strained most, %", |(_, mode)| most(mode.strain.iter().map(strained)))
         .all("Torsional frequencies")
@@ -90,7 +90,7 @@ pub(super) fn resonances(all: &[TorsionalModes]) -> Records {
         .words("source", "excited by", |(_, one)| Figure::choice(one.source, source(one.source)))
         .number("harmonic", "harm.", |(_, one)| one.harmonic)
         .number("mode", "mode", |(_, one)| one.mode)
-        .column(Column::headed("frequency", "f, Hz", Frequency), |(_, one)| hertz(one.frequency_hz))
+        .measured("frequency", "f", Frequency, 1, |(_, one)| one.frequency_hz)
         .number("share", "share, %", |(_, one)| share(one.share))
         .all("Torsional resonances")
         .note(
@@ -135,7 +135,7 @@ pub(super) fn coupled(all: &[CoupledModes]) -> Records {
         .number("mode", "mode", |(_, mode)| mode.mode)
         .words("kind", "kind", |(_, mode)| Figure::choice(mode.kind, kind(mode.kind)))
         .number("multiplicity", "×", |(_, mode)| mode.multiplicity)
-        .column(Column::headed("frequency", "f, Hz", Frequency), |(_, mode)| hertz(mode.frequency_hz))
+        .measured("frequency", "f", Frequency, 1, |(_, mode)| mode.frequency_hz)
         .words("sets", "sets", |(_, mode)| in_sets(mode))
         .words("moves", "moves most, %", |(_, mode)| most(mode.kinetic.iter().map(moved)))
         .words("strained", "strained most, %", |(_, mode)| most(mode.strain.iter().map(strained)))

@@ -118,7 +118,7 @@ impl SpeedMap<'_> {
     #[must_use]
     pub fn count(&self) -> usize {
         let [(_, first), (_, second)] = &self.ranges;
-        first.count() as usize * second.count() as usize * self.link_count()
+        first.count() * second.count() * self.link_count()
     }
 
     /// Entries for every link at every place of the map, row by row.
