@@ -6,7 +6,7 @@ use epicyclic_commands::adjust::AdjustableNumber;
 use epicyclic_commands::analyze::answer as analyze;
 use epicyclic_commands::analyze::answer::Input;
 use epicyclic_commands::shared::drawability::table as drawability;
-use epicyclic_commands::shared::gearbox::{Choice, Content, Subject, read};
+use epicyclic_commands::shared::gearbox::{Choice, Content, Gearbox, read};
 use epicyclic_commands::shared::transmissions::answer as transmissions;
 use epicyclic_commands::table::report::AsReport as _;
 use epicyclic_commands::{adjust, front as from_the_front};
@@ -17,7 +17,7 @@ use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_layout::Verdict;
 use epicyclic_pictures::gearbox::{ladder, levers, scheme as schemes, speeds};
 use epicyclic_schemes::catalogue::Scheme;
-use epicyclic_train::{Analysis, Gearbox, InputLoad};
+use epicyclic_train::{self as train, Analysis, InputLoad};
 use epicyclic_units::{Number, Physical, Quantity};
 use serde::Deserialize;
 use std::cmp::Reverse;
@@ -109,7 +109,7 @@ fn typed<Q: Physical>(field: &str, text: Option<&str>) -> Result<Option<Q>, Fail
 fn with<T>(
     file: &str,
     question: &Question,
-    done: impl FnOnce(&Subject<'_>) -> Result<T, Failure>,
+    done: impl FnOnce(&Gearbox) -> Result<T, Failure>,
     several: impl FnOnce(&transmissions::Transmissions) -> Result<T, Failure>,
 ) -> Result<T, Failure> {
     let document = documents::of(NAME, file)?;
@@ -126,7 +126,7 @@ pub(crate) fn look(file: &str, question: &str) -> Result<String, Failure> {
     with(file, &question, |subject| of_one(subject, &question), several)
 }
 
-fn of_one(subject: &Subject<'_>, question: &Question) -> Result<String, Failure> {
+fn of_one(subject: &Gearbox, question: &Question) -> Result<String, Failure> {
     let overview = analyze::overview::answer(subject, question.input()?, None).map_err(refused)?;
     let mut parts = vec![("analyze", json(&overview)?), ("adjust", json(&adjust::answer(subject))?)];
     if question.list
@@ -153,7 +153,7 @@ fn of_one(subject: &Subject<'_>, question: &Question) -> Result<String, Failure>
             }
         }
     }
-    let gearbox = &subject.gearbox;
+    let gearbox = &subject.train;
     let gear =
         question.gear.as_deref().map(|gear| analyze::analysis(gearbox, gear)).transpose().map_err(refused)?;
     let pictures: Vec<(&str, String)> = question
@@ -166,7 +166,7 @@ fn of_one(subject: &Subject<'_>, question: &Question) -> Result<String, Failure>
 }
 
 /// The transmissions of a list; of another file the one gearbox.
-fn all_of<'d>(subject: &Subject<'d>) -> Result<Content<'d>, Failure> {
+fn all_of<'d>(subject: &Gearbox) -> Result<Content<'d>, Failure> {
     if subject.document.value().get("transmissions").is_none() {
         return Ok(Content::Several(vec![]));
     }
@@ -174,7 +174,7 @@ fn all_of<'d>(subject: &Subject<'d>) -> Result<Content<'d>, Failure> {
 }
 
 /// Picture as SVG in JSON; where it cannot be drawn, the message that gives the reason.
-fn drawn(picture: Picture, gearbox: &Gearbox, gear: Option<&Analysis<'_>>) -> String {
+fn drawn(picture: Picture, gearbox: &train::Gearbox, gear: Option<&Analysis<'_>>) -> String {
     let scene =
         scene(picture, gearbox, gear).and_then(|scene| svg::write(&scene).map_err(|error| error.to_string()));
     match scene {
@@ -183,7 +183,7 @@ fn drawn(picture: Picture, gearbox: &Gearbox, gear: Option<&Analysis<'_>>) -> St
     }
 }
 
-fn scene(picture: Picture, gearbox: &Gearbox, gear: Option<&Analysis<'_>>) -> Result<Scene, String> {
+fn scene(picture: Picture, gearbox: &train::Gearbox, gear: Option<&Analysis<'_>>) -> Result<Scene, String> {
     let drawn = match picture {
         Picture::Scheme | Picture::Power => {
             let verdict = layouts::of(gearbox);
@@ -224,7 +224,7 @@ fn scene(picture: Picture, gearbox: &Gearbox, gear: Option<&Analysis<'_>>) -> Re
 /// The sets from the front.
 pub(crate) fn front(file: &str, question: &str) -> Result<String, Failure> {
     let question = Question::read(question)?;
-    let one = |subject: &Subject<'_>| {
+    let one = |subject: &Gearbox| {
         json(&from_the_front::answer(subject, question.gear.as_deref()).map_err(refused)?)
     };
     with(file, &question, one, |_| Err(several()))

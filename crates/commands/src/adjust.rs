@@ -2,7 +2,7 @@
 //! with its place.
 
 use crate::answer::Answer;
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -62,8 +62,8 @@ impl AdjustableKind {
 
 /// The `k` and teeth of all sets that are written in short.
 #[must_use]
-pub fn answer(subject: &Subject<'_>) -> Adjustable {
-    let document = subject.document;
+pub fn answer(subject: &Gearbox) -> Adjustable {
+    let document = &subject.document;
     let sets = subject.base.clone().key("sets");
     let count = document.value_at(&sets).and_then(|sets| sets.as_sequence()).map_or(0, Vec::len);
     let mut numbers = vec![];

@@ -14,7 +14,7 @@ mod gears;
 
 use crate::answer::Answer;
 use crate::error::Error;
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use crate::shared::number::plain;
 use epicyclic_train::{Analysis, PlanetSet};
 use epicyclic_units::Physical;
@@ -148,8 +148,8 @@ pub struct PlanetGear {
 ///
 /// # Errors
 /// [`Error::NoGear`].
-pub fn answer(subject: &Subject<'_>, gear: Option<&str>) -> Result<Front, Error> {
-    let gearbox = &subject.gearbox;
+pub fn answer(subject: &Gearbox, gear: Option<&str>) -> Result<Front, Error> {
+    let gearbox = &subject.train;
     let analysis = gear.map(|gear| crate::analyze::answer::analysis(gearbox, gear)).transpose()?;
     let (mut sets, mut left_out, mut uncut) = (vec![], vec![], vec![]);
     for (place, set) in gearbox.sets().iter().enumerate() {

@@ -12,7 +12,7 @@ use epicyclic_commands::analyze::answer::shifts::Transition;
 use epicyclic_commands::analyze::answer::{Input, elements};
 use epicyclic_commands::compare::answer as compare;
 use epicyclic_commands::compare::answer::{Candidate, FigureName, GearsBy};
-use epicyclic_commands::shared::gearbox::{Choice, Subject, one};
+use epicyclic_commands::shared::gearbox::{Choice, Gearbox, one};
 use epicyclic_formats::Document;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_train::InputLoad;
@@ -33,7 +33,7 @@ fn choice(transmission: &str, efficiency: Option<f64>) -> Choice {
 }
 
 /// Gearboxes of several gears, with losses.
-fn each(check: impl Fn(&Subject<'_>, &Overview)) {
+fn each(check: impl Fn(&Gearbox, &Overview)) {
     let list = document("real-transmissions.yaml");
     let transmissions = ["8HP", "TH400", "AOD"].map(|name| (&list, choice(name, Some(0.97))));
     let files = ["scheme-ii-3.yaml", "ravigneaux.yaml", "sized-gearbox.yaml"].map(document);
@@ -44,7 +44,7 @@ fn each(check: impl Fn(&Subject<'_>, &Overview)) {
     }
 }
 
-fn in_full(subject: &Subject<'_>, gear: &str, input: Input) -> OneGear {
+fn in_full(subject: &Gearbox, gear: &str, input: Input) -> OneGear {
     gear::answer(subject, gear, input).unwrap()
 }
 

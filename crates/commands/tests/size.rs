@@ -101,7 +101,7 @@ fn the_saved_file_has_the_safeties_that_were_found() {
         // The file is whole: gears, duty, and the sets that have no size.
         let document = read(&text);
         let subject = strength::subject(&document).unwrap();
-        let gear = |name: &str| analyze::analysis(&subject.gearbox, name).unwrap().ratio().unwrap();
+        let gear = |name: &str| analyze::analysis(&subject.train, name).unwrap().ratio().unwrap();
         assert!((gear("low") - 4.5).abs() < 1e-12 && gear("high") > 1.0);
         assert!(text.contains("# Set A: bearing 6") && text.contains("load_rating"), "{text}");
         to_json(&size).unwrap();

@@ -276,6 +276,6 @@ mod tests {
         assert!(matches!(one(&many, &named("o")), Err(Error::AmbiguousTransmission { .. })));
         assert!(matches!(one(&many, &named("?")), Err(Error::NoTransmission { .. })));
         assert!(matches!(one(&split, &named("o")), Err(Error::OneGearbox)));
-        assert_eq!(one(&many, &named("8hp45")).unwrap().gearbox.gears().len(), 9);
+        assert_eq!(one(&many, &named("8hp45")).unwrap().train.gears().len(), 9);
     }
 }

@@ -9,7 +9,7 @@ use crate::answer::write_json;
 use crate::desk::Call;
 use crate::failure::Failure;
 use crate::output::{Format, OutputArgs};
-use crate::shared::gearbox::{self, Content, Subject};
+use crate::shared::gearbox::{self, Content, Gearbox};
 use crate::shared::gearbox_choice::{Choice, below_each_other, refuse};
 use crate::shared::load::Load;
 use crate::shared::named_gearbox as named;
@@ -120,7 +120,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     }
 }
 
-fn inputs(call: &Call<'_>, args: &Args, subject: &Subject<'_>, gear: &str) -> Result<(), Failure> {
+fn inputs(call: &Call<'_>, args: &Args, subject: &Gearbox, gear: &str) -> Result<(), Failure> {
     match args.several.map()? {
         Some(ranges) => {
             let torques = args.several.torques();

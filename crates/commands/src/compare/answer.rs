@@ -19,10 +19,10 @@ use crate::analyze::answer::shifts::Transition;
 use crate::analyze::answer::{Input, OperatingPoint};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use crate::shared::number::plain;
 use crate::tolerance::ROUNDED;
-use epicyclic_train::{Gearbox, PlanetSet};
+use epicyclic_train::{self as train, PlanetSet};
 pub use rows::GearsBy;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -238,9 +238,9 @@ impl Answer for Comparison {
 
 /// Gearbox to be compared, with its origin.
 #[derive(Debug)]
-pub struct Candidate<'s, 'd> {
+pub struct Candidate<'s> {
     /// The gearbox.
-    pub subject: &'s Subject<'d>,
+    pub subject: &'s Gearbox,
     /// Origin: a file, standard input, or the name of a scheme or structure.
     pub from: String,
 }
@@ -249,14 +249,14 @@ pub struct Candidate<'s, 'd> {
 ///
 /// # Errors
 /// [`Error::ManyGears`] for a gearbox of more than [`rows::MOST_GEARS`] gears; those of [`overview::answer`].
-pub fn answer(candidates: &[Candidate<'_, '_>], input: Input) -> Result<Comparison, Error> {
+pub fn answer(candidates: &[Candidate<'_>], input: Input) -> Result<Comparison, Error> {
     let overviews = candidates
         .iter()
         .map(|candidate| overview::answer(candidate.subject, input, None))
         .collect::<Result<Vec<Overview>, Error>>()?;
     let (gears_by, rows) = rows::of(&overviews)?;
-    let boxes: Vec<(&Gearbox, &Overview)> =
-        candidates.iter().map(|candidate| &candidate.subject.gearbox).zip(&overviews).collect();
+    let boxes: Vec<(&train::Gearbox, &Overview)> =
+        candidates.iter().map(|candidate| &candidate.subject.train).zip(&overviews).collect();
     let figures = WHOLE
         .iter()
         .map(|(figure, of)| {
@@ -297,7 +297,7 @@ fn warnings(overviews: &[Overview]) -> Vec<Warning> {
     vec![Warning { name: "losses", message }]
 }
 
-type OfWhole = fn(&Gearbox, &Overview) -> Option<Value>;
+type OfWhole = fn(&train::Gearbox, &Overview) -> Option<Value>;
 
 /// The figures of a gearbox as a whole, in their order.
 const WHOLE: &[(FigureName, OfWhole)] = &[

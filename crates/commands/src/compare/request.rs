@@ -6,7 +6,7 @@ use crate::desk::Call;
 use crate::failure::Failure;
 use crate::input;
 use crate::output::OutputArgs;
-use crate::shared::gearbox::{self, Subject};
+use crate::shared::gearbox::{self, Gearbox};
 use crate::shared::named_gearbox::{self as named, Read, Sizes};
 use crate::shared::options::efficiency;
 use crate::shared::page_options::{self as imprint, PageArgs};
@@ -70,7 +70,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         .collect::<Result<_, _>>()?;
     let eta = args.efficiency.map(efficiency).transpose()?;
     let choice = |transmission| gearbox::Choice { transmission, efficiency: eta };
-    let mut subjects: Vec<(Subject<'_>, &String)> = vec![];
+    let mut subjects: Vec<(Gearbox, &String)> = vec![];
     let mut has_list = false;
     for (Read { document, .. }, name) in read.iter().zip(&args.gearboxes) {
         let is_list = document.value().get("transmissions").is_some();
@@ -92,7 +92,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         let message = format!("{}: two gearboxes at least are due to be compared", args.gearboxes.join(" "));
         return Err(Failure::invalid("GEARBOX", message));
     }
-    let candidates: Vec<Candidate<'_, '_>> =
+    let candidates: Vec<Candidate<'_>> =
         subjects.iter().map(|(subject, from)| Candidate { subject, from: (*from).clone() }).collect();
     let answer = answers::answer(&candidates, args.load.input()).map_err(refuse)?;
     if !args.output.is_page() {

@@ -10,7 +10,7 @@ use crate::analyze::answer::records::meshes;
 use crate::analyze::answer::{Input, analysis, warnings};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use crate::shared::places::Places;
 use epicyclic_formats::gearbox::{DescriptionError, located};
 use epicyclic_train::drag::{Load, WithDrags};
@@ -21,17 +21,13 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{AngularVelocity, Torque};
 
-/// Operating point for which losses are asked.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Wanted {
-    /// Name of one gear; `None` for all.
-    pub gear: Option<String>,
+/// Speed and load at which the losses are asked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Point {
     /// Speed of the input.
-    pub speed: AngularVelocity,
+    pub(crate) speed: AngularVelocity,
     /// Load of the input or output.
-    pub load: GivenLoad,
-    /// Heat transfer of housing and cooler, for the oil temperature.
-    pub cooling: Option<Cooling>,
+    pub(crate) load: GivenLoad,
 }
 
 /// Load of the input or of the output.
@@ -208,37 +204,42 @@ impl Answer for LossMap {
     const NAME: &'static str = "losses-map";
 }
 
-/// Computes the losses at a speed and a load.
+/// Computes the losses of one gear, or of all, at a speed and a load.
 ///
 /// # Errors
 /// [`Error::NoGear`]; [`Error::Cooling`]. For a named gear also the reason why its losses cannot be computed:
 /// [`Error::Gearbox`], or [`Error::Document`] with its place for a speed outside the curve of a drag.
-pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Losses, Error> {
-    if let Some(cooling) = &wanted.cooling {
+pub(crate) fn answer(
+    subject: &Gearbox,
+    gear: Option<&str>,
+    point: Point,
+    cooling: Option<Cooling>,
+) -> Result<Losses, Error> {
+    if let Some(cooling) = &cooling {
         cooling.check()?;
     }
-    let gearbox = &subject.gearbox;
-    let names: Vec<&str> = match &wanted.gear {
+    let gearbox = &subject.train;
+    let names: Vec<&str> = match gear {
         Some(name) => vec![name],
         None => gearbox.gears().iter().map(Gear::name).collect(),
     };
     let (mut gears, mut losses, mut not_calculated) = (vec![], vec![], vec![]);
     for name in names {
-        let gear = analysis(gearbox, name)?;
-        match at(subject, &gear, wanted.speed, wanted.load) {
+        let analysis = analysis(gearbox, name)?;
+        match at(subject, &analysis, point) {
             Ok(found) => {
                 let of_gear = GearLosses::of(name, &found);
                 losses.extend(all_losses(subject, &of_gear, &found));
                 gears.push(of_gear);
             }
-            Err(held) if wanted.gear.is_some() => return Err(held.refused(subject, name)),
+            Err(held) if gear.is_some() => return Err(held.refused(subject, name)),
             Err(held) => not_calculated.push(held.told(name)),
         }
     }
-    let heat = wanted.cooling.map(|cooling| heat::of(subject, wanted, &cooling, &gears)).transpose()?;
+    let heat = cooling.map(|cooling| heat::of(subject, point, &cooling, &gears)).transpose()?;
     Ok(Losses {
         gearbox: gearbox.name().to_owned(),
-        operating_point: LossPoint::of(wanted),
+        operating_point: LossPoint::of(point),
         gears,
         losses,
         heat,
@@ -251,14 +252,14 @@ pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Losses, Error> {
 /// losses.
 ///
 /// # Errors
-/// Errors of [`answer`].
-pub fn chapter(subject: &Subject<'_>, input: Input) -> Result<Option<LossChapter>, Error> {
+/// Those of [`Request::answer`](super::request::Request::answer).
+pub fn chapter(subject: &Gearbox, input: Input) -> Result<Option<LossChapter>, Error> {
     let (Some(speed), Some(load)) = (input.speed, input.load) else { return Ok(None) };
     if is_lossless(subject) {
         return Ok(None);
     }
-    let wanted = Wanted { gear: None, speed, load: GivenLoad::Input(load), cooling: None };
-    let Losses { gears, losses, not_calculated, .. } = answer(subject, &wanted)?;
+    let point = Point { speed, load: GivenLoad::Input(load) };
+    let Losses { gears, losses, not_calculated, .. } = answer(subject, None, point, None)?;
     Ok(Some(LossChapter { gears, losses, not_calculated }))
 }
 
@@ -267,18 +268,18 @@ pub fn chapter(subject: &Subject<'_>, input: Input) -> Result<Option<LossChapter
 /// # Errors
 /// [`Error::NoGear`]; [`Error::Gearbox`] for a gear that is not driven; [`Error::Document`] for a speed
 /// outside the curve of a drag.
-pub fn map(
-    subject: &Subject<'_>,
+pub(crate) fn map(
+    subject: &Gearbox,
     gear: &str,
     speeds: &Places<AngularVelocity>,
     torques: &Places<Torque>,
 ) -> Result<LossMap, Error> {
-    let analysis = analysis(&subject.gearbox, gear)?;
+    let analysis = analysis(&subject.train, gear)?;
     let mut map = Vec::with_capacity(speeds.count() * torques.count());
     for speed in speeds.values() {
         for torque in torques.values() {
             let load = GivenLoad::Input(InputLoad::Torque(torque));
-            let found = match at(subject, &analysis, speed, load) {
+            let found = match at(subject, &analysis, Point { speed, load }) {
                 Ok(found) => Some(found),
                 Err(held) if held.is_of_the_place() => None,
                 Err(held) => return Err(held.refused(subject, gear)),
@@ -297,7 +298,7 @@ pub fn map(
         }
     }
     Ok(LossMap {
-        gearbox: subject.gearbox.name().to_owned(),
+        gearbox: subject.train.name().to_owned(),
         gear: gear.to_owned(),
         speeds_rad_s: speeds.values().map(Physical::si).collect(),
         torques_n_m: torques.values().map(Physical::si).collect(),
@@ -329,11 +330,11 @@ impl Held {
     }
 
     /// Converts the reason into an error, with the place in the file for the fault of a drag.
-    fn refused(self, subject: &Subject<'_>, gear: &str) -> Error {
+    fn refused(self, subject: &Gearbox, gear: &str) -> Error {
         match self {
             Self::Released(clutch) => Error::Released { clutch, gear: gear.to_owned() },
             Self::Refused(error) if matches!(*error, train::Error::Drag { .. }) => {
-                located(subject.document, &subject.base, &DescriptionError::Gearbox(*error)).into()
+                located(&subject.document, &subject.base, &DescriptionError::Gearbox(*error)).into()
             }
             Self::Refused(error) => (*error).into(),
         }
@@ -352,12 +353,7 @@ fn released(clutch: &str) -> String {
     format!("one-way clutch {clutch} lets go at this load")
 }
 
-fn at(
-    subject: &Subject<'_>,
-    analysis: &Analysis<'_>,
-    speed: AngularVelocity,
-    load: GivenLoad,
-) -> Result<WithDrags, Held> {
+fn at(subject: &Gearbox, analysis: &Analysis<'_>, Point { speed, load }: Point) -> Result<WithDrags, Held> {
     let load = match load {
         GivenLoad::Input(InputLoad::Torque(torque)) => Load::Input(torque),
         GivenLoad::Input(InputLoad::Power(power)) => {
@@ -377,15 +373,15 @@ fn at(
     let found = found.map_err(|error| Held::Refused(Box::new(error)))?;
     match found.released.first() {
         None => Ok(found),
-        Some(&place) => Err(Held::Released(subject.gearbox.shift_elements()[place].id().to_owned())),
+        Some(&place) => Err(Held::Released(subject.train.shift_elements()[place].id().to_owned())),
     }
 }
 
-fn is_lossless(subject: &Subject<'_>) -> bool {
+fn is_lossless(subject: &Gearbox) -> bool {
     !subject.has_losses() && subject.drags.is_empty()
 }
 
-fn warned(subject: &Subject<'_>) -> Vec<Warning> {
+fn warned(subject: &Gearbox) -> Vec<Warning> {
     let mut all = warnings::of_gearbox(subject);
     if is_lossless(subject) {
         let message =
@@ -396,14 +392,14 @@ fn warned(subject: &Subject<'_>) -> Vec<Warning> {
 }
 
 impl LossPoint {
-    fn of(wanted: &Wanted) -> Self {
+    fn of(point: Point) -> Self {
         let (mut torque, mut power, mut load) = (None, None, None);
-        match wanted.load {
+        match point.load {
             GivenLoad::Input(InputLoad::Torque(given)) => torque = Some(given.si()),
             GivenLoad::Input(InputLoad::Power(given)) => power = Some(given.si()),
             GivenLoad::Output(given) => load = Some(given.si()),
         }
-        Self { speed_rad_s: wanted.speed.si(), torque_n_m: torque, power_w: power, load_torque_n_m: load }
+        Self { speed_rad_s: point.speed.si(), torque_n_m: torque, power_w: power, load_torque_n_m: load }
     }
 }
 
@@ -426,8 +422,8 @@ impl GearLosses {
 }
 
 /// Losses of a gear that are not 0, the largest first.
-fn all_losses(subject: &Subject<'_>, gear: &GearLosses, found: &WithDrags) -> Vec<Loss> {
-    let gearbox = &subject.gearbox;
+fn all_losses(subject: &Gearbox, gear: &GearLosses, found: &WithDrags) -> Vec<Loss> {
+    let gearbox = &subject.train;
     let one = |kind, of: &str, between, slip, torque, loss_w: f64| Loss {
         gear: gear.gear.clone(),
         kind,
@@ -481,8 +477,8 @@ gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }, { name: no
         AngularVelocity::from_si(speed * std::f64::consts::PI / 30.0)
     }
 
-    fn wanted(gear: Option<&str>, speed: f64, load: GivenLoad) -> Wanted {
-        Wanted { gear: gear.map(str::to_owned), speed: rpm(speed), load, cooling: None }
+    fn point(speed: f64, load: GivenLoad) -> Point {
+        Point { speed: rpm(speed), load }
     }
 
     fn on_input(torque: f64) -> GivenLoad {
@@ -495,7 +491,7 @@ gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }, { name: no
     fn every_loss_of_a_gear_has_its_name() {
         let document = document(BOX);
         let subject = one(&document, &Choice::default()).unwrap();
-        let found = answer(&subject, &wanted(None, 1000.0, on_input(100.0))).unwrap();
+        let found = answer(&subject, None, point(1000.0, on_input(100.0)), None).unwrap();
         let [slow, fast] = &found.gears[..] else { panic!("{:?}", found.gears) };
         let omega = rpm(1000.0).si();
         // 1.5 N·m in the seal; the clutch slips at 3/4 of the input speed and passes its 3 N·m on to the
@@ -518,7 +514,7 @@ gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }, { name: no
         assert_eq!(found.not_calculated[0].reason, "not-driven");
         // The reverse calculation: the input torque for the torque that the output delivers.
         let load = GivenLoad::Output(Torque::from_si(output));
-        let back = answer(&subject, &wanted(Some("slow"), 1000.0, load)).unwrap();
+        let back = answer(&subject, Some("slow"), point(1000.0, load), None).unwrap();
         assert!((back.gears[0].input_torque_n_m - 100.0).abs() < 1e-10);
     }
 
@@ -528,7 +524,7 @@ gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }, { name: no
         let mut subject = one(&document, &Choice::default()).unwrap();
         subject.drags.clear();
         for torque in [100.0, -40.0] {
-            let found = answer(&subject, &wanted(Some("slow"), 1450.0, on_input(torque))).unwrap();
+            let found = answer(&subject, Some("slow"), point(1450.0, on_input(torque)), None).unwrap();
             let load = Some(InputLoad::Torque(Torque::from_si(torque)));
             let analyzed = gear::answer(&subject, "slow", Input { speed: Some(rpm(1450.0)), load }).unwrap();
             let powers = analyzed.powers.unwrap().at_load.unwrap();
@@ -550,8 +546,12 @@ gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }, { name: no
                 cooler: Power::from_si(cooler),
                 allowed_rise: Some(TemperatureInterval::from_si(rise)),
             };
-            let wanted = Wanted { cooling: Some(cooling), ..wanted(Some("slow"), 1000.0, on_input(torque)) };
-            answer(&subject, &wanted).unwrap().heat.unwrap().gears.remove(0)
+            answer(&subject, Some("slow"), point(1000.0, on_input(torque)), Some(cooling))
+                .unwrap()
+                .heat
+                .unwrap()
+                .gears
+                .remove(0)
         };
         for (cooler, rise) in [(0.0, 50.0), (300.0, 40.0)] {
             let one = with(100.0, cooler, rise);
@@ -582,7 +582,7 @@ gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }, { name: no
         let found = map(&subject, "slow", &speeds, &torques).unwrap();
         assert_eq!(found.map.len(), 25);
         let place = &found.map[3 * 5 + 2];
-        let point = answer(&subject, &wanted(Some("slow"), 1500.0, on_input(100.0))).unwrap();
+        let point = answer(&subject, Some("slow"), point(1500.0, on_input(100.0)), None).unwrap();
         let point = &point.gears[0];
         assert!((place.efficiency.unwrap() - point.efficiency.unwrap()).abs() < 1e-12);
         assert!((place.loss_w.unwrap() - point.loss_w).abs() < 1e-12 * point.input_power_w);
@@ -596,12 +596,12 @@ gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }, { name: no
         let document = document(BOX);
         let subject = one(&document, &Choice::default()).unwrap();
         let refused =
-            answer(&subject, &wanted(Some("slow"), 4000.0, on_input(100.0))).unwrap_err().to_string();
+            answer(&subject, Some("slow"), point(4000.0, on_input(100.0)), None).unwrap_err().to_string();
         assert!(
             refused.starts_with("box.yaml:7:60: drags[0].curve.speeds: drag `seal`: its links turn 4000 rpm"),
             "{refused}"
         );
-        let all = answer(&subject, &wanted(None, 4000.0, on_input(100.0))).unwrap();
+        let all = answer(&subject, None, point(4000.0, on_input(100.0)), None).unwrap();
         assert!(all.gears.is_empty() && all.not_calculated[0].reason == "drag");
     }
 }

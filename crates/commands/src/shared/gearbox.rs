@@ -13,7 +13,7 @@ use epicyclic_train::planet_bearings::PlanetBearing;
 use epicyclic_train::planet_set::Description;
 use epicyclic_train::set::MeshLoss;
 use epicyclic_train::tooth_checks::SetChecks;
-use epicyclic_train::{Gearbox, PlanetSet};
+use epicyclic_train::{self as train, PlanetSet};
 use epicyclic_units::Quantity;
 use std::collections::BTreeMap;
 use uom::si::f64::{AngularVelocity, Torque};
@@ -30,18 +30,18 @@ pub struct Choice {
 
 /// Content of a file.
 #[derive(Debug)]
-pub enum Content<'d> {
+pub enum Content {
     /// The gearbox meant.
-    One(Box<Subject<'d>>),
+    One(Box<Gearbox>),
     /// A list of transmissions without a choice of one.
     Several(Vec<Transmission>),
 }
 
-/// A gearbox, and what a file says of it.
+/// A gearbox as a file describes it: its gear train, and what else the file says of it.
 #[derive(Debug)]
-pub struct Subject<'d> {
-    /// The gearbox.
-    pub gearbox: Gearbox,
+pub struct Gearbox {
+    /// Its gear train: sets, links, shift elements and gears.
+    pub train: train::Gearbox,
     /// Publication with the data of the gearbox.
     pub source: Option<String>,
     /// Published data of the gears.
@@ -51,7 +51,7 @@ pub struct Subject<'d> {
     /// The basic rack that its teeth are checked by.
     pub rack: BasicRack,
     /// The file.
-    pub document: &'d Document,
+    pub document: Document,
     /// The gearbox's place in it.
     pub base: Path,
     /// Drag torques that the file states.
@@ -70,13 +70,13 @@ pub struct GearInputs {
     pub torques: BTreeMap<String, Quantity<Torque>>,
 }
 
-impl Subject<'_> {
+impl Gearbox {
     /// Refuses a set that there is not.
     ///
     /// # Errors
     /// [`Error::NoSet`].
     pub(crate) fn check_set(&self, name: Option<&str>) -> Result<(), Error> {
-        let ids = || self.gearbox.sets().iter().map(PlanetSet::id);
+        let ids = || self.train.sets().iter().map(PlanetSet::id);
         match name.filter(|name| ids().all(|id| id != *name)) {
             Some(name) => {
                 Err(Error::NoSet { name: name.to_owned(), sets: ids().map(str::to_owned).collect() })
@@ -88,9 +88,9 @@ impl Subject<'_> {
     /// The checks of the teeth of all sets.
     #[must_use]
     pub fn tooth_checks(&self) -> SetChecks {
-        let place = |set: &PlanetSet| self.gearbox.sets().iter().position(|other| other.id() == set.id());
+        let place = |set: &PlanetSet| self.train.sets().iter().position(|other| other.id() == set.id());
         let modules = |set: &PlanetSet| place(set).and_then(|place| self.modules.get(place)).cloned();
-        self.gearbox.set_checks(&self.rack, |set| modules(set).unwrap_or_default())
+        self.train.set_checks(&self.rack, |set| modules(set).unwrap_or_default())
     }
 
     /// Published data of a gear.
@@ -114,7 +114,7 @@ impl Subject<'_> {
     /// Whether any set loses power.
     #[must_use]
     pub fn has_losses(&self) -> bool {
-        self.gearbox.sets().iter().any(PlanetSet::has_losses)
+        self.train.sets().iter().any(PlanetSet::has_losses)
     }
 }
 
@@ -122,7 +122,7 @@ impl Subject<'_> {
 ///
 /// # Errors
 /// Those of [`read`], and [`Error::SeveralTransmissions`] where none is named.
-pub fn one<'d>(document: &'d Document, choice: &Choice) -> Result<Subject<'d>, Error> {
+pub fn one(document: &Document, choice: &Choice) -> Result<Gearbox, Error> {
     match read(document, choice)? {
         Content::One(subject) => Ok(*subject),
         Content::Several(transmissions) => Err(Error::SeveralTransmissions { names: names(&transmissions) }),
@@ -133,7 +133,7 @@ pub fn one<'d>(document: &'d Document, choice: &Choice) -> Result<Subject<'d>, E
 ///
 /// # Errors
 /// Those of [`one`], and [`Error::Document`] for a list of transmissions.
-pub(crate) fn alone<'d>(document: &'d Document, command: &str, lacks: &str) -> Result<Subject<'d>, Error> {
+pub(crate) fn alone(document: &Document, command: &str, lacks: &str) -> Result<Gearbox, Error> {
     if document.value().get("transmissions").is_some() {
         let message = format!("{command} reads one gearbox; a list of transmissions states {lacks}");
         let place = Path::root().key("transmissions");
@@ -148,7 +148,7 @@ pub(crate) fn alone<'d>(document: &'d Document, command: &str, lacks: &str) -> R
 /// - [`Error::Document`] for a description that is no gearbox, with its place in the file.
 /// - [`Error::OneGearbox`], [`Error::NoTransmission`], [`Error::AmbiguousTransmission`] for the name of a
 ///   transmission.
-pub fn read<'d>(document: &'d Document, choice: &Choice) -> Result<Content<'d>, Error> {
+pub fn read(document: &Document, choice: &Choice) -> Result<Content, Error> {
     let has = |key: &str| document.value().get(key).is_some();
     if has("transmissions") {
         let transmissions = document.read::<TransmissionsFile>()?.transmissions;
@@ -181,7 +181,7 @@ pub(crate) fn gearbox(
     document: &Document,
     base: Path,
     efficiency: Option<MeshEfficiency>,
-) -> Result<Box<Subject<'_>>, Error> {
+) -> Result<Box<Gearbox>, Error> {
     let file: GearboxFile = document.read_at(&base)?;
     let at = |error: DescriptionError| located(document, &base, &error);
     let gearbox = with_losses(file.gearbox().map_err(at)?, efficiency)?;
@@ -195,13 +195,13 @@ pub(crate) fn gearbox(
     };
     let inputs = with_speeds(file.gears.iter().map(of_gear).collect(), document, &base)?;
     let modules = gearbox.sets().iter().map(|set| file.stated_modules(set)).collect();
-    Ok(Box::new(Subject {
-        gearbox,
+    Ok(Box::new(Gearbox {
+        train: gearbox,
         source,
         published,
         planet_bearings,
         rack,
-        document,
+        document: document.clone(),
         base,
         drags,
         inputs,
@@ -209,12 +209,12 @@ pub(crate) fn gearbox(
     }))
 }
 
-fn transmission<'d>(
-    document: &'d Document,
+fn transmission(
+    document: &Document,
     transmission: &Transmission,
     index: usize,
     efficiency: Option<MeshEfficiency>,
-) -> Result<Box<Subject<'d>>, Error> {
+) -> Result<Box<Gearbox>, Error> {
     let base = Path::root().key("transmissions").index(index);
     let at = |error: DescriptionError| located(document, &base, &error);
     let gearbox = with_losses(transmission.gearbox().map_err(at)?, efficiency)?;
@@ -226,13 +226,13 @@ fn transmission<'d>(
     };
     let inputs = with_speeds(transmission.gears.iter().map(of_gear).collect(), document, &base)?;
     let (rack, drags, modules) = (BasicRack::default(), vec![], vec![]);
-    Ok(Box::new(Subject {
-        gearbox,
+    Ok(Box::new(Gearbox {
+        train: gearbox,
         source,
         published,
         planet_bearings,
         rack,
-        document,
+        document: document.clone(),
         base,
         drags,
         inputs,
@@ -294,7 +294,7 @@ fn chosen(
 }
 
 /// Returns the gearbox with this efficiency for each set without stated losses.
-fn with_losses(gearbox: Gearbox, efficiency: Option<MeshEfficiency>) -> Result<Gearbox, Error> {
+fn with_losses(gearbox: train::Gearbox, efficiency: Option<MeshEfficiency>) -> Result<train::Gearbox, Error> {
     let Some(eta) = efficiency else { return Ok(gearbox) };
     // A set with a sun and a ring has two meshes.
     let each = MeshEfficiency::new(eta.get().sqrt()).unwrap_or(eta);

@@ -4,11 +4,11 @@ use crate::analyze::answer::{self as answers, LoadQuantity, inputs::Given};
 use crate::desk::Call;
 use crate::error::Error;
 use crate::failure::Failure;
-use crate::shared::gearbox::{self, Subject};
+use crate::shared::gearbox::{self, Gearbox};
 use crate::shared::named_gearbox::{self as named, Sizes};
 use crate::shared::options::efficiency;
 use epicyclic_formats::Document;
-use epicyclic_train::{Analysis, Gearbox};
+use epicyclic_train::{self as train, Analysis};
 use epicyclic_units::Quantity;
 use std::path::Path;
 use uom::si::f64::Ratio;
@@ -60,6 +60,11 @@ impl Choice {
         named::document(call, &self.gearbox, self.sizes, self.efficiency, any_size_will_do)
     }
 
+    /// The gearbox; a list of several transmissions is refused without a choice of one.
+    pub(crate) fn gearbox(&self, call: &Call<'_>) -> Result<Gearbox, Failure> {
+        subject(self, &self.document(call, false)?.document)
+    }
+
     pub(crate) fn question(&self) -> Result<gearbox::Choice, Failure> {
         let efficiency = self.efficiency.map(efficiency).transpose()?;
         Ok(gearbox::Choice { transmission: self.transmission.clone(), efficiency })
@@ -106,11 +111,11 @@ pub(crate) fn refuse(error: Error) -> Failure {
 }
 
 /// Reads the gearbox of a file; refuses a list of several transmissions without a choice of one.
-pub(crate) fn subject<'d>(choice: &Choice, document: &'d Document) -> Result<Subject<'d>, Failure> {
+pub(crate) fn subject<'d>(choice: &Choice, document: &'d Document) -> Result<Gearbox, Failure> {
     gearbox::one(document, &choice.question()?).map_err(refuse)
 }
 
 /// The analysis of a gear that `--gear` names.
-pub(crate) fn analysis<'g>(gearbox: &'g Gearbox, gear: &str) -> Result<Analysis<'g>, Failure> {
+pub(crate) fn analysis<'g>(gearbox: &'g train::Gearbox, gear: &str) -> Result<Analysis<'g>, Failure> {
     answers::analysis(gearbox, gear).map_err(refuse)
 }

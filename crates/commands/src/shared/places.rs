@@ -62,16 +62,16 @@ impl<T: Physical, const MOST: u32> FromStr for Places<T, MOST> {
 }
 
 /// Speeds and torques on the input, of a map of the efficiency.
-#[derive(Debug, clap::Args)]
-pub(crate) struct Grid {
+#[derive(Debug, Clone, Default, clap::Args)]
+pub struct Grid {
     /// A map of one gear over these speeds of the input: 500rpm..3000rpm/6, both ends and how many places;
     /// with --torques.
     #[arg(long, value_name = "FROM..TO/PLACES", requires_all = ["gear", "torques"])]
-    speeds: Option<Places<AngularVelocity>>,
+    pub speeds: Option<Places<AngularVelocity>>,
 
     /// Torques on the input of the map: 10N·m..100N·m/10.
     #[arg(long, value_name = "FROM..TO/PLACES", requires = "speeds")]
-    torques: Option<Places<Torque>>,
+    pub torques: Option<Places<Torque>>,
 }
 
 impl Grid {

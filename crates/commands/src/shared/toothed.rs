@@ -1,6 +1,6 @@
 //! The toothed gears of a simple set as a file has them.
 
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use crate::strength::answer::place::refused;
 use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::{GearboxFile, SetEntry};
@@ -14,13 +14,13 @@ use epicyclic_train::set::{SetKind, SetSpec};
 /// # Errors
 /// [`Error::Document`](crate::error::Error::Document) at the shifts.
 pub(crate) fn gears(
-    subject: &Subject<'_>,
+    subject: &Gearbox,
     path: &Path,
     spec: &SetSpec,
 ) -> Result<Option<PlanetSet>, crate::error::Error> {
     spec.toothed_set(&subject.rack)
         .transpose()
-        .map_err(|error| refused(subject.document, path, &["profile_shifts"], &error))
+        .map_err(|error| refused(&subject.document, path, &["profile_shifts"], &error))
 }
 
 /// A simple set of a file: its place, its entry, its short description.
@@ -28,10 +28,10 @@ pub(crate) type SimpleSet<'g> = (Path, &'g SetEntry, &'g SetSpec);
 
 /// The sets of a gearbox in their order, each with its entry in the file where it is simple.
 pub(crate) fn simple_sets<'g>(
-    subject: &'g Subject<'_>,
+    subject: &'g Gearbox,
     file: &'g GearboxFile,
 ) -> impl Iterator<Item = (&'g train::PlanetSet, Option<SimpleSet<'g>>)> {
-    subject.gearbox.sets().iter().map(|set| {
+    subject.train.sets().iter().map(|set| {
         let index = file.sets.iter().position(|entry| entry.id == set.id());
         let spec = set.short().filter(|spec| spec.kind == SetKind::Simple);
         let simple = index

@@ -14,7 +14,7 @@ pub mod records;
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::fault::{Fault, Named};
-use crate::shared::gearbox::{Subject, alone};
+use crate::shared::gearbox::{Gearbox, alone};
 use crate::shared::tooth_checks::answer::ToothChecks;
 use crate::shared::toothed::{gears, lacking, missing_teeth, simple_sets};
 use crate::strength::answer::place::refused;
@@ -57,7 +57,7 @@ impl Answer for DataSheets {
 ///
 /// # Errors
 /// Errors of [`one`](crate::shared::gearbox::one), and [`Error::Document`] for a list of transmissions.
-pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
+pub fn subject(document: &Document) -> Result<Gearbox, Error> {
     alone(document, "sheet", "no modules")
 }
 
@@ -66,7 +66,7 @@ pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
 /// # Errors
 /// - [`Error::NoSet`]; [`Error::NothingDescribed`] if no set has enough data.
 /// - [`Error::Document`] for invalid data in the file, with the place.
-pub fn answer(subject: &Subject<'_>, set: Option<&str>) -> Result<DataSheets, Error> {
+pub fn answer(subject: &Gearbox, set: Option<&str>) -> Result<DataSheets, Error> {
     let sheets = described(subject, set)?;
     if sheets.sets.is_empty() {
         let why = |one: &LeftOut| format!("set {}: {}", one.set, one.why());
@@ -79,14 +79,14 @@ pub fn answer(subject: &Subject<'_>, set: Option<&str>) -> Result<DataSheets, Er
 ///
 /// # Errors
 /// [`Error::Document`] for invalid data in the file, with the place.
-pub fn chapter(subject: &Subject<'_>) -> Result<Option<DataSheets>, Error> {
+pub fn chapter(subject: &Gearbox) -> Result<Option<DataSheets>, Error> {
     if subject.document.value().get("transmissions").is_some() {
         return Ok(None);
     }
     Ok(Some(described(subject, None)?).filter(|sheets| !sheets.sets.is_empty()))
 }
 
-fn described(subject: &Subject<'_>, wanted: Option<&str>) -> Result<DataSheets, Error> {
+fn described(subject: &Gearbox, wanted: Option<&str>) -> Result<DataSheets, Error> {
     let file: GearboxFile = subject.document.read()?;
     subject.check_set(wanted)?;
     let is_wanted = |id: &str| wanted.is_none_or(|wanted| wanted == id);
@@ -100,7 +100,7 @@ fn described(subject: &Subject<'_>, wanted: Option<&str>) -> Result<DataSheets, 
             continue;
         };
         let toothed = gears(subject, &path, spec)?;
-        let place = Place { document: subject.document, path };
+        let place = Place { document: &subject.document, path };
         match (toothed, entry.module) {
             (Some(toothed), Some(module)) => {
                 let (sheet, allowed) = sheet(&place, entry, &toothed, module.0)?;
@@ -121,7 +121,7 @@ fn described(subject: &Subject<'_>, wanted: Option<&str>) -> Result<DataSheets, 
     let at_output =
         if wanted.is_none() && !sets.is_empty() { output::of_gears(subject, &known)? } else { vec![] };
     Ok(DataSheets {
-        gearbox: subject.gearbox.name().to_owned(),
+        gearbox: subject.train.name().to_owned(),
         sets,
         at_output,
         left_out,

@@ -322,7 +322,7 @@ pub fn answer_watched(
 }
 
 fn told(scenario: &parts::Scenario<'_>, built: &Built, run: &Run, kept: usize) -> Simulation {
-    let (file, gearbox) = (scenario.file, &scenario.subject.gearbox);
+    let (file, gearbox) = (scenario.file, &scenario.subject.train);
     let instants = elements::instants(run);
     let shifts = shifts::results(built, run, &instants);
     let elements = elements::results(built, run, &instants);

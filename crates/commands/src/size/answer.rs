@@ -11,7 +11,7 @@ use crate::analyze::answer::warnings::tilting;
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::fault::Named;
-use crate::shared::gearbox::{Choice, Subject, alone, one};
+use crate::shared::gearbox::{Choice, Gearbox, alone, one};
 use crate::shared::tooth_checks::answer::ToothChecks;
 use crate::strength::answer::Asked;
 use crate::strength::answer::duty::{WorkedStep, steps};
@@ -186,7 +186,7 @@ impl Answer for Size {
 ///
 /// # Errors
 /// [`Error::Document`] for a description that is not a gearbox, and for a list of transmissions.
-pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
+pub fn subject(document: &Document) -> Result<Gearbox, Error> {
     alone(document, "size", "no teeth, materials or loads")
 }
 
@@ -198,7 +198,7 @@ pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
 /// - [`Error::NoLoad`] without a duty; [`Error::Document`] for invalid data in the file, with the place.
 /// - [`Error::NothingToSize`] if no set can be sized.
 pub fn answer(
-    subject: &Subject<'_>,
+    subject: &Gearbox,
     wanted: &Wanted,
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<Size, Error> {
@@ -206,11 +206,11 @@ pub fn answer(
     let file: GearboxFile = subject.document.read()?;
     let (to_size, others) = sets_to_size(subject, &file)?;
     let mut not_sized: Vec<NotSized> = others.into_iter().map(NotSized::of).collect();
-    let Asked { life, viscosity, required } = Asked::of(subject.document, &file)?;
+    let Asked { life, viscosity, required } = Asked::of(&subject.document, &file)?;
     if file.duty.is_empty() {
         let message =
             "`duty` is missing: sizes follow from a duty: gear, share, torque and speed of each step";
-        return Err(refused(subject.document, &Path::root(), &[], &Named("missing-key", message)));
+        return Err(refused(&subject.document, &Path::root(), &[], &Named("missing-key", message)));
     }
     let steps = steps(subject, &file.duty)?;
     let peaks = peaks(subject, &file.overload, None)?;
@@ -222,7 +222,7 @@ pub fn answer(
     for (set, why) in angles.filter_map(|check| Some((check.set, check.miss?))) {
         if let Some(set) = to_size.iter().find(|of| of.id == set) {
             let why = Named("planet-angle", why);
-            return Err(refused(subject.document, &set.path, &["planet_angles"], &why));
+            return Err(refused(&subject.document, &set.path, &["planet_angles"], &why));
         }
     }
     let mut sets = vec![];
@@ -240,7 +240,7 @@ pub fn answer(
                 | strength::Error::NothingToSearch { .. }
                 | strength::Error::SpaceTooLarge { .. }),
             ) => return Err(error.into()),
-            Err(error) => match Fault::of(subject.document, set.id, &set.path, &error) {
+            Err(error) => match Fault::of(&subject.document, set.id, &set.path, &error) {
                 Fault::Row(row) => not_sized.push(NotSized::of(row)),
                 Fault::Refused(error) => return Err(*error),
             },
@@ -249,13 +249,13 @@ pub fn answer(
     if sets.is_empty() {
         return Err(Error::NothingToSize { sets: not_sized.iter().map(NotSized::told).collect() });
     }
-    let sized = Document::parse_one(SIZED, saved::written(subject.document, &sets)?.as_bytes())?;
+    let sized = Document::parse_one(SIZED, saved::written(&subject.document, &sets)?.as_bytes())?;
     let has_size = |of: &str| sets.iter().any(|set| set.set == of && !set.found.is_empty());
     let tooth_checks = ToothChecks::of(one(&sized, &Choice::default())?.tooth_checks(), has_size);
     let warnings = sets.iter().filter_map(SizedSet::warning).chain(tilting(&helical));
     let warnings = warnings.chain(tooth_checks.warnings()).collect();
     Ok(Size {
-        gearbox: subject.gearbox.name().to_owned(),
+        gearbox: subject.train.name().to_owned(),
         edition: Edition::default().to_string(),
         life_s: life.si(),
         oil_viscosity_m2_s: viscosity.si(),

@@ -41,7 +41,7 @@ use crate::error::Error;
 use crate::shared::fault::Named;
 #[cfg(doc)]
 use crate::shared::gearbox::one;
-use crate::shared::gearbox::{Subject, alone};
+use crate::shared::gearbox::{Gearbox, alone};
 use crate::shared::tooth_checks::answer::ToothChecks;
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::{Document, Path};
@@ -136,7 +136,7 @@ impl Answer for Strength {
 ///
 /// # Errors
 /// Errors of [`one`], and [`Error::Document`] for a list of transmissions.
-pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
+pub fn subject(document: &Document) -> Result<Gearbox, Error> {
     alone(document, "strength", "no modules, materials or loads")
 }
 
@@ -148,7 +148,7 @@ pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
 /// - [`Error::Document`] for invalid data in the file, with the place; [`Error::NothingRated`] if neither
 ///   teeth nor planet bearings can be rated.
 /// - [`Error::NoGear`], [`Error::Load`].
-pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Strength, Error> {
+pub fn answer(subject: &Gearbox, wanted: &Wanted) -> Result<Strength, Error> {
     let strength = rated(subject, wanted, true)?;
     // A duty may load no rated teeth, but still wear planet bearings of compound sets.
     let is_borne = strength.bearings.iter().any(|bearing| bearing.greatest_force_n.is_some());
@@ -163,7 +163,7 @@ pub fn answer(subject: &Subject<'_>, wanted: &Wanted) -> Result<Strength, Error>
 ///
 /// # Errors
 /// Errors of [`answer`] except [`Error::NothingRated`].
-pub fn chapters(subject: &Subject<'_>, input: Input) -> Result<Vec<Strength>, Error> {
+pub fn chapters(subject: &Gearbox, input: Input) -> Result<Vec<Strength>, Error> {
     if subject.document.value().get("transmissions").is_some() {
         return Ok(vec![]);
     }
@@ -240,10 +240,10 @@ impl Asked {
     }
 }
 
-fn rated(subject: &Subject<'_>, wanted: &Wanted, with_overloads: bool) -> Result<Strength, Error> {
+fn rated(subject: &Gearbox, wanted: &Wanted, with_overloads: bool) -> Result<Strength, Error> {
     let file: GearboxFile = subject.document.read()?;
     let (sets, not_rated) = prepared::sets(subject, &file)?;
-    let Asked { life, viscosity, required } = Asked::of(subject.document, &file)?;
+    let Asked { life, viscosity, required } = Asked::of(&subject.document, &file)?;
     let mut found = Found { not_rated, ..Found::default() };
     let mut bearings = vec![];
     let is_at_point = wanted.input.load.is_some();
@@ -300,7 +300,7 @@ fn rated(subject: &Subject<'_>, wanted: &Wanted, with_overloads: bool) -> Result
     let duty = if is_at_point { vec![] } else { file.duty.iter().map(DutyStep::of).collect() };
     let Safeties { at_point, over_duty, overload } = safeties;
     Ok(Strength {
-        gearbox: subject.gearbox.name().to_owned(),
+        gearbox: subject.train.name().to_owned(),
         edition: Edition::default().to_string(),
         operating_point: wanted.input.load.map(|_| OperatingPoint::of(wanted.input)),
         life_s: life.si(),
@@ -323,7 +323,7 @@ fn rated(subject: &Subject<'_>, wanted: &Wanted, with_overloads: bool) -> Result
 /// Load sharing between planets, for rated sets and sets with rated bearings for which the file gives no
 /// `K_γ`.
 fn sharing(
-    subject: &Subject<'_>,
+    subject: &Gearbox,
     file: &GearboxFile,
     rated: &[RatedSet<'_>],
     bearings: &[BearingOverDuty],
@@ -337,12 +337,12 @@ fn sharing(
             .filter(|planets| is_asked && *planets > 1)
             .and_then(|planets| LoadSharing::of(set.id(), planets, floating))
     };
-    subject.gearbox.sets().iter().filter_map(of_set).collect()
+    subject.train.sets().iter().filter_map(of_set).collect()
 }
 
 /// Rates all sets in the requested gears.
 fn at_point(
-    subject: &Subject<'_>,
+    subject: &Gearbox,
     sets: &[RatedSet<'_>],
     wanted: &Wanted,
     life: Time,
@@ -351,10 +351,10 @@ fn at_point(
     let speed = wanted.input.speed.ok_or(Error::LoadWithoutSpeed)?;
     let names: Vec<&str> = match &wanted.gear {
         Some(name) => vec![name],
-        None => subject.gearbox.gears().iter().map(Gear::name).collect(),
+        None => subject.train.gears().iter().map(Gear::name).collect(),
     };
     for name in names {
-        let worked = Worked::new(&subject.gearbox, name, wanted.input)?;
+        let worked = Worked::new(&subject.train, name, wanted.input)?;
         for set in sets {
             let load =
                 set_load(set, &worked, speed).map_err(|reason| Fault::Row(NotRated::new(set.id, reason)));
@@ -376,13 +376,13 @@ fn at_point(
 
 /// Rates both meshes of a set at a load.
 fn at_load(
-    subject: &Subject<'_>,
+    subject: &Gearbox,
     set: &RatedSet<'_>,
     torque: Torque,
     speed: AngularVelocity,
     life: Time,
 ) -> Result<Partly<MeshAtPoint>, Fault> {
-    let fault = |error: epicyclic_strength::Error| Fault::of(subject.document, set.id, &set.path, &error);
+    let fault = |error: epicyclic_strength::Error| Fault::of(&subject.document, set.id, &set.path, &error);
     let loads = both_loads(set, torque, speed, life).map_err(fault)?;
     Partly::of_meshes(|place, name| {
         let rating = rate(&set.meshes[place], &loads[place], &set.methods[place]).map_err(fault)?;

@@ -506,7 +506,7 @@ fn given(call: &Call<'_>, args: &Args) -> Result<Option<Gearbox>, Failure> {
     let Some(file) = &args.explain else { return Ok(None) };
     let document = input::document(call, file)?;
     let choice = Choice { transmission: args.transmission.clone(), ..Choice::default() };
-    Ok(Some(one(&document, &choice)?.gearbox))
+    Ok(Some(one(&document, &choice)?.train))
 }
 
 /// The file of --save with its content.

@@ -37,13 +37,13 @@ use crate::analyze::answer::{analysis, warnings};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::fault::Named;
-use crate::shared::gearbox::{Subject, alone};
+use crate::shared::gearbox::{Gearbox, alone};
 use crate::shared::toothed::simple_sets;
 use crate::tolerance::rounded;
 use branches::Branches;
 use epicyclic_formats::Document;
 use epicyclic_formats::gearbox::GearboxFile;
-use epicyclic_train::{Gear, Gearbox, LinkId, PlanetSet};
+use epicyclic_train::{self as train, Gear, LinkId, PlanetSet};
 use epicyclic_units::Physical;
 use epicyclic_vibration::{Group, Model, SetParts, SpringId};
 use links::{Train, TrainSet};
@@ -96,7 +96,7 @@ impl Answer for Vibration {
 ///
 /// # Errors
 /// Errors of [`one`](crate::shared::gearbox::one), and [`Error::Document`] for a list of transmissions.
-pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
+pub fn subject(document: &Document) -> Result<Gearbox, Error> {
     alone(document, "vibrate", "no masses and no stiffness")
 }
 
@@ -108,7 +108,7 @@ pub fn subject(document: &Document) -> Result<Subject<'_>, Error> {
 ///   [`Wanted`].
 /// - [`Error::Document`] for invalid data in the file, with the place.
 pub fn answer(
-    subject: &Subject<'_>,
+    subject: &Gearbox,
     wanted: &Wanted,
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<Vibration, Error> {
@@ -130,7 +130,7 @@ pub fn answer(
 /// Errors of [`answer`] except [`Error::NothingVibrates`]: the reasons why sets are not calculated are listed
 /// instead.
 pub fn chapter(
-    subject: &Subject<'_>,
+    subject: &Gearbox,
     wanted: &Wanted,
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<Option<Vibration>, Error> {
@@ -145,12 +145,12 @@ pub fn chapter(
 }
 
 fn vibrating(
-    subject: &Subject<'_>,
+    subject: &Gearbox,
     wanted: &Wanted,
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<Vibration, Error> {
     let file: GearboxFile = subject.document.read()?;
-    let gearbox = &subject.gearbox;
+    let gearbox = &subject.train;
     let settled = Settled::of(subject, &file, wanted)?;
     subject.check_set(wanted.set.as_deref())?;
     if let Some(name) = &wanted.gear {
@@ -256,7 +256,7 @@ fn over_speeds(
     all: &mut Vibration,
 ) -> Result<(), Error> {
     let set = of.entry.id.clone();
-    let analysis = analysis(&of.subject.gearbox, gear)?;
+    let analysis = analysis(&of.subject.train, gear)?;
     let members = &analysis.sets()[place].members;
     let without = |reason, missing| NotCalculated {
         set: set.clone(),
@@ -315,7 +315,7 @@ fn over_speeds(
 impl Of<'_> {
     /// Refuses a tangential support of a member that no gear holds, because nothing would use it.
     fn check_supports(&self, prepared: &Prepared) -> Result<(), Error> {
-        let gearbox = &self.subject.gearbox;
+        let gearbox = &self.subject.train;
         let gears = gearbox.gears().iter().map(Some).chain(gearbox.gears().is_empty().then_some(None));
         let held: Vec<[bool; 3]> = gears.filter_map(|gear| held_in(gearbox, self.set, gear)).collect();
         for (member, name) in ["sun", "ring", "carrier"].into_iter().enumerate() {
@@ -334,7 +334,7 @@ impl Of<'_> {
 
 /// Whether sun, ring and carrier of a set are held in a gear, or by permanent connections alone; `None` if
 /// two of them are joined otherwise.
-fn held_in(gearbox: &Gearbox, set: &PlanetSet, gear: Option<&Gear>) -> Option<[bool; 3]> {
+fn held_in(gearbox: &train::Gearbox, set: &PlanetSet, gear: Option<&Gear>) -> Option<[bool; 3]> {
     let joined = joined(gearbox, gear, &[]);
     let roots = [0, 1, 2].map(|member| joined[set.members()[member].index()]);
     let held = roots.map(|root| root == LinkId::GROUND.index());
@@ -345,7 +345,7 @@ fn held_in(gearbox: &Gearbox, set: &PlanetSet, gear: Option<&Gear>) -> Option<[b
 /// Combinations of held members of a set, with their gears. A gear is reported to `locked` if it joins
 /// members, or holds several of them and none elastically.
 fn holdings(
-    gearbox: &Gearbox,
+    gearbox: &train::Gearbox,
     set: &PlanetSet,
     gears: &[&Gear],
     is_elastic: impl Fn(usize) -> bool,
@@ -375,7 +375,7 @@ fn holdings(
 
 /// Representative of each link in a gear, by [`LinkId::index`]: the first of the links that turn as one piece
 /// with it. Connections that are springs do not count.
-fn joined(gearbox: &Gearbox, gear: Option<&Gear>, springs: &[[LinkId; 2]]) -> Vec<usize> {
+fn joined(gearbox: &train::Gearbox, gear: Option<&Gear>, springs: &[[LinkId; 2]]) -> Vec<usize> {
     let mut roots: Vec<usize> = (0..gearbox.links().len()).collect();
     let engaged = gear.map_or(&[][..], Gear::engaged).iter();
     let engaged = engaged.map(|&place| gearbox.shift_elements()[place].links());

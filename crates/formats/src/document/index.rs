@@ -23,13 +23,13 @@ pub(super) const VALUE_LIMIT: usize = 200_000;
 pub(super) type Found = (Position, Path, Problem);
 
 /// A node of the text.
-#[derive(Debug, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Node {
     pub(super) at: Position,
     pub(super) content: Content,
 }
 
-#[derive(Debug, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) enum Content {
     /// The text of it, unescaped.
     Scalar(String),
@@ -37,13 +37,13 @@ pub(super) enum Content {
     Map(Map),
 }
 
-#[derive(Debug, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Map {
     entries: Vec<Entry>,
     by_key: HashMap<String, usize>,
 }
 
-#[derive(Debug, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Entry {
     pub(super) key: String,
     pub(super) key_at: Position,

@@ -37,7 +37,7 @@ pub use renamed::RENAMED;
 pub const SIZE_LIMIT: u64 = 4 << 20;
 
 /// A YAML document: its value, and the position of each key and value in it.
-#[derive(Debug, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Document {
     file: Arc<str>,
     value: Value,

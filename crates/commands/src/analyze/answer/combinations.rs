@@ -4,9 +4,9 @@ use super::records::{Indeterminate, State, concerned, is_same, state};
 use super::{engaged, moving, warnings};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use crate::shared::records::Fraction;
-use epicyclic_train::{Analysis, Gearbox};
+use epicyclic_train::{self as train, Analysis};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -56,8 +56,8 @@ impl Answer for Combinations {
 ///
 /// # Errors
 /// [`Error::Gearbox`] if the gearbox has more combinations than the limit of the analysis.
-pub fn answer(subject: &Subject<'_>) -> Result<Combinations, Error> {
-    let gearbox = &subject.gearbox;
+pub fn answer(subject: &Gearbox) -> Result<Combinations, Error> {
+    let gearbox = &subject.train;
     let all = gearbox.combinations(0..=gearbox.shift_elements().len())?;
     Ok(Combinations {
         gearbox: gearbox.name().to_owned(),
@@ -68,7 +68,7 @@ pub fn answer(subject: &Subject<'_>) -> Result<Combinations, Error> {
 }
 
 impl Combination {
-    fn of(gearbox: &Gearbox, analysis: &Analysis<'_>) -> Self {
+    fn of(gearbox: &train::Gearbox, analysis: &Analysis<'_>) -> Self {
         let gear = gearbox.gears().iter().find(|gear| is_same(gear, analysis.gear()));
         let (state_links, missing_speeds, indeterminate) = concerned(analysis.state());
         Self {

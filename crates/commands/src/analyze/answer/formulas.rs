@@ -6,15 +6,15 @@ use super::step_losses::StepLosses;
 use super::step_torques::StepTorques;
 use crate::answer::Answer;
 use crate::error::Error;
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use crate::shared::records::Fraction;
 use epicyclic_gears::teeth::ToothCount;
 use epicyclic_train::formula::polynomial::Polynomial;
 use epicyclic_train::formula::steps::{self, Factor as Number};
 use epicyclic_train::formula::symbol::Symbol as Meaning;
-use epicyclic_train::formula::{self as train, Formula};
+use epicyclic_train::formula::{self, Formula};
 use epicyclic_train::planet_set::GearOf;
-use epicyclic_train::{Analysis, Gearbox, LinkId};
+use epicyclic_train::{self as train, Analysis, LinkId};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -252,8 +252,8 @@ impl Answer for Formulas {
 ///
 /// # Errors
 /// [`Error::NoGear`] for a gear that does not exist.
-pub fn answer(subject: &Subject<'_>, gear: Option<&str>, with_steps: bool) -> Result<Formulas, Error> {
-    let gearbox = &subject.gearbox;
+pub fn answer(subject: &Gearbox, gear: Option<&str>, with_steps: bool) -> Result<Formulas, Error> {
+    let gearbox = &subject.train;
     let names = || gearbox.gears().iter().map(epicyclic_train::Gear::name).collect();
     let names: Vec<&str> = gear.map_or_else(names, |gear| vec![gear]);
     let mut all: Vec<Meaning> = vec![];
@@ -295,7 +295,7 @@ impl Formulas {
 }
 
 impl Symbol {
-    fn of(gearbox: &Gearbox, meaning: &Meaning) -> Self {
+    fn of(gearbox: &train::Gearbox, meaning: &Meaning) -> Self {
         let set = &gearbox.sets()[meaning.set()];
         let teeth = |gears: &[GearOf]| -> Vec<GearTeeth> {
             let one = |gear: &GearOf| GearTeeth {
@@ -323,12 +323,12 @@ impl Symbol {
 
 impl Gear {
     fn of(
-        subject: &Subject<'_>,
+        subject: &Gearbox,
         analysis: &Analysis<'_>,
-        found: Result<&Formula, &train::NoFormula>,
+        found: Result<&Formula, &formula::NoFormula>,
         with_steps: bool,
     ) -> Self {
-        let gearbox = &subject.gearbox;
+        let gearbox = &subject.train;
         let steps = |formula: &Formula| Steps::of(gearbox, analysis, formula);
         Self {
             facts: GearFacts::of(subject, analysis),
@@ -340,7 +340,7 @@ impl Gear {
 }
 
 impl RatioFormula {
-    fn of(gearbox: &Gearbox, formula: &Formula) -> Self {
+    fn of(gearbox: &train::Gearbox, formula: &Formula) -> Self {
         let name = |symbol: usize| formula.symbols()[symbol].name();
         let factors = |factors: Vec<Polynomial>| -> Vec<Factor> {
             let term = |(coefficient, symbols): (i64, Vec<usize>)| Term {
@@ -365,10 +365,10 @@ impl RatioFormula {
 }
 
 impl NoFormula {
-    fn of(why: &train::NoFormula) -> Self {
+    fn of(why: &formula::NoFormula) -> Self {
         let (reason, symbols) = match why {
-            train::NoFormula::TooLarge { symbols, .. } => (Reason::TooManySymbols, Some(*symbols)),
-            train::NoFormula::NoRatio(_) => (Reason::NoRatio, None),
+            formula::NoFormula::TooLarge { symbols, .. } => (Reason::TooManySymbols, Some(*symbols)),
+            formula::NoFormula::NoRatio(_) => (Reason::NoRatio, None),
             _ => (Reason::TheseNumbersAlone, None),
         };
         Self { reason, symbols, most_symbols: epicyclic_train::tolerance::MOST_SYMBOLS }
@@ -376,7 +376,7 @@ impl NoFormula {
 }
 
 impl Steps {
-    fn of(gearbox: &Gearbox, analysis: &Analysis<'_>, formula: &Formula) -> Self {
+    fn of(gearbox: &train::Gearbox, analysis: &Analysis<'_>, formula: &Formula) -> Self {
         let steps = steps::Steps::new(gearbox, analysis.gear(), formula);
         let link = |link: LinkId| gearbox.link_name(link).to_owned();
         let speed = |(of, number): &(LinkId, Number)| Speed {
@@ -418,7 +418,7 @@ impl Steps {
 }
 
 impl Condition {
-    fn of(gearbox: &Gearbox, condition: steps::Condition) -> Self {
+    fn of(gearbox: &train::Gearbox, condition: steps::Condition) -> Self {
         let (by, kind, name, links) = match condition {
             steps::Condition::Engaged(place) => {
                 let element = &gearbox.shift_elements()[place];

@@ -8,11 +8,11 @@ use super::records::{
 use super::{Input, OperatingPoint, Worked, pins, warnings};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use crate::shared::records::Fraction;
 use crate::tolerance::ROUNDED;
 use epicyclic_train::power_flow::SetPower;
-use epicyclic_train::{self as train, Gearbox, LoadCase, Operation, PlanetSet};
+use epicyclic_train::{self as train, LoadCase, Operation, PlanetSet};
 use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -339,8 +339,8 @@ impl Answer for OneGear {
 /// # Errors
 /// [`Error::NoGear`]; [`Error::Load`] for a load that the gear cannot carry; [`Error::Gearbox`] for speeds
 /// and loads that are not finite.
-pub fn answer(subject: &Subject<'_>, gear: &str, input: Input) -> Result<OneGear, Error> {
-    let gearbox = &subject.gearbox;
+pub fn answer(subject: &Gearbox, gear: &str, input: Input) -> Result<OneGear, Error> {
+    let gearbox = &subject.train;
     let worked = Worked::new(gearbox, gear, input)?;
     let scene = Scene { gearbox, worked: &worked };
     let facts = GearFacts::of(subject, &worked.analysis);
@@ -365,7 +365,7 @@ pub fn answer(subject: &Subject<'_>, gear: &str, input: Input) -> Result<OneGear
 }
 
 struct Scene<'a> {
-    gearbox: &'a Gearbox,
+    gearbox: &'a train::Gearbox,
     worked: &'a Worked<'a>,
 }
 
@@ -558,7 +558,7 @@ impl Scene<'_> {
         self.worked.analysis.patterns().iter().map(one).collect()
     }
 
-    fn warnings(&self, subject: &Subject<'_>, facts: &GearFacts) -> Vec<Warning> {
+    fn warnings(&self, subject: &Gearbox, facts: &GearFacts) -> Vec<Warning> {
         let analysis = &self.worked.analysis;
         let mut all = warnings::of_gearbox(subject);
         all.extend(warnings::drags(subject));

@@ -9,11 +9,11 @@ use crate::answer::{Answer, Warning};
 use crate::error::Error;
 pub use crate::refusal::Given;
 use crate::shared::fault::Fault as _;
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use crate::tolerance::ROUNDED;
 use epicyclic_formats::gearbox::gear_place;
 use epicyclic_train::inputs::{MultiLoad, MultiState, Terminal as End};
-use epicyclic_train::{self as train, Gear, Gearbox, InputsFault, LinkId};
+use epicyclic_train::{self as train, Gear, InputsFault, LinkId};
 use epicyclic_units::{Physical, Quantity};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -191,7 +191,7 @@ impl Answer for Inputs {
 /// # Errors
 /// [`Error::NoGear`]; [`Error::NoLink`] and [`Error::Inputs`] for given speeds and torques;
 /// [`Error::Document`] with the place for speeds and torques of the file.
-pub fn answer(subject: &Subject<'_>, gear: &str, wanted: &Wanted) -> Result<Inputs, Error> {
+pub fn answer(subject: &Gearbox, gear: &str, wanted: &Wanted) -> Result<Inputs, Error> {
     let task = Task::new(subject, gear)?;
     let speeds = match (&wanted.speeds, subject.inputs(gear)) {
         (Some(given), _) => task.links(Origin::Question(Given::Speeds), given)?,
@@ -219,14 +219,14 @@ fn stated<T: Physical>(values: &BTreeMap<String, Quantity<T>>) -> Vec<(String, T
 }
 
 struct Task<'a> {
-    subject: &'a Subject<'a>,
-    gearbox: &'a Gearbox,
+    subject: &'a Gearbox,
+    gearbox: &'a train::Gearbox,
     gear: Gear,
 }
 
 impl<'a> Task<'a> {
-    fn new(subject: &'a Subject<'a>, gear: &str) -> Result<Self, Error> {
-        let gearbox = &subject.gearbox;
+    fn new(subject: &'a Gearbox, gear: &str) -> Result<Self, Error> {
+        let gearbox = &subject.train;
         Ok(Self { subject, gearbox, gear: analysis(gearbox, gear)?.gear().clone() })
     }
 
@@ -236,7 +236,7 @@ impl<'a> Task<'a> {
             Origin::Question(given) => fault(given),
             Origin::File(given) => {
                 let key = if given == Given::Torques { "torques" } else { "speeds" };
-                let Subject { document, base, .. } = self.subject;
+                let Gearbox { document, base, .. } = self.subject;
                 let place = gear_place(document, base, self.gear.name(), key);
                 document.error(&place, fault(given).problem()).into()
             }

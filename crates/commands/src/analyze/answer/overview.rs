@@ -9,9 +9,9 @@ use super::shifts::{self, MOST_GEARS, Shift};
 use super::{Input, OperatingPoint, Worked, pins, planets, warnings};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use crate::shared::tooth_checks::answer::ToothChecks;
-use epicyclic_train::{Analysis, Gearbox};
+use epicyclic_train::{self as train, Analysis};
 use epicyclic_units::Physical as _;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -90,12 +90,8 @@ impl Answer for Overview {
 /// # Errors
 /// [`Error::Load`] for a load that a gear cannot carry; [`Error::ProgressionFactor`] for a factor without a
 /// progression; [`Error::Gearbox`] for speeds and loads that are not finite.
-pub fn answer(
-    subject: &Subject<'_>,
-    input: Input,
-    progression_factor: Option<f64>,
-) -> Result<Overview, Error> {
-    let gearbox = &subject.gearbox;
+pub fn answer(subject: &Gearbox, input: Input, progression_factor: Option<f64>) -> Result<Overview, Error> {
+    let gearbox = &subject.train;
     let worked = gearbox
         .gears()
         .iter()
@@ -145,7 +141,7 @@ pub fn answer(
 }
 
 impl Gear {
-    fn of(subject: &Subject<'_>, worked: &Worked<'_>, step: Option<f64>, deviation: Deviation) -> Self {
+    fn of(subject: &Gearbox, worked: &Worked<'_>, step: Option<f64>, deviation: Deviation) -> Self {
         let analysis = &worked.analysis;
         let output_speed = analysis.speed(analysis.gear().output());
         Self {
@@ -154,16 +150,16 @@ impl Gear {
             geometric_deviation: deviation.geometric,
             progressive_deviation: deviation.progressive,
             circulating_of_entering: analysis.driving().map(|case| case.power.circulating),
-            largest_speed_of_input: largest_speed(&subject.gearbox, analysis),
+            largest_speed_of_input: largest_speed(&subject.train, analysis),
             largest_planet_speed_of_input: largest_planet_speed(analysis),
-            shift_elements: InGear::all(&subject.gearbox, worked),
+            shift_elements: InGear::all(&subject.train, worked),
             output_speed_rad_s: worked.speed_rad_s(output_speed),
             output_torque_n_m: worked.operation.as_ref().map(|operation| operation.output.si()),
         }
     }
 }
 
-fn largest_speed(gearbox: &Gearbox, analysis: &Analysis<'_>) -> Option<f64> {
+fn largest_speed(gearbox: &train::Gearbox, analysis: &Analysis<'_>) -> Option<f64> {
     (1..gearbox.links().len()).filter_map(|link| analysis.speeds()[link]).map(f64::abs).reduce(f64::max)
 }
 

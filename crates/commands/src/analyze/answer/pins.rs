@@ -15,7 +15,7 @@
 use super::Worked;
 use super::records::planet_name;
 use crate::answer::Warning;
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use crate::tolerance::rounded;
 use epicyclic_formats::gearbox::{GearboxFile, RollingEntry};
 use epicyclic_units::Physical;
@@ -37,12 +37,12 @@ const GRAVITY: f64 = 9.806_65;
 const DIGITS: usize = 4;
 
 /// The planet bearings that turn faster than is usual in these gears: all in one warning.
-pub(crate) fn warning(subject: &Subject<'_>, worked: &[&Worked<'_>]) -> Option<Warning> {
+pub(crate) fn warning(subject: &Gearbox, worked: &[&Worked<'_>]) -> Option<Warning> {
     // A list of transmissions has no diameters of bearings.
     let file: GearboxFile = subject.document.read().ok().filter(|_| subject.published.is_empty())?;
     let mut beyond: Vec<String> = vec![];
     for bearing in subject.planet_bearings.iter().filter(|bearing| bearing.load_rating.is_some()) {
-        let set = &subject.gearbox.sets()[bearing.set];
+        let set = &subject.train.sets()[bearing.set];
         let Some((rolling, diameter)) = stated(&file, set.id(), &set.planets()[bearing.planet].name) else {
             continue;
         };

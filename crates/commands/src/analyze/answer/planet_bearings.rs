@@ -3,7 +3,7 @@
 use super::Worked;
 use super::records::planet_name;
 use crate::error::Error;
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use crate::tolerance::rounded;
 use epicyclic_strength::planets::{AxialForces, axial_forces};
 use epicyclic_train::planet_bearings as train;
@@ -133,7 +133,7 @@ impl Lack {
 }
 
 /// Forces on the planet bearings in one gear; empty if neither a size nor a torque is known.
-pub(super) fn of_gear(subject: &Subject<'_>, worked: &Worked<'_>) -> Result<Vec<PlanetBearing>, Error> {
+pub(super) fn of_gear(subject: &Gearbox, worked: &Worked<'_>) -> Result<Vec<PlanetBearing>, Error> {
     if has_sizes(subject) || worked.analysis.ideal().is_some() {
         bearings(subject, worked)
     } else {
@@ -142,7 +142,7 @@ pub(super) fn of_gear(subject: &Subject<'_>, worked: &Worked<'_>) -> Result<Vec<
 }
 
 /// Forces on the planet bearings in all gears; empty unless the size of a set is known.
-pub(super) fn of_gears(subject: &Subject<'_>, worked: &[Worked<'_>]) -> Result<Vec<PlanetBearing>, Error> {
+pub(super) fn of_gears(subject: &Gearbox, worked: &[Worked<'_>]) -> Result<Vec<PlanetBearing>, Error> {
     let mut all = vec![];
     if has_sizes(subject) {
         for worked in worked {
@@ -152,21 +152,21 @@ pub(super) fn of_gears(subject: &Subject<'_>, worked: &[Worked<'_>]) -> Result<V
     Ok(all)
 }
 
-fn has_sizes(subject: &Subject<'_>) -> bool {
+fn has_sizes(subject: &Gearbox) -> bool {
     subject.planet_bearings.iter().any(|bearing| bearing.radius.is_some())
 }
 
-fn bearings(subject: &Subject<'_>, worked: &Worked<'_>) -> Result<Vec<PlanetBearing>, Error> {
+fn bearings(subject: &Gearbox, worked: &Worked<'_>) -> Result<Vec<PlanetBearing>, Error> {
     subject.planet_bearings.iter().map(|bearing| one(subject, worked, bearing)).collect()
 }
 
 fn one(
-    subject: &Subject<'_>,
+    subject: &Gearbox,
     worked: &Worked<'_>,
     bearing: &train::PlanetBearing,
 ) -> Result<PlanetBearing, Error> {
     let Worked { analysis, input, operation, .. } = worked;
-    let set = &subject.gearbox.sets()[bearing.set];
+    let set = &subject.train.sets()[bearing.set];
     let is_back_driven = operation.as_ref().is_some_and(|at| at.direction == Direction::BackDrive);
     let case = if is_back_driven { analysis.back_driving() } else { analysis.driving() };
     let of_carrier = |case: &LoadCase| {
@@ -223,7 +223,7 @@ fn one(
 
 /// Axial forces and tilting moment on one planet of a helical set, from the torques on sun and ring.
 fn axial(
-    subject: &Subject<'_>,
+    subject: &Gearbox,
     set: &PlanetSet,
     bearing: &train::PlanetBearing,
     torques: &[Torque],

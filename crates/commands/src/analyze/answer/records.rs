@@ -1,14 +1,14 @@
 //! Records shared by the answers about gearboxes.
 
 use super::{engaged, moving};
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use crate::shared::records::Fraction;
 use epicyclic_formats::gearbox::PublishedGear;
 use epicyclic_train::one_way::{self, OneWay};
 use epicyclic_train::planet_set::GearOf;
 use epicyclic_train::power_flow::MeshPower;
 use epicyclic_train::set::SetKind;
-use epicyclic_train::{self as train, Analysis, Gear, Gearbox, PlanetSet};
+use epicyclic_train::{self as train, Analysis, Gear, PlanetSet};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -156,8 +156,8 @@ pub struct GearFacts {
 }
 
 impl GearFacts {
-    pub(super) fn of(subject: &Subject<'_>, analysis: &Analysis<'_>) -> Self {
-        let (gearbox, gear) = (&subject.gearbox, analysis.gear());
+    pub(super) fn of(subject: &Gearbox, analysis: &Analysis<'_>) -> Self {
+        let (gearbox, gear) = (&subject.train, analysis.gear());
         let inputs = subject.inputs(gear.name());
         let kreines = analysis.kreines().map(|kreines| kreines.efficiency);
         let (state_links, missing_speeds, indeterminate) = concerned(analysis.state());
@@ -237,7 +237,7 @@ impl ShiftElementKind {
 }
 
 /// Names of the two links that a shift element joins; `ground` is the housing.
-pub(super) fn links_of(gearbox: &Gearbox, element: &train::ShiftElement) -> [String; 2] {
+pub(super) fn links_of(gearbox: &train::Gearbox, element: &train::ShiftElement) -> [String; 2] {
     element.links().map(|link| gearbox.link_name(link).to_owned())
 }
 
@@ -292,7 +292,7 @@ pub struct OneWayClutch {
 }
 
 /// Names of the shift elements between the links of a one-way clutch that hold in both directions.
-pub(super) fn beside(gearbox: &Gearbox, clutch: usize) -> Vec<String> {
+pub(super) fn beside(gearbox: &train::Gearbox, clutch: usize) -> Vec<String> {
     let links = |element: &train::ShiftElement| {
         let [one, other] = element.links();
         [one.min(other), one.max(other)]
@@ -304,7 +304,7 @@ pub(super) fn beside(gearbox: &Gearbox, clutch: usize) -> Vec<String> {
 }
 
 /// Behaviour of the one-way clutches in a gear.
-pub(super) fn one_way_clutches(gearbox: &Gearbox, analysis: &Analysis<'_>) -> Vec<OneWayClutch> {
+pub(super) fn one_way_clutches(gearbox: &train::Gearbox, analysis: &Analysis<'_>) -> Vec<OneWayClutch> {
     let one = |one: OneWay| OneWayClutch {
         gear: analysis.gear().name().to_owned(),
         clutch: gearbox.shift_elements()[one.shift_element].id().to_owned(),
@@ -384,7 +384,10 @@ pub(crate) struct MeshFigures {
 }
 
 /// Lists the meshes of all sets; `power` returns the mesh powers of a set.
-pub(crate) fn meshes(gearbox: &Gearbox, power: impl Fn(usize) -> Option<Vec<MeshPower>>) -> Vec<MeshFigures> {
+pub(crate) fn meshes(
+    gearbox: &train::Gearbox,
+    power: impl Fn(usize) -> Option<Vec<MeshPower>>,
+) -> Vec<MeshFigures> {
     let mut all = vec![];
     for (place, set) in gearbox.sets().iter().enumerate() {
         let powers = power(place);

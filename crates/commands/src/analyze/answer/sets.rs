@@ -1,7 +1,7 @@
 //! Planetary sets: tooth numbers, ratios, planets, and whether these fit.
 
 use super::records::Kind;
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use crate::shared::records::Fraction;
 use epicyclic_train::PlanetSet;
 use epicyclic_train::compound::CentralKind;
@@ -67,11 +67,11 @@ pub enum Fit {
 
 impl SetFacts {
     /// Lists the sets of a gearbox in their order.
-    pub(super) fn all(subject: &Subject<'_>) -> Vec<Self> {
-        subject.gearbox.sets().iter().map(|set| Self::of(set, subject)).collect()
+    pub(super) fn all(subject: &Gearbox) -> Vec<Self> {
+        subject.train.sets().iter().map(|set| Self::of(set, subject)).collect()
     }
 
-    fn of(set: &PlanetSet, subject: &Subject<'_>) -> Self {
+    fn of(set: &PlanetSet, subject: &Gearbox) -> Self {
         let PlanetFit { assembles, clears } = set.planet_fit(&subject.rack);
         // With more than two central gears no single number describes the set.
         let has_two = set.short().is_some();

@@ -11,8 +11,8 @@ use super::progression::{Ordered, ordered};
 use super::warnings;
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
-use crate::shared::gearbox::Subject;
-use epicyclic_train::{Analysis, Gearbox};
+use crate::shared::gearbox::Gearbox;
+use epicyclic_train::{self as train, Analysis};
 use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -105,8 +105,8 @@ pub struct ElementInShift {
 /// # Errors
 /// [`Error::ManyGears`] for a gearbox of more than [`MOST_GEARS`] gears; [`Error::Gearbox`] for a gear that
 /// cannot be analysed.
-pub fn answer(subject: &Subject<'_>, speed: Option<AngularVelocity>) -> Result<Shifts, Error> {
-    let gearbox = &subject.gearbox;
+pub fn answer(subject: &Gearbox, speed: Option<AngularVelocity>) -> Result<Shifts, Error> {
+    let gearbox = &subject.train;
     let count = gearbox.gears().len();
     if count > MOST_GEARS {
         return Err(Error::ManyGears { gears: count, most: MOST_GEARS });
@@ -124,7 +124,7 @@ pub fn answer(subject: &Subject<'_>, speed: Option<AngularVelocity>) -> Result<S
 
 /// Shifts that skip at most this number of ratios.
 pub(super) fn between(
-    gearbox: &Gearbox,
+    gearbox: &train::Gearbox,
     gears: &[&Analysis<'_>],
     ordered: &[Ordered],
     speed: Option<AngularVelocity>,
@@ -146,7 +146,7 @@ pub(super) fn between(
 impl Shift {
     /// Shift between two gears; `None` if one of them has no ratio.
     fn of(
-        gearbox: &Gearbox,
+        gearbox: &train::Gearbox,
         [from, to]: [&Analysis<'_>; 2],
         skipped_ratios: usize,
         speed: Option<AngularVelocity>,

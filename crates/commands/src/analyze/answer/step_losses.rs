@@ -151,8 +151,8 @@ mod tests {
             let efficiency = Some(MeshEfficiency::new(0.97).unwrap());
             let subject = one(&document, &Choice { efficiency, ..Choice::default() }).unwrap();
             for name in gears {
-                let analysis = subject.gearbox.analyze(name).unwrap();
-                let steps = StepLosses::of(&subject.gearbox, &analysis).unwrap();
+                let analysis = subject.train.analyze(name).unwrap();
+                let steps = StepLosses::of(&subject.train, &analysis).unwrap();
                 let whole = gear::answer(&subject, name, Input::default()).unwrap();
                 assert!((1.0 - steps.loss_of_entering - steps.efficiency).abs() < 1e-12, "{file} {name}");
                 assert_eq!(Some(steps.efficiency), whole.gear.efficiency);
@@ -176,6 +176,6 @@ mod tests {
         let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/six-speed-6hp.yaml");
         let document = Document::parse_one("6hp.yaml", &std::fs::read(file).unwrap()).unwrap();
         let subject = one(&document, &Choice::default()).unwrap();
-        assert_eq!(StepLosses::of(&subject.gearbox, &subject.gearbox.analyze("1").unwrap()), None);
+        assert_eq!(StepLosses::of(&subject.train, &subject.train.analyze("1").unwrap()), None);
     }
 }

@@ -3,10 +3,10 @@
 use super::Worked;
 use super::records::{GearFacts, SelfLocking, State, beside};
 use crate::answer::Warning;
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use epicyclic_train::one_way::Duty;
 use epicyclic_train::set::SetSpec;
-use epicyclic_train::{self as train, Analysis, Gearbox, PlanetSet};
+use epicyclic_train::{self as train, Analysis, PlanetSet};
 
 /// Formats names of gears: `gear 1`, `gears 1, 2`.
 fn named(gears: &[&str]) -> String {
@@ -26,7 +26,7 @@ fn grouped<'a, Key: PartialEq>(all: impl IntoIterator<Item = (Key, &'a str)>) ->
 }
 
 /// Warnings about one-way clutches that do not behave as the engaged elements of the gears require.
-pub(super) fn contradictions(gearbox: &Gearbox, gears: &[&Analysis<'_>]) -> Vec<Warning> {
+pub(super) fn contradictions(gearbox: &train::Gearbox, gears: &[&Analysis<'_>]) -> Vec<Warning> {
     let of_gear = |gear: &&'_ Analysis<'_>| -> Vec<(usize, Duty)> {
         let all = gear.one_way_clutches().into_iter();
         all.filter(|one| one.drive.is_contradiction()).map(|one| (one.shift_element, one.drive)).collect()
@@ -55,7 +55,7 @@ pub(super) fn contradictions(gearbox: &Gearbox, gears: &[&Analysis<'_>]) -> Vec<
 
 /// Warnings about one-way clutches that overrun at the load, with the elements that would have to be engaged
 /// too.
-pub(super) fn released(gearbox: &Gearbox, gears: &[&Worked<'_>]) -> Vec<Warning> {
+pub(super) fn released(gearbox: &train::Gearbox, gears: &[&Worked<'_>]) -> Vec<Warning> {
     let all = gears
         .iter()
         .flat_map(|worked| worked.released.iter().map(|place| (*place, worked.analysis.gear().name())));
@@ -95,7 +95,7 @@ pub(super) fn self_locking(gears: &[&Analysis<'_>]) -> Option<Warning> {
 
 /// Warnings about gears whose output is not driven, one for each state. Gears for which the file gives speeds
 /// of several links are left out.
-pub(super) fn not_driven(subject: &Subject<'_>, gears: &[&Analysis<'_>]) -> Vec<Warning> {
+pub(super) fn not_driven(subject: &Gearbox, gears: &[&Analysis<'_>]) -> Vec<Warning> {
     // A gear with several given speeds is underdetermined on purpose.
     let is_told = |gear: &&&Analysis<'_>| {
         !matches!(gear.state(), train::State::Driven) && !subject.has_inputs(gear.gear().name())
@@ -109,8 +109,8 @@ pub(super) fn not_driven(subject: &Subject<'_>, gears: &[&Analysis<'_>]) -> Vec<
 }
 
 /// Remarks on the gearbox itself.
-pub(crate) fn of_gearbox(subject: &Subject<'_>) -> Vec<Warning> {
-    let gearbox = &subject.gearbox;
+pub(crate) fn of_gearbox(subject: &Gearbox) -> Vec<Warning> {
+    let gearbox = &subject.train;
     let name = |warning: &train::Warning| match warning {
         train::Warning::Unreachable { .. } => "unreachable",
         train::Warning::NoGears => "no-gears",
@@ -127,14 +127,14 @@ pub(crate) fn of_gearbox(subject: &Subject<'_>) -> Vec<Warning> {
 
 /// Warning about helical sets whose planet bearings have forces or ratings: both leave out the moment of the
 /// axial forces.
-pub(crate) fn tilted(subject: &Subject<'_>) -> Option<Warning> {
+pub(crate) fn tilted(subject: &Gearbox) -> Option<Warning> {
     // Without radius and number of planets there are no forces that could leave out the moment.
     let is_borne = |place: usize| {
         let own = subject.planet_bearings.iter().filter(|bearing| bearing.set == place);
         own.into_iter().any(|bearing| bearing.radius.is_some() && bearing.planets.is_some())
     };
     let is_helical = |set: &PlanetSet| set.short().is_some_and(SetSpec::is_helical);
-    let sets = subject.gearbox.sets().iter().enumerate();
+    let sets = subject.train.sets().iter().enumerate();
     let sets = sets.filter(|(place, set)| is_helical(set) && is_borne(*place)).map(|(_, set)| set.id());
     let names: Vec<&str> = sets.collect();
     tilting(&names)
@@ -154,7 +154,7 @@ pub(crate) fn tilting(sets: &[&str]) -> Option<Warning> {
 }
 
 /// Warning that the drags in the file are not part of this answer.
-pub(super) fn drags(subject: &Subject<'_>) -> Option<Warning> {
+pub(super) fn drags(subject: &Gearbox) -> Option<Warning> {
     let message = "efficiencies are of the meshes alone, without the drags of the file; `losses` takes both";
     (!subject.drags.is_empty()).then(|| Warning { name: "drags", message: message.to_owned() })
 }

@@ -15,9 +15,9 @@ pub struct Drawn<'g> {
 
 /// Computes the layouts of the gearboxes.
 #[must_use]
-pub fn drawn<'g>(candidates: &[Candidate<'g, '_>]) -> Vec<Drawn<'g>> {
-    let one = |candidate: &Candidate<'g, '_>| {
-        let gearbox = &candidate.subject.gearbox;
+pub fn drawn<'g>(candidates: &[Candidate<'g>]) -> Vec<Drawn<'g>> {
+    let one = |candidate: &Candidate<'g>| {
+        let gearbox = &candidate.subject.train;
         let layout = match draw(gearbox, Options::default()) {
             Verdict::Drawable(layout) => Some(layout),
             Verdict::SelfCrossing(_) => None,

@@ -95,7 +95,7 @@ fn from_file(args: &Args, file: &Path, document: &Document) -> Result<Subject, F
     let choice = Choice::new(file.display().to_string(), args.transmission.clone(), args.efficiency);
     let read = analyze::subject(&choice, document)?;
     let tooth_checks = Some(ToothChecks::of(read.tooth_checks(), |_| true));
-    let crate::shared::gearbox::Subject { gearbox, planet_bearings, base, rack, .. } = read;
+    let crate::shared::gearbox::Gearbox { train: gearbox, planet_bearings, base, rack, .. } = read;
     // A list of transmissions has no modules.
     let sets = document.read().map(|file: GearboxFile| file.sets).unwrap_or_default();
     let modules = sets.into_iter().filter_map(|set| Some((set.id, set.module?.0))).collect();

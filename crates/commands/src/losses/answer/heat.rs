@@ -13,10 +13,10 @@
 //! With an allowed `Δθ` the thermal limit follows: the largest input torque at the same speed and in the same
 //! direction.
 
-use super::{GearLosses, GivenLoad, Wanted, at};
+use super::{GearLosses, GivenLoad, Point, at};
 use crate::analyze::answer as analyze;
 use crate::error::Error;
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use crate::shared::number::plain;
 use crate::tolerance::THERMAL;
 use epicyclic_numerics::roots::bisected_while;
@@ -103,14 +103,14 @@ pub struct GearHeat {
 
 /// Computes the heat balances of the gears with known losses.
 pub(super) fn of(
-    subject: &Subject<'_>,
-    wanted: &Wanted,
+    subject: &Gearbox,
+    point: Point,
     cooling: &Cooling,
     gears: &[GearLosses],
 ) -> Result<Heat, Error> {
     let balanced = |gear: &GearLosses| -> Result<GearHeat, Error> {
         let [cooler_w, housing_w, rise_k] = cooling.balance(gear.loss_w);
-        let thermal = cooling.allowed_rise.map(|rise| thermal_torque(subject, wanted, cooling, gear, rise));
+        let thermal = cooling.allowed_rise.map(|rise| thermal_torque(subject, point, cooling, gear, rise));
         Ok(GearHeat {
             gear: gear.gear.clone(),
             loss_w: gear.loss_w,
@@ -131,19 +131,19 @@ pub(super) fn of(
 /// Input torque in N·m at which the loss equals the heat that cooler and housing take at the allowed rise.
 /// The bisection relies on a loss that grows with the torque.
 fn thermal_torque(
-    subject: &Subject<'_>,
-    wanted: &Wanted,
+    subject: &Gearbox,
+    point: Point,
     cooling: &Cooling,
     gear: &GearLosses,
     rise: TemperatureInterval,
 ) -> Result<Option<f64>, Error> {
-    let analysis = analyze::analysis(&subject.gearbox, &gear.gear)?;
+    let analysis = analyze::analysis(&subject.train, &gear.gear)?;
     let limit = cooling.cooler.si() + cooling.conductance.si() * rise.si();
     // If drags hold the gear, it is driven from both sides and loses less than in any drive, so it counts as
     // cool.
     let is_cool = |torque: f64| {
         let load = GivenLoad::Input(InputLoad::Torque(Torque::from_si(torque)));
-        at(subject, &analysis, wanted.speed, load)
+        at(subject, &analysis, Point { load, ..point })
             .map_or(true, |found| (found.mesh_loss() + found.drag_loss()).si() <= limit)
     };
     let given = gear.input_torque_n_m;

@@ -7,14 +7,14 @@ use crate::analyze::answer::{Input, analysis, gear, moving, overview};
 use crate::error::Error;
 use crate::losses::answer::{self as losses, LossChapter};
 use crate::shared::drawability::answer::Conflict;
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use crate::shared::number::plain;
 use crate::sheet::answer::{self as sheet, DataSheets};
 use crate::strength::answer::{self as strength, Strength};
 use crate::vibrate::answer::{self as vibration, Vibration, Wanted};
 use epicyclic_layout::{self as layout, Layout, Verdict};
 use epicyclic_train::set::{Gearing, SetKind, SetSpec};
-use epicyclic_train::{Analysis, Gearbox, PlanetSet};
+use epicyclic_train::{self as train, Analysis, PlanetSet};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::ControlFlow;
@@ -95,7 +95,7 @@ pub struct GearOverK {
 #[derive(Debug)]
 pub struct Shown<'g> {
     /// The gearbox.
-    pub gearbox: &'g Gearbox,
+    pub gearbox: &'g train::Gearbox,
     /// Analyses of the gears.
     pub gears: Vec<Analysis<'g>>,
     /// Layout of the gearbox; `None` if it is not drawable.
@@ -109,12 +109,12 @@ pub struct Shown<'g> {
 /// Those of [`overview::answer`], [`gear::answer`], [`strength::chapters`], [`losses::chapter`],
 /// [`sheet::chapter`] and [`vibration::chapter`].
 pub fn answer<'g>(
-    subject: &'g Subject<'_>,
+    subject: &'g Gearbox,
     input: Input,
     wanted: &Wanted,
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<(GearboxReport, Shown<'g>), Error> {
-    let gearbox = &subject.gearbox;
+    let gearbox = &subject.train;
     let names = || gearbox.gears().iter().map(epicyclic_train::Gear::name);
     let (layout, conflict) = match layout::draw(gearbox, layout::Options::default()) {
         Verdict::Drawable(layout) => (Some(layout), None),
@@ -140,13 +140,13 @@ pub fn answer<'g>(
     Ok((report, Shown { gearbox, gears, layout }))
 }
 
-fn over_k(gearbox: &Gearbox) -> Vec<OverK> {
+fn over_k(gearbox: &train::Gearbox) -> Vec<OverK> {
     let of_set = |(place, set): (usize, &PlanetSet)| {
         // Only a set with two central gears has a `k`; a pair on fixed axes has no carrier that turns.
         let kind = set.kind().filter(|_| !set.is_pair())?;
         let own_k = set.basic_ratio().get().abs();
         let k = with_own(values(gearbox, range(kind, own_k)), own_k);
-        let others: Vec<Option<Gearbox>> = k.iter().map(|k| with_k(gearbox, place, *k)).collect();
+        let others: Vec<Option<train::Gearbox>> = k.iter().map(|k| with_k(gearbox, place, *k)).collect();
         let gears = gearbox.gears().iter().map(|gear| GearOverK::of(&others, gear.name(), place)).collect();
         Some(OverK { set: set.id().to_owned(), own_k, has_losses: set.has_losses(), k, gears })
     };
@@ -154,7 +154,7 @@ fn over_k(gearbox: &Gearbox) -> Vec<OverK> {
 }
 
 impl GearOverK {
-    fn of(gearboxes: &[Option<Gearbox>], gear: &str, set: usize) -> Self {
+    fn of(gearboxes: &[Option<train::Gearbox>], gear: &str, set: usize) -> Self {
         let mut over = Self {
             gear: gear.to_owned(),
             ratios: vec![],
@@ -187,7 +187,7 @@ fn range(kind: SetKind, k: f64) -> [f64; 2] {
     }
 }
 
-fn values(gearbox: &Gearbox, [low, high]: [f64; 2]) -> Vec<f64> {
+fn values(gearbox: &train::Gearbox, [low, high]: [f64; 2]) -> Vec<f64> {
     let [most, fewest] = PLACES;
     let each = ANALYSES / (gearbox.sets().len() * gearbox.gears().len()).max(1);
     let places = u32::try_from(each).unwrap_or(most).clamp(fewest, most);
@@ -204,7 +204,7 @@ fn with_own(mut values: Vec<f64>, own: f64) -> Vec<f64> {
 }
 
 /// Gearbox with another `k` of one set; `None` if that gives no valid set.
-fn with_k(gearbox: &Gearbox, set: usize, k: f64) -> Option<Gearbox> {
+fn with_k(gearbox: &train::Gearbox, set: usize, k: f64) -> Option<train::Gearbox> {
     let id = gearbox.sets()[set].id();
     let change = |spec: SetSpec| {
         if spec.id == id {

@@ -3,7 +3,7 @@
 use super::records::{Allowed, AtOutput, Limits};
 use crate::analyze::answer::analysis;
 use crate::error::Error;
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use crate::tolerance::ROUNDED;
 use epicyclic_gears::involute::PlanetSet as ToothedSet;
 use epicyclic_gears::involute::play::{Part, at_output};
@@ -25,13 +25,13 @@ pub(super) struct Known {
 }
 
 /// Results for every gear of a gearbox.
-pub(super) fn of_gears(subject: &Subject<'_>, known: &[Known]) -> Result<Vec<AtOutput>, Error> {
-    let gears = subject.gearbox.gears().iter().map(Gear::name);
-    gears.map(|name| of_gear(subject, known, name, &analysis(&subject.gearbox, name)?)).collect()
+pub(super) fn of_gears(subject: &Gearbox, known: &[Known]) -> Result<Vec<AtOutput>, Error> {
+    let gears = subject.train.gears().iter().map(Gear::name);
+    gears.map(|name| of_gear(subject, known, name, &analysis(&subject.train, name)?)).collect()
 }
 
 fn of_gear(
-    subject: &Subject<'_>,
+    subject: &Gearbox,
     known: &[Known],
     name: &str,
     analysis: &Analysis<'_>,
@@ -48,7 +48,7 @@ fn of_gear(
         if share.abs() < ROUNDED {
             continue;
         }
-        let id = subject.gearbox.sets()[place].id();
+        let id = subject.train.sets()[place].id();
         let Some(one) = known.iter().find(|one| one.place == place) else {
             row.missing.push(format!("the teeth of set {id}"));
             is_whole = false;

@@ -57,7 +57,7 @@ impl Scenario<'_> {
     }
 
     fn mechanism(&self) -> Result<Mechanism, Error> {
-        let (document, gearbox) = (self.document, &self.subject.gearbox);
+        let (document, gearbox) = (self.document, &self.subject.train);
         let mut masses = Masses::default();
         for (link, inertia) in &self.file.inertias {
             if link == GROUND {
@@ -107,7 +107,7 @@ impl Scenario<'_> {
     /// Masses and inertias of a set's planets; values that are not given are taken from the gearbox.
     fn planets(&self, path: &Path, entry: &PlanetsEntry) -> Result<PlanetMasses, Error> {
         let known = self.subject.planet_bearings.iter().filter(|bearing| {
-            self.subject.gearbox.sets().get(bearing.set).is_some_and(|set| set.id() == entry.set)
+            self.subject.train.sets().get(bearing.set).is_some_and(|set| set.id() == entry.set)
         });
         let known: Vec<_> = known.collect();
         let lacks = |what: &str, path: &Path| {
@@ -136,7 +136,7 @@ impl Scenario<'_> {
 
     /// One-way clutches of the gearbox that belong to the model.
     fn one_way_clutches(&self, model: &Model) -> Vec<Element> {
-        let gearbox = &self.subject.gearbox;
+        let gearbox = &self.subject.train;
         let engaged = |id: &str| self.file.engaged.iter().any(|one| one == id);
         let all = gearbox.shift_elements().iter().filter(|one| one.is_one_way() && !engaged(one.id()));
         let all = all.map(|one| (one.id(), one.links().map(|link| gearbox.link_name(link).to_owned())));
@@ -238,7 +238,7 @@ impl Scenario<'_> {
 
     /// Brake or clutch with the name in an entry.
     fn shift_element(&self, place: usize, entry: &ElementEntry) -> Result<&ShiftElement, Error> {
-        let slips = || self.subject.gearbox.shift_elements().iter().filter(|one| !one.is_one_way());
+        let slips = || self.subject.train.shift_elements().iter().filter(|one| !one.is_one_way());
         slips().find(|one| one.id() == entry.id).ok_or_else(|| {
             let names: Vec<&str> = slips().map(ShiftElement::id).collect();
             let message =
@@ -278,7 +278,7 @@ impl Scenario<'_> {
         if conductance < 0.0 {
             return Err(refused(document, &path.key("conductance"), &AT_LEAST_0));
         }
-        let links = found.links().map(|link| self.subject.gearbox.link_name(link).to_owned());
+        let links = found.links().map(|link| self.subject.train.link_name(link).to_owned());
         let (key, course) = match (&entry.holding, &entry.capacity, &entry.pressure, &entry.dog) {
             (None, None, None, Some(dog)) => {
                 self.add_dog(model, &path, entry, dog)?;
@@ -403,7 +403,7 @@ impl Scenario<'_> {
         let twists = self.file.shafts.iter().filter_map(|one| Some((one.id.as_str(), one.twist?.0)));
         let twists: Vec<(&str, Angle)> = twists.collect();
         let Some(start) = &self.file.start else { return Ok(Start::at_rest().twisted(&twists)) };
-        let gearbox = &self.subject.gearbox;
+        let gearbox = &self.subject.train;
         let mut speeds: Vec<(&str, AngularVelocity)> = vec![];
         for (link, speed) in &start.speeds {
             speeds.push((link, speed.0));

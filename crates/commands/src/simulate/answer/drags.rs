@@ -55,7 +55,7 @@ impl Scenario<'_> {
     /// Adds the drags of the gearbox to the model, except those between links that are one piece. Returns the
     /// added drags in their order in the model.
     pub(super) fn add_drags(&self, model: &mut Model) -> Result<Vec<Drag>, Error> {
-        let gearbox = &self.subject.gearbox;
+        let gearbox = &self.subject.train;
         let mut all = vec![];
         if self.file.drags == Some(false) {
             return Ok(all);
@@ -85,9 +85,9 @@ impl Scenario<'_> {
         };
         let fault = DragFault::Outside { slip: speed(slip_rad_s), speeds: [from_rad_s, to_rad_s].map(speed) };
         let of_gearbox = epicyclic_train::Error::Drag { drag: found.name.clone(), fault };
-        let document = self.subject.document;
+        let document = &self.subject.document;
         let told = DescriptionError::Gearbox(of_gearbox);
-        let path = located(document, &self.subject.base, &told).at().path.clone();
+        let path = located(&document, &self.subject.base, &told).at().path.clone();
         let message = format!("at {}: {told}", Quantity(Time::from_si(time_s)));
         let at = document.error(&path, Problem::refused(why.name(), message));
         Error::Placed { at: Box::new(at), why: Box::new(why.into()) }

@@ -1,6 +1,6 @@
 //! Common parts of a simulation: the scenario, its elements, shifts and output.
 
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use epicyclic_formats::Document;
 use epicyclic_formats::scenario::{ScenarioFile, Texts};
 use epicyclic_motion::{Course, Model, Sample, Start};
@@ -38,7 +38,7 @@ pub enum DragKind {
 pub(super) struct Scenario<'s> {
     pub(super) document: &'s Document,
     pub(super) file: &'s ScenarioFile,
-    pub(super) subject: &'s Subject<'s>,
+    pub(super) subject: &'s Gearbox,
     pub(super) texts: &'s Texts,
 }
 
@@ -132,7 +132,7 @@ pub(super) struct Output {
 impl Output {
     /// Collects the parts on the output; `elements` and `drags` are those of the model, in its order.
     pub(super) fn of(scenario: &Scenario<'_>, model: &Model, elements: &[Element], drags: &[Drag]) -> Self {
-        let (file, gearbox) = (scenario.file, &scenario.subject.gearbox);
+        let (file, gearbox) = (scenario.file, &scenario.subject.train);
         let output = gearbox.link_name(gearbox.output());
         let is_it = |link: &str| model.mechanism().is_one_piece(output, link).unwrap_or(false);
         let inertias = file.inertias.iter().filter(|(link, _)| is_it(link));

@@ -3,7 +3,7 @@
 use super::parts::Scenario;
 use super::{placed, root};
 use crate::error::Error;
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::{DescriptionError, located, part_place};
 use epicyclic_formats::scenario::ScenarioFile;
@@ -78,7 +78,7 @@ impl Scenario<'_> {
                 return self.of_parts(std::slice::from_ref(set), why.clone());
             }
             E::Gearbox(error) => {
-                let Subject { document, base, .. } = self.subject;
+                let Gearbox { document, base, .. } = self.subject;
                 let at = located(document, base, &DescriptionError::Gearbox(error.clone()));
                 return Error::Placed { at: Box::new(at), why: Box::new(why.into()) };
             }
@@ -104,7 +104,7 @@ impl Scenario<'_> {
         if let Some(path) = parts.iter().find_map(|part| self.entry(part)) {
             return placed(self.document, &path, why);
         }
-        let Subject { document, base, .. } = self.subject;
+        let Gearbox { document, base, .. } = self.subject;
         let place = |part: &String| part_place(document, base, part);
         let path = parts.iter().find_map(place).unwrap_or_else(|| base.clone());
         placed(document, &path, why)

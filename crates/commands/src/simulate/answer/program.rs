@@ -80,7 +80,7 @@ impl Program {
         gear: &str,
         path: &epicyclic_formats::Path,
     ) -> Result<Vec<String>, Error> {
-        let (document, file, gearbox) = (scenario.document, scenario.file, &scenario.subject.gearbox);
+        let (document, file, gearbox) = (scenario.document, scenario.file, &scenario.subject.train);
         let found = gearbox.gear(gear).map_err(|why| refused(document, path, &why))?;
         let mut all = vec![];
         for &place in found.engaged() {

@@ -17,7 +17,7 @@ use crate::analyze::answer::Worked;
 use crate::analyze::answer::records::planet_name;
 use crate::error::Error;
 use crate::shared::fault::Named;
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use crate::shared::toothed::lacking;
 use crate::tolerance::{ROUNDED, rounded};
 use epicyclic_formats::Path;
@@ -33,7 +33,7 @@ use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length, Torque};
 
 /// Data of a file for its planet bearings.
 struct File<'a> {
-    subject: &'a Subject<'a>,
+    subject: &'a Gearbox,
     file: &'a GearboxFile,
     reliability: Reliability,
 }
@@ -64,7 +64,7 @@ struct Conditions {
 /// # Errors
 /// [`Error::Document`] for invalid data in the file, with the place.
 pub(super) fn rated(
-    subject: &Subject<'_>,
+    subject: &Gearbox,
     file: &GearboxFile,
     duty: &[WorkedStep<'_>],
     peaks: &[Peak<'_>],
@@ -78,12 +78,12 @@ pub(super) fn rated(
 }
 
 /// Reliability that a file requires.
-fn reliability(subject: &Subject<'_>, file: &GearboxFile) -> Result<Reliability, Error> {
+fn reliability(subject: &Gearbox, file: &GearboxFile) -> Result<Reliability, Error> {
     let Some(asked) = file.bearing_reliability else { return Ok(Reliability::default()) };
     let is_asked = |one: &Reliability| (one.part() - asked.0.si()).abs() < ROUNDED;
     Reliability::ALL.into_iter().find(is_asked).ok_or_else(|| {
         let why = Named("bearing-reliability", "the reliability of bearings is 90, 95, 96, 97, 98 or 99 %");
-        refused(subject.document, &Path::root(), &["bearing_reliability"], &why)
+        refused(&subject.document, &Path::root(), &["bearing_reliability"], &why)
     })
 }
 
@@ -96,7 +96,7 @@ impl File<'_> {
         duty: &[WorkedStep<'_>],
         peaks: &[Peak<'_>],
     ) -> Result<BearingOverDuty, Error> {
-        let set = &self.subject.gearbox.sets()[bearing.set];
+        let set = &self.subject.train.sets()[bearing.set];
         let entry = self.file.sets.iter().find(|entry| entry.id == set.id());
         let given = self.given(set.id(), &set.planets()[bearing.planet].name);
         let stated = given.load_sharing.or_else(|| entry.and_then(given_sharing));
@@ -206,7 +206,7 @@ impl File<'_> {
         viscosity.map_or(Ok(()), |viscosity| self.above_0(viscosity, &of_oil, "working_viscosity"))?;
         if contamination.is_some_and(|factor| !(0.0..=1.0).contains(&factor)) {
             let why = Named("out-of-range", "a contamination factor is from 0 to 1");
-            return Err(refused(self.subject.document, &of_oil, &["contamination"], &why));
+            return Err(refused(&self.subject.document, &of_oil, &["contamination"], &why));
         }
         let fatigue_limit = self.of(given, "fatigue_limit", given.fatigue_limit)?;
         let diameter = self.of(given, "bearing_diameter", given.bearing_diameter)?;
@@ -246,7 +246,7 @@ impl File<'_> {
             return Ok(());
         }
         let why = Named("not-positive", format!("{key} must be above 0"));
-        Err(refused(self.subject.document, path, &[key], &why))
+        Err(refused(&self.subject.document, path, &[key], &why))
     }
 
     /// Force on a bearing and its speed in a step of the duty; `None` if no force can be computed.
@@ -266,7 +266,7 @@ impl File<'_> {
             members.iter().map(|of| operation.input * (of / case.input)).collect()
         };
         let torques = case.members[bearing.set].as_ref().map(of_input);
-        let set = &self.subject.gearbox.sets()[bearing.set];
+        let set = &self.subject.train.sets()[bearing.set];
         let carrier = worked.analysis.speed(set.carrier()).map(|of| speed * of);
         let forces = bearing.forces(torques.as_deref(), carrier)?;
         let turning = worked.analysis.sets()[bearing.set].planets[bearing.planet]

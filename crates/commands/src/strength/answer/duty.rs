@@ -7,7 +7,7 @@ use super::records::{NotRated, OverDuty, Reason};
 use crate::analyze::answer::{Input, Worked};
 use crate::error::Error;
 use crate::shared::fault::Named;
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::DutyEntry;
 use epicyclic_strength::mesh::Load;
@@ -25,47 +25,44 @@ pub(crate) struct WorkedStep<'g>(pub(crate) &'g DutyEntry, pub(crate) Option<Wor
 /// # Errors
 /// [`Error::Document`] for shares that do not add up to the whole time, and for gears that do not exist or
 /// cannot carry the load.
-pub(crate) fn steps<'g>(
-    subject: &'g Subject<'_>,
-    duty: &'g [DutyEntry],
-) -> Result<Vec<WorkedStep<'g>>, Error> {
+pub(crate) fn steps<'g>(subject: &'g Gearbox, duty: &'g [DutyEntry]) -> Result<Vec<WorkedStep<'g>>, Error> {
     let root = Path::root();
     check_shares(duty.iter().map(|step| step.share.0.si()))
-        .map_err(|error| refused(subject.document, &root, &["duty"], &error))?;
+        .map_err(|error| refused(&subject.document, &root, &["duty"], &error))?;
     let step = |(place, step): (usize, &'g DutyEntry)| {
         Ok(WorkedStep(step, worked(subject, step, &root.clone().key("duty").index(place))?))
     };
     duty.iter().enumerate().map(step).collect()
 }
 
-fn worked<'g>(subject: &'g Subject<'_>, step: &DutyEntry, path: &Path) -> Result<Option<Worked<'g>>, Error> {
+fn worked<'g>(subject: &'g Gearbox, step: &DutyEntry, path: &Path) -> Result<Option<Worked<'g>>, Error> {
     let input = Input { speed: Some(step.speed.0), load: Some(InputLoad::Torque(step.torque.0)) };
     let idle = step.share.0.si() == 0.0 || step.torque.0.si() == 0.0 || step.speed.0.si() == 0.0;
     // A gear that does not exist is refused even in a step without load.
     let input = if idle { Input::default() } else { input };
-    let worked = Worked::new(&subject.gearbox, &step.gear, input).map_err(|error| {
+    let worked = Worked::new(&subject.train, &step.gear, input).map_err(|error| {
         let key = if matches!(error, Error::NoGear { .. }) { "gear" } else { "torque" };
-        refused(subject.document, path, &[key], &error)
+        refused(&subject.document, path, &[key], &error)
     })?;
     if idle {
         return Ok(None);
     }
     if worked.operation.is_none() {
         let message = format!("gear `{}` carries no such load from its input to its output", step.gear);
-        return Err(refused(subject.document, path, &["gear"], &Named("carries-no-load", message)));
+        return Err(refused(&subject.document, path, &["gear"], &Named("carries-no-load", message)));
     }
     Ok(Some(worked))
 }
 
 /// Rates both meshes of a set over the duty.
 pub(super) fn rated(
-    subject: &Subject<'_>,
+    subject: &Gearbox,
     set: &RatedSet<'_>,
     duty: &[WorkedStep<'_>],
     life: Time,
     with_factors: bool,
 ) -> Result<Partly<OverDuty>, Fault> {
-    let fault = |error: epicyclic_strength::Error| Fault::of(subject.document, set.id, &set.path, &error);
+    let fault = |error: epicyclic_strength::Error| Fault::of(&subject.document, set.id, &set.path, &error);
     let mut steps: [Vec<Step>; 2] = [vec![], vec![]];
     let mut loaded: [Vec<Load>; 2] = [vec![], vec![]];
     for WorkedStep(entry, worked) in duty {

@@ -7,7 +7,7 @@ use super::records::{NotRated, Overloaded, Required};
 use crate::analyze::answer::{Input, Worked};
 use crate::error::Error;
 use crate::shared::fault::{Fault as Refusal, Named};
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::OverloadEntry;
 use epicyclic_strength::factor::Side;
@@ -44,20 +44,20 @@ impl Peak<'_> {
 /// [`Error::Document`] for gears that do not exist or cannot carry the load, torques of 0, and required
 /// safeties that are not above 0.
 pub(crate) fn peaks<'g>(
-    subject: &'g Subject<'_>,
+    subject: &'g Gearbox,
     all: &'g [OverloadEntry],
     gear: Option<&str>,
 ) -> Result<Vec<Peak<'g>>, Error> {
     let peak = |(place, entry): (usize, &'g OverloadEntry)| {
         let path = Path::root().key("overload").index(place);
-        let no = |key: &str, why: &dyn Refusal| refused(subject.document, &path, &[key], why);
+        let no = |key: &str, why: &dyn Refusal| refused(&subject.document, &path, &[key], why);
         let required = Required::of(entry.required.as_ref());
         required.check().map_err(|error| no("required", &error))?;
         if entry.torque.0.si() == 0.0 {
             return Err(no("torque", &Named("no-torque", "an overload needs a torque other than 0")));
         }
         let input = Input { speed: None, load: Some(InputLoad::Torque(entry.torque.0)) };
-        let worked = Worked::new(&subject.gearbox, &entry.gear, input).map_err(|error| {
+        let worked = Worked::new(&subject.train, &entry.gear, input).map_err(|error| {
             let key = if matches!(error, Error::NoGear { .. }) { "gear" } else { "torque" };
             no(key, &error)
         })?;
@@ -73,12 +73,12 @@ pub(crate) fn peaks<'g>(
 
 /// Rates both meshes of a set against an overload. A set that does not roll carries its torque too.
 pub(super) fn rated(
-    subject: &Subject<'_>,
+    subject: &Gearbox,
     set: &RatedSet<'_>,
     peak: &Peak<'_>,
     life: Time,
 ) -> Result<Partly<Overloaded>, Fault> {
-    let fault = |error: epicyclic_strength::Error| Fault::of(subject.document, set.id, &set.path, &error);
+    let fault = |error: epicyclic_strength::Error| Fault::of(&subject.document, set.id, &set.path, &error);
     let torque = sun_torque(set, &peak.worked).map_err(|reason| Fault::Row(NotRated::new(set.id, reason)))?;
     let loads = both_loads(set, torque, AngularVelocity::from_si(0.0), life).map_err(fault)?;
     Partly::of_meshes(|place, mesh| {

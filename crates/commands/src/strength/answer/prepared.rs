@@ -5,7 +5,7 @@ use super::place::refused;
 use super::records::{NotRated, Reason};
 use crate::error::Error;
 use crate::shared::fault::{Fault as Refusal, Named};
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use crate::shared::toothed;
 use epicyclic_formats::gearbox::{
     AccuracyEntry, FloatingEntry, GearboxFile, MaterialClass, MaterialEntry, SetEntry, StrengthEntry,
@@ -84,7 +84,7 @@ pub(crate) struct SetToSize<'g> {
 
 /// Sets that can be rated, and reasons why others cannot.
 pub(crate) fn sets<'g>(
-    subject: &'g Subject<'_>,
+    subject: &'g Gearbox,
     file: &'g GearboxFile,
 ) -> Result<(Vec<RatedSet<'g>>, Vec<NotRated>), Error> {
     each(subject, file, |of, place, id| match of.known()? {
@@ -95,7 +95,7 @@ pub(crate) fn sets<'g>(
 
 /// Sets that can be sized, and reasons why others cannot.
 pub(crate) fn sets_to_size<'g>(
-    subject: &'g Subject<'_>,
+    subject: &'g Gearbox,
     file: &'g GearboxFile,
 ) -> Result<(Vec<SetToSize<'g>>, Vec<NotRated>), Error> {
     each(subject, file, Of::to_size)
@@ -106,18 +106,18 @@ type Made<T> = Result<Result<T, Vec<String>>, Error>;
 
 /// Prepares each simple set of the file with a function, and gives reasons why others are left out.
 fn each<'g, T>(
-    subject: &'g Subject<'_>,
+    subject: &'g Gearbox,
     file: &'g GearboxFile,
     made: impl Fn(&Of<'g>, usize, &'g str) -> Made<T>,
 ) -> Result<(Vec<T>, Vec<NotRated>), Error> {
-    check_materials(subject.document, file)?;
+    check_materials(&subject.document, file)?;
     let (mut all, mut not_rated) = (vec![], vec![]);
     for (place, (set, simple)) in toothed::simple_sets(subject, file).enumerate() {
         let Some((path, entry, spec)) = simple else {
             not_rated.push(NotRated::new(set.id(), Reason::NotSimple));
             continue;
         };
-        factors::check(subject.document, &path.clone().key("strength"))?;
+        factors::check(&subject.document, &path.clone().key("strength"))?;
         let of = Of { subject, file, entry, spec, path };
         match made(&of, place, set.id())? {
             Ok(one) => all.push(one),
@@ -131,7 +131,7 @@ fn each<'g, T>(
 
 /// Set of the file.
 struct Of<'a> {
-    subject: &'a Subject<'a>,
+    subject: &'a Gearbox,
     file: &'a GearboxFile,
     entry: &'a SetEntry,
     spec: &'a SetSpec,
@@ -323,7 +323,7 @@ impl<'a> Of<'a> {
                 entry: self.entry,
                 teeth: [sun, planet, ring],
                 planets: self.spec.planet_count,
-                least_planet_angle: self.subject.gearbox.sets()[place].least_planet_angle(),
+                least_planet_angle: self.subject.train.sets()[place].least_planet_angle(),
                 shifts: self.spec.shifts,
                 profiles: self.spec.profiles(&self.subject.rack),
                 materials: &strength.materials,
@@ -379,7 +379,7 @@ impl<'a> Of<'a> {
     }
 
     fn symbol(&self, key: &str, name: &str) -> Result<Symbol, Error> {
-        factors::symbol(self.subject.document, &self.path.clone().key("strength").key(key), name)
+        factors::symbol(&self.subject.document, &self.path.clone().key("strength").key(key), name)
     }
 
     fn material(&self, of: usize, name: &str) -> Result<Material, Error> {
@@ -394,12 +394,12 @@ impl<'a> Of<'a> {
                 all.join(", ")
             );
             let place = self.path.clone().key("strength").key("materials").index(of);
-            refused(self.subject.document, &place, &[], &Named("no-material", message))
+            refused(&self.subject.document, &place, &[], &Named("no-material", message))
         })
     }
 
     fn refused(&self, keys: &[&str], why: &dyn Refusal) -> Error {
-        refused(self.subject.document, &self.path, keys, why)
+        refused(&self.subject.document, &self.path, keys, why)
     }
 }
 

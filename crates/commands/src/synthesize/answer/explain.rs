@@ -682,7 +682,7 @@ mod tests {
     fn a_6hp_is_found_by_its_compound_set() {
         let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/lepelletier.yaml");
         let document = Document::parse_one("lepelletier.yaml", &std::fs::read(file).unwrap()).unwrap();
-        let gearbox = one(&document, &Choice::default()).unwrap().gearbox;
+        let gearbox = one(&document, &Choice::default()).unwrap().train;
         let all = Wanted { explain: Some(gearbox), most: 100, all_gearboxes: true, ..of_six_hp(1..=1) };
         let (answer, _) = searched_alone(&all);
         let found = answer.explanation.unwrap();

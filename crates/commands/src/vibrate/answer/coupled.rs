@@ -102,7 +102,7 @@ impl Centres {
             members: vec![],
             ids: sets.iter().map(|one| one.of.entry.id.clone()).collect(),
             of_sets: vec![[0; 3]; sets.len()],
-            roots: joined(&train.subject.gearbox, None, &train.springs()),
+            roots: joined(&train.subject.train, None, &train.springs()),
             of_root: vec![],
         };
         for (set, one) in sets.iter().enumerate() {

@@ -8,7 +8,7 @@ use super::records::{NotCalculated, Reason, What};
 use super::{Of, Prepared, joined};
 use crate::error::Error;
 use crate::shared::fault::Named;
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use crate::strength::answer::place::refused;
 use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::{GearboxFile, ShaftEntry, VibrationOfGearbox};
@@ -20,7 +20,7 @@ use uom::si::f64::{MomentOfInertia, Torque};
 
 /// Data of a file for the whole gearbox.
 pub(super) struct Train<'a> {
-    pub(super) subject: &'a Subject<'a>,
+    pub(super) subject: &'a Gearbox,
     file: Option<&'a VibrationOfGearbox>,
     /// Links at the ends of each shaft.
     shafts: Vec<(&'a ShaftEntry, [LinkId; 2])>,
@@ -35,12 +35,12 @@ pub(super) struct TrainSet<'a> {
 
 impl<'a> Train<'a> {
     /// Checks shafts and inertias of links.
-    pub(super) fn new(subject: &'a Subject<'a>, file: &'a GearboxFile) -> Result<Self, Error> {
-        let gearbox = &subject.gearbox;
+    pub(super) fn new(subject: &'a Gearbox, file: &'a GearboxFile) -> Result<Self, Error> {
+        let gearbox = &subject.train;
         let at = |name, keys: &[&str], index: Option<usize>, message: String| {
             let path = keys.iter().fold(Path::root().key("vibration"), |path, key| path.key(*key));
             let path = index.map_or(path.clone(), |index| path.index(index));
-            refused(subject.document, &path, &[], &Named(name, message))
+            refused(&subject.document, &path, &[], &Named(name, message))
         };
         let link = |name: &str, index: Option<usize>, keys: &[&str]| {
             gearbox.link(name).filter(|link| *link != LinkId::GROUND).ok_or_else(|| {
@@ -94,7 +94,7 @@ impl<'a> Train<'a> {
         what: What,
         built: impl Fn(&Prepared, [bool; 3]) -> Result<PlanetarySet, Vec<String>>,
     ) -> Result<Laid<'s>, NotCalculated> {
-        let gearbox = &self.subject.gearbox;
+        let gearbox = &self.subject.train;
         let roots = joined(gearbox, Some(gear), &self.springs());
         let housing = LinkId::GROUND.index();
         let mut laid = Laid { bodies: Bodies::default(), sets: vec![], shafts: vec![] };
@@ -152,7 +152,7 @@ impl<'a> Train<'a> {
     /// Error of the model in a gear.
     pub(super) fn refused(&self, gear: &Gear, error: &epicyclic_vibration::Error) -> Error {
         let message = format!("gear {}: {error}", gear.name());
-        refused(self.subject.document, &Path::root(), &["vibration"], &Named(error.name(), message))
+        refused(&self.subject.document, &Path::root(), &["vibration"], &Named(error.name(), message))
     }
 }
 

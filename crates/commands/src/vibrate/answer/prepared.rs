@@ -4,7 +4,7 @@ use super::records::{Member, StiffnessOrigin, Stiffnesses, VibratingBody};
 use super::spacing::Spacing;
 use crate::error::Error;
 use crate::shared::fault::{Fault, Named};
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use crate::shared::toothed::{self, missing_teeth};
 use crate::strength::answer::place::refused;
 use epicyclic_formats::Path;
@@ -20,7 +20,7 @@ use uom::si::f64::{Angle, Length, Mass, MassDensity, MomentOfInertia, Torque};
 
 /// Set of the file whose vibration is calculated.
 pub(super) struct Of<'a> {
-    pub(super) subject: &'a Subject<'a>,
+    pub(super) subject: &'a Gearbox,
     pub(super) file: &'a GearboxFile,
     pub(super) path: Path,
     pub(super) entry: &'a SetEntry,
@@ -289,7 +289,7 @@ impl Of<'_> {
     }
 
     pub(super) fn refused(&self, keys: &[&str], why: &dyn Fault) -> Error {
-        refused(self.subject.document, &self.path, keys, why)
+        refused(&self.subject.document, &self.path, keys, why)
     }
 }
 

@@ -224,7 +224,7 @@ mod tests {
             let turn = |part: Part| set.gears.iter().find(|gear| gear.part == part).unwrap().turn_rad;
             let first = set.planets[0].angle_rad;
             for harmonic in 1..=5 {
-                let places = Spacing::of(&subject.gearbox.sets()[0]).unwrap().unwrap().places;
+                let places = Spacing::of(&subject.train.sets()[0]).unwrap().unwrap().places;
                 let found = phases(harmonic, [sun, planet, ring], &places, true);
                 let cycles = set.planets.iter().map(|planet| {
                     let at_sun = f64::from(sun) * (planet.angle_rad - turn(Part::Sun)) - PI / 2.0;

@@ -59,7 +59,7 @@ pub(super) fn modes(
         input_speeds_rad_s: settled.ends(),
     };
     if let Some([low, high]) = all.input_speeds_rad_s {
-        let analysis = analysis(&train.subject.gearbox, gear.name())?;
+        let analysis = analysis(&train.subject.train, gear.name())?;
         all.orders = of_links(&analysis, bodies);
         for (place, one) in sets.iter().enumerate() {
             all.orders.extend(of_set(&analysis, place, one, settled.harmonics));

@@ -1,7 +1,7 @@
 //! Requirements of a vibration: from options, or otherwise from the keys of the file.
 
 use crate::error::Error;
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use crate::shared::places::Places;
 use crate::strength::answer::place::refused;
 use epicyclic_formats::Path;
@@ -70,12 +70,12 @@ impl Settled {
     /// - [`Error::Harmonics`], [`Error::DampingRatio`], [`Error::TransmissionError`],
     ///   [`Error::ExcitationWithout`] for options.
     /// - [`Error::Document`] for such faults in the file.
-    pub(super) fn of(subject: &Subject<'_>, file: &GearboxFile, wanted: &Wanted) -> Result<Self, Error> {
+    pub(super) fn of(subject: &Gearbox, file: &GearboxFile, wanted: &Wanted) -> Result<Self, Error> {
         let none = VibrationOfGearbox::default();
         let keys = file.vibration.as_ref().unwrap_or(&none);
         let at = |key: &str, error: &Error| {
             let path = Path::root().key("vibration");
-            refused(subject.document, &path, &[key], error)
+            refused(&subject.document, &path, &[key], error)
         };
         let of_file = keys.speeds.map(|[from, to]| Places::new(from.0, to.0, Wanted::PLACES)).transpose()?;
         let speeds = wanted.speeds.as_ref().or(of_file.as_ref());

@@ -6,7 +6,7 @@ use crate::analyze::answer::warnings;
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::finite;
-use crate::shared::gearbox::Subject;
+use crate::shared::gearbox::Gearbox;
 use crate::shared::places::Places;
 use epicyclic_train::inputs::MultiState;
 use epicyclic_train::{InputsFault, LinkId};
@@ -83,7 +83,7 @@ impl<Entries: Serialize + JsonSchema> Answer for Map<Entries> {
 /// # Errors
 /// Errors of [`answer`](super::answer).
 pub fn map<'a>(
-    subject: &'a Subject<'a>,
+    subject: &'a Gearbox,
     gear: &str,
     ranges: [(String, MapPlaces); 2],
     torques: Option<&[(String, Torque)]>,

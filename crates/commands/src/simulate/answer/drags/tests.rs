@@ -46,8 +46,7 @@ fn an_even_motion_is_the_balance_of_losses() {
     let speed = AngularVelocity::from_si(1000.0 * std::f64::consts::PI / 30.0);
     for gear in ["slow", "fast"] {
         let load = losses::GivenLoad::Input(epicyclic_train::InputLoad::Torque(Torque::from_si(100.0)));
-        let wanted = losses::Wanted { gear: Some(gear.to_owned()), speed, load, cooling: None };
-        let due = losses::answer(&subject, &wanted).unwrap();
+        let due = losses::answer(&subject, Some(gear), losses::Point { speed, load }, None).unwrap();
         let found = moved(&steady(gear, due.gears[0].output_torque_n_m)).unwrap();
         for link in &found.end {
             assert!(link.acceleration_rad_s2.abs() < 1e-9, "{gear}: {link:?}");
