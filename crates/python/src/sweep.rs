@@ -101,7 +101,7 @@ impl Description {
         };
         let efficiency = self.efficiency.as_ref().map(of).transpose()?;
         let document = Document::parse_one(&self.file_name, &self.file)?;
-        Ok(one(&document, &Choice { transmission: self.transmission.clone(), efficiency })?.gearbox)
+        Ok(one(&document, &Choice { transmission: self.transmission.clone(), efficiency })?.train)
     }
 }
 
