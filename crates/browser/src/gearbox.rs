@@ -166,11 +166,11 @@ fn of_one(subject: &Gearbox, question: &Question) -> Result<String, Failure> {
 }
 
 /// The transmissions of a list; of another file the one gearbox.
-fn all_of<'d>(subject: &Gearbox) -> Result<Content<'d>, Failure> {
+fn all_of(subject: &Gearbox) -> Result<Content, Failure> {
     if subject.document.value().get("transmissions").is_none() {
         return Ok(Content::Several(vec![]));
     }
-    read(subject.document, &Choice::default()).map_err(refused)
+    read(&subject.document, &Choice::default()).map_err(refused)
 }
 
 /// Picture as SVG in JSON; where it cannot be drawn, the message that gives the reason.
