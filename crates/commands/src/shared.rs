@@ -19,6 +19,7 @@ pub mod ratios;
 pub mod records;
 pub mod saved;
 pub(crate) mod scenario;
+pub mod selection;
 pub mod tool;
 pub mod tooth_checks;
 pub mod toothed;

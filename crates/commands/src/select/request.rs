@@ -12,28 +12,24 @@ use crate::progress::Progress;
 use crate::select::answer::duty::{Duty, Load};
 use crate::select::answer::page::drawn;
 use crate::select::answer::saved::Saved;
-use crate::select::answer::teeth::{self, MOST_DESIGNS, Searched, SizeLimits};
-use crate::select::answer::{self as select, Wanted};
+use crate::select::answer::teeth::{self, MOST_DESIGNS, Searched, SelectTeeth, SizeLimits, Watch};
+use crate::select::answer::{self as select, Select, Wanted};
 use crate::select::table::teeth::csv;
 use crate::select::table::ways_out;
-use crate::shared::lists::{List, Numbers, Quantities};
+use crate::shared::lists::{List, Numbers};
 use crate::shared::options;
 use crate::shared::page_options::{self as imprint, PageArgs};
 use crate::shared::profile_shift::ShiftOptions;
-use crate::shared::ratios::PlainRatios;
+use crate::shared::selection::{Criteria, RatioOptions, Speeds, refuse_selection, requirements};
 use crate::teeth::answer::IN_A_SECOND;
 use epicyclic_formats::Span;
-use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::Bounds;
-use epicyclic_schemes::RatioSeries;
-use epicyclic_selection::{Limits, Objective, Order, Orders, Rating, Requirements, Signs, Space};
-use epicyclic_units::{Number, Physical, Quantity};
+use epicyclic_selection::{Objective, Order, Rating, Requirements};
+use epicyclic_units::{Number, Quantity};
 use nothing::{nothing_found, with_teeth_more};
 use refused::refuse;
-pub(crate) use refused::refuse_selection;
-use std::ops::RangeInclusive;
 use std::path::PathBuf;
-use uom::si::f64::{AngularVelocity, Length, Power, Pressure, Ratio, Torque, Velocity};
+use uom::si::f64::{AngularVelocity, Length, Power, Pressure, Ratio, Torque};
 
 /// Designs shown unless said otherwise: in a table, and of tooth numbers.
 const SHOWN: usize = 10;
@@ -52,53 +48,11 @@ const PAIRS_IN_A_SECOND: f64 = 3e6;
 #[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
     #[command(flatten)]
-    speeds: Speeds,
-
-    /// Tooth numbers of the one set or of both: all combinations.
-    #[arg(long)]
-    teeth: bool,
-
-    /// Show at most this many designs. Default: 10 in a table, otherwise all; of tooth numbers 10, in a table
-    /// up to 10000.
-    #[arg(long, value_name = "N")]
-    limit: Option<usize>,
-
-    /// The objective that decides first, then the next for equal values: size, efficiency. Default:
-    /// efficiency, speed, k, error, size; with --teeth error, efficiency, speed, k, size.
-    #[arg(long, value_name = "OBJECTIVES")]
-    order: Option<List<Objective>>,
+    request: Request,
 
     /// Write the best design as a gearbox file that analyze, draw and report read.
     #[arg(long, value_name = "FILE")]
     save: Option<PathBuf>,
-
-    /// The design that is shown in full and saved, by its number.
-    #[arg(long, value_name = "N", default_value = "1")]
-    nth: usize,
-
-    /// How far a ratio may be off: 10%, or 0.1.
-    #[arg(long, default_value = "10%", allow_hyphen_values = true, help_heading = "Ratios")]
-    tolerance: Quantity<Ratio>,
-
-    #[command(flatten)]
-    ratios: RatioOptions,
-
-    #[command(flatten)]
-    criteria: Criteria,
-
-    /// Refuse mixed directions of rotation: the output turns one way in a braked gear and the other way in
-    /// direct drive. Default: such schemes are marked and ranked last.
-    #[arg(long, help_heading = "Criteria")]
-    same_direction: bool,
-
-    #[command(flatten)]
-    duty: DutyOptions,
-
-    #[command(flatten)]
-    size: Size,
-
-    #[command(flatten)]
-    teeth_bounds: BoundOptions,
 
     #[command(flatten)]
     output: OutputArgs,
@@ -107,105 +61,68 @@ pub struct Args {
     page: PageArgs,
 }
 
-/// What the gearbox shall give, and of which mechanisms.
-#[derive(Debug, clap::Args)]
-pub(crate) struct Speeds {
-    /// Speeds of the machine, the slowest first.
-    #[arg(long, required_unless_present = "ratios", conflicts_with = "ratios", allow_hyphen_values = true)]
-    speeds: Option<Quantities<Velocity>>,
+/// What is asked of a choice for two or three speeds.
+#[derive(Debug, Clone, clap::Args)]
+pub struct Request {
+    /// Speeds or ratios, and the mechanisms to choose among.
+    #[command(flatten)]
+    pub speeds: Speeds,
 
-    /// Ratios of the braked gears, in place of speeds: one or two. 2.5,1.5 or 2,5; 1,5.
-    #[arg(long, allow_hyphen_values = true)]
-    ratios: Option<PlainRatios>,
-
-    /// All 111 structures of two sets (or the 6 of one), and not only the source's.
+    /// Tooth numbers of the one set or of both: all combinations.
     #[arg(long)]
-    all_structures: bool,
-}
+    pub teeth: bool,
 
-/// How the ratios are taken.
-#[derive(Debug, clap::Args)]
-#[command(next_help_heading = "Ratios")]
-pub(crate) struct RatioOptions {
-    /// Which brake gives which ratio.
-    #[arg(long, value_enum, default_value_t = Brakes::Either)]
-    brakes: Brakes,
+    /// Show at most this many designs. Default: 10 in a table, otherwise all; of tooth numbers 10, in a table
+    /// up to 10000.
+    #[arg(long, value_name = "N")]
+    pub limit: Option<usize>,
 
-    /// Which signs the ratios may have; direct drive is positive. Default: as-given where a ratio has a
-    /// minus, otherwise alike.
-    #[arg(long, value_enum)]
-    signs: Option<SignChoice>,
-}
+    /// The objective that decides first, then the next for equal values: size, efficiency. Default:
+    /// efficiency, speed, k, error, size; with --teeth error, efficiency, speed, k, size.
+    #[arg(long, value_name = "OBJECTIVES")]
+    pub order: Option<List<Objective>>,
 
-/// Which brake gives which ratio.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum Brakes {
-    /// Either brake gives either ratio.
-    Either,
-    /// The first brake gives the first ratio.
-    AsGiven,
-}
+    /// The design that is shown in full and saved, by its number.
+    #[arg(long, value_name = "N", default_value = "1")]
+    pub nth: usize,
 
-/// Which signs the ratios may have.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum SignChoice {
-    /// All positive, or all negative.
-    Alike,
-    /// Each by itself.
-    Any,
-    /// Those of --ratios.
-    AsGiven,
-}
+    /// How far a ratio may be off: 10%, or 0.1.
+    #[arg(long, default_value = "10%", allow_hyphen_values = true, help_heading = "Ratios")]
+    pub tolerance: Quantity<Ratio>,
 
-/// What a design has to meet.
-#[derive(Debug, clap::Args)]
-#[command(next_help_heading = "Criteria")]
-pub(crate) struct Criteria {
-    /// Ring-to-sun ratios allowed.
-    #[arg(long, value_name = "RANGE", default_value = "1.3..10")]
-    k: Span<f64>,
+    /// How the ratios are taken.
+    #[command(flatten)]
+    pub ratios: RatioOptions,
 
-    /// Ring-to-sun ratios preferred.
-    #[arg(long, value_name = "RANGE", default_value = "2.5..3")]
-    prefer: Span<f64>,
+    /// What a design has to meet.
+    #[command(flatten)]
+    pub criteria: Criteria,
 
-    /// Efficiency of each set with its carrier fixed, 0.97 or 97%.
-    #[arg(long, value_name = "NUMBER", default_value = "0.9702", allow_hyphen_values = true)]
-    efficiency: Quantity<Ratio>,
+    /// Refuse mixed directions of rotation: the output turns one way in a braked gear and the other way in
+    /// direct drive. Default: such schemes are marked and ranked last.
+    #[arg(long, help_heading = "Criteria")]
+    pub same_direction: bool,
 
-    /// Least efficiency of a gear.
-    #[arg(long, value_name = "NUMBER", default_value = "0.9", allow_hyphen_values = true)]
-    least_efficiency: Quantity<Ratio>,
+    /// What is known of the input.
+    #[command(flatten)]
+    pub duty: DutyOptions,
 
-    /// Greatest speed of a link over the input's.
-    #[arg(long, value_name = "NUMBER", default_value = "2", allow_negative_numbers = true)]
-    link_speed: Number,
+    /// What sizes are measured by.
+    #[command(flatten)]
+    pub size: Size,
 
-    /// Greatest speed of a planet relative to its carrier over the input's.
-    #[arg(long, value_name = "NUMBER", default_value = "2", allow_negative_numbers = true)]
-    planet_speed: Number,
-
-    /// Greatest slip of the open direct-drive clutch over the input's speed.
-    #[arg(long, value_name = "NUMBER", default_value = "2", allow_negative_numbers = true)]
-    clutch_slip: Number,
-
-    /// Greatest circulating power of a gear over what enters, 0.5 or 50%. Not given: more than half is an
-    /// objection.
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
-    circulation: Option<Quantity<Ratio>>,
-
-    /// Accept schemes that are not drawable: a link would cross another.
-    #[arg(long)]
-    allow_crossing: bool,
+    /// Tooth numbers tried, with `teeth`.
+    #[command(flatten)]
+    pub teeth_bounds: BoundOptions,
 }
 
 /// What sizes are measured by.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "Size")]
-struct Size {
+pub struct Size {
     /// Load factor K of the sun's teeth, 2 MPa: with --torque or --power sizes are lengths.
     #[arg(long, requires = "load", allow_hyphen_values = true)]
-    load_factor: Option<Quantity<Pressure>>,
+    pub load_factor: Option<Quantity<Pressure>>,
 
     /// Face width over the pitch diameter of the smaller of sun and planet; with --load-factor.
     #[arg(
@@ -215,163 +132,181 @@ struct Size {
         default_value = "1",
         allow_negative_numbers = true
     )]
-    face_width_ratio: Number,
+    pub face_width_ratio: Number,
 
     /// Planets of each set, without --teeth.
     #[arg(long, value_name = "N", default_value = "3")]
-    planets: u32,
+    pub planets: u32,
 
     /// Mesh load factors K_γ with 2, 3, … 8 planets: seven numbers; how much more than its share the most
     /// loaded mesh carries.
     #[arg(long, value_name = "NUMBERS")]
-    mesh_load_factors: Option<Numbers>,
+    pub mesh_load_factors: Option<Numbers>,
 
     /// Greatest pitch diameter of a ring; with --teeth.
     #[arg(long, requires = "load_factor", requires = "teeth", allow_hyphen_values = true)]
-    ring_diameter: Option<Quantity<Length>>,
+    pub ring_diameter: Option<Quantity<Length>>,
 
     /// Least module that a set may need; with --teeth.
     #[arg(long, requires = "load_factor", requires = "teeth", allow_hyphen_values = true)]
-    least_module: Option<Quantity<Length>>,
+    pub least_module: Option<Quantity<Length>>,
 
     /// Greatest module that a set may need; with --teeth.
     #[arg(long, requires = "load_factor", requires = "teeth", allow_hyphen_values = true)]
-    greatest_module: Option<Quantity<Length>>,
+    pub greatest_module: Option<Quantity<Length>>,
 }
 
 /// What is known of the input.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "Duty")]
 #[group(id = "duty")]
-struct DutyOptions {
+pub struct DutyOptions {
     /// Speed of the input, 1475 rpm: gives the speed of the output in each gear.
     #[arg(long, visible_alias = "speed", value_name = "SPEED", allow_hyphen_values = true)]
-    input: Option<Quantity<AngularVelocity>>,
+    pub input: Option<Quantity<AngularVelocity>>,
 
     /// Power into the input, 75 kW; needs --input. Gives torques and losses in each gear.
     #[arg(long, requires = "input", conflicts_with = "torque", group = "load", allow_hyphen_values = true)]
-    power: Option<Quantity<Power>>,
+    pub power: Option<Quantity<Power>>,
 
     /// Torque on the input, 500 N·m, in place of --power.
     #[arg(long, group = "load", allow_hyphen_values = true)]
-    torque: Option<Quantity<Torque>>,
+    pub torque: Option<Quantity<Torque>>,
 }
 
 /// Tooth numbers tried.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "Tooth numbers, with --teeth")]
-struct BoundOptions {
+pub struct BoundOptions {
     /// Teeth of the suns.
     #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
-    sun: Span<u32>,
+    pub sun: Span<u32>,
 
     /// Teeth of the planets.
     #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
-    planet: Span<u32>,
+    pub planet: Span<u32>,
 
     /// Teeth of the rings.
     #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
-    ring: Span<u32>,
+    pub ring: Span<u32>,
 
     /// Number of planets of a set, from 2 to 8.
     #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "3..8")]
-    planet_count: Span<u32>,
+    pub planet_count: Span<u32>,
 
+    /// Profile shifts.
     #[command(flatten)]
-    shifts: ShiftOptions,
+    pub shifts: ShiftOptions,
+}
+
+impl Request {
+    /// The designs by their ring-to-sun ratios, the accepted first; `limit` of both kinds, or all.
+    ///
+    /// # Errors
+    /// [`Failure::Option`] for an option that cannot be, alone or with the others.
+    pub fn answer(&self) -> Result<Select, Failure> {
+        let wanted = self.wanted(self.limit.unwrap_or(usize::MAX))?;
+        Ok(select::solve(&wanted, false).map_err(|error| refuse(self, error))?.0)
+    }
+
+    /// The non-dominated designs of tooth numbers, `limit` of them or 10. The closure is asked whether to go
+    /// on, and what is found until then is the answer.
+    ///
+    /// # Errors
+    /// As of [`Self::answer`].
+    pub fn answer_teeth(&self, watch: &Watch) -> Result<SelectTeeth, Failure> {
+        let wanted = self.wanted_teeth(self.limit.unwrap_or(SHOWN))?;
+        let found = teeth::search(&wanted, watch).and_then(|found| found.answer());
+        found.map_err(|error| refuse(self, error))
+    }
+
+    /// What is required of the designs, and the order that ranks them.
+    fn required(&self) -> Result<(Requirements, Order, Duty), Failure> {
+        self.teeth_bounds.shifts.only_with_teeth(self.teeth)?;
+        let duty = self.duty.duty();
+        duty.torque().map_err(|error| refuse(self, error))?;
+        let rating = rating(self, &duty)?;
+        let (tolerance, same_direction) = (self.tolerance, self.same_direction);
+        let requirements =
+            requirements(&self.speeds, tolerance, &self.ratios, &self.criteria, same_direction, rating)?;
+        let order = self.order.as_ref().map_or(usual_order(self.teeth), |order| order.0.as_slice());
+        let order = Order::new(order).map_err(|error| refuse(self, error.into()))?;
+        Ok((requirements, order, duty))
+    }
+
+    fn wanted(&self, most: usize) -> Result<Wanted, Failure> {
+        let (requirements, order, duty) = self.required()?;
+        let (space, speeds) = (self.speeds.space(), self.speeds.of_machine());
+        Ok(Wanted { requirements, order, space, speeds, most, nth: self.nth, duty })
+    }
+
+    fn wanted_teeth(&self, most: usize) -> Result<teeth::Wanted, Failure> {
+        let (requirements, order, duty) = self.required()?;
+        let length = |option: Option<Quantity<Length>>| option.map(|length| length.0);
+        Ok(teeth::Wanted {
+            requirements,
+            order,
+            space: self.speeds.space(),
+            bounds: bounds(self)?,
+            shifts: self.teeth_bounds.shifts.wanted(),
+            limits: SizeLimits {
+                ring_diameter: length(self.size.ring_diameter),
+                least_module: length(self.size.least_module),
+                greatest_module: length(self.size.greatest_module),
+            },
+            most,
+            nth: self.nth,
+            speeds: self.speeds.of_machine(),
+            duty,
+        })
+    }
 }
 
 /// Runs the command.
 pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
-    args.page.only_of_a_page(args.output.is_page())?;
-    args.teeth_bounds.shifts.only_with_teeth(args.teeth)?;
-    let duty = args.duty.duty();
-    duty.torque().map_err(|error| refuse(args, error))?;
-    let rating = rating(args, &duty)?;
-    let (tolerance, same_direction) = (args.tolerance, args.same_direction);
-    let requirements =
-        requirements(&args.speeds, tolerance, &args.ratios, &args.criteria, same_direction, rating)?;
-    let order = args.order.as_ref().map_or(usual_order(args.teeth), |order| order.0.as_slice());
-    let order = Order::new(order).map_err(|error| refuse(args, error.into()))?;
-    if args.teeth {
-        return with_teeth(call, args, requirements, order, duty);
+    let Args { request, save, output, page } = args;
+    page.only_of_a_page(output.is_page())?;
+    if request.teeth {
+        return with_teeth(call, args);
     }
-    let most = match (args.limit, args.output.format()) {
+    let most = match (request.limit, output.format()) {
         (Some(limit), _) => limit,
         (None, Format::Table) => SHOWN,
         (None, _) => usize::MAX,
     };
-    let space = args.speeds.space();
-    let eta0 = requirements.eta0;
-    let (nth, speeds) = (args.nth, args.speeds.of_machine());
-    let wanted = Wanted { requirements, order, space, speeds, most, nth, duty };
-    let found = select::solve(&wanted, args.save.is_some());
-    let (found, saved) = found.map_err(|error| refuse(args, error))?;
+    let wanted = request.wanted(most)?;
+    let (found, saved) = select::solve(&wanted, save.is_some()).map_err(|error| refuse(request, error))?;
     let designs = found.accepted + found.rejected;
-    if found.shown_in_full.is_none() && args.nth != 1 {
-        return Err(no_such_design(args, designs));
+    if found.shown_in_full.is_none() && wanted.nth != 1 {
+        return Err(no_such_design(wanted.nth, designs));
     }
-    let files = save(call, args, saved, found.accepted, designs)?;
-    if args.output.is_page() {
+    let files = files(call, args, saved, found.accepted, designs)?;
+    if output.is_page() {
         let best = found.in_full();
-        let drawn = best.map(|best| drawn(best, eta0)).transpose()?;
+        let drawn = best.map(|best| drawn(best, wanted.requirements.eta0)).transpose()?;
         let sheet = crate::select::page::sheet(&found, drawn.as_ref(), imprint::command(call));
-        args.output.deliver_page(call, files, &found, sheet, &args.page.imprint())?;
+        output.deliver_page(call, files, &found, sheet, &page.imprint())?;
     } else {
-        args.output.deliver_with(call, files, &found)?;
+        output.deliver_with(call, files, &found)?;
     }
     if found.accepted == 0 { Err(nothing_found(ways_out(&found).first())) } else { Ok(()) }
 }
 
-impl Criteria {
-    /// The ring-to-sun ratios allowed, within these.
-    pub(crate) fn k(&self, usual: RangeInclusive<f64>) -> Result<RangeInclusive<f64>, Failure> {
-        self.k.closed(usual).map_err(|error| Failure::Range { option: "--k", error })
-    }
-}
-
-impl Speeds {
-    /// The mechanisms to choose among.
-    pub(crate) fn space(&self) -> Space {
-        if self.all_structures { Space::All } else { Space::Catalogue }
-    }
-
-    /// The speeds of the machine; none where ratios are given.
-    pub(crate) fn of_machine(&self) -> Vec<Velocity> {
-        self.speeds.iter().flat_map(crate::shared::lists::List::values).collect()
-    }
-}
-
-fn with_teeth(
-    call: &Call<'_>,
-    args: &Args,
-    requirements: Requirements,
-    order: Order,
-    duty: Duty,
-) -> Result<(), Failure> {
-    let nth = args.nth;
+fn with_teeth(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
+    let Args { request, save, output, page } = args;
+    let nth = request.nth;
     // What is not shown needs no search beyond the limit.
-    let is_needed = args.save.is_some() || nth > 1;
-    let most = args.limit.unwrap_or(SHOWN).max(if is_needed { nth } else { 0 });
-    let for_programs = args.output.format() != Format::Table;
-    let length = |option: Option<Quantity<Length>>| option.map(|length| length.0);
-    let limits = SizeLimits {
-        ring_diameter: length(args.size.ring_diameter),
-        least_module: length(args.size.least_module),
-        greatest_module: length(args.size.greatest_module),
-    };
+    let is_needed = save.is_some() || nth > 1;
+    let most = request.limit.unwrap_or(SHOWN).max(if is_needed { nth } else { 0 });
+    let for_programs = output.format() != Format::Table;
     if most > MOST_DESIGNS && !for_programs {
-        return Err(refuse(args, Error::TooManyDesigns { wanted: most, most: MOST_DESIGNS }));
+        request.required()?;
+        return Err(refuse(request, Error::TooManyDesigns { wanted: most, most: MOST_DESIGNS }));
     }
-    let bounds = bounds(args)?;
-    let shifts = args.teeth_bounds.shifts.wanted();
-    let is_shifted = shifts.is_some();
-    let eta0 = requirements.eta0;
-    let space = args.speeds.space();
-    let speeds = args.speeds.of_machine();
-    let of_one_set = requirements.series.braked().len() == 1;
-    let wanted =
-        teeth::Wanted { requirements, order, space, bounds, shifts, limits, most, nth, speeds, duty };
+    let wanted = request.wanted_teeth(most)?;
+    let is_shifted = wanted.shifts.is_some();
+    let eta0 = wanted.requirements.eta0;
+    let of_one_set = wanted.requirements.series.braked().len() == 1;
     let shown = Progress::new(call);
     if of_one_set && !is_shifted {
         let parts = wanted.bounds.space(false).map_err(|error| refuse_selection(error.into()))? as f64;
@@ -392,49 +327,49 @@ fn with_teeth(
         shown.at(at.share)
     });
     drop(shown);
-    let found = found.map_err(|error| refuse(args, error))?;
+    let found = found.map_err(|error| refuse(request, error))?;
     if found.shown() > 0 && nth > found.shown() {
-        return Err(no_such_design(args, found.shown()));
+        return Err(no_such_design(nth, found.shown()));
     }
-    let saved = args.save.as_ref().map(|_| found.saved(nth)).transpose();
-    let saved = saved.map_err(|error| refuse(args, error))?.flatten();
-    let files = save(call, args, saved, found.shown(), found.shown())?;
+    let saved = save.as_ref().map(|_| found.saved(nth)).transpose();
+    let saved = saved.map_err(|error| refuse(request, error))?.flatten();
+    let files = files(call, args, saved, found.shown(), found.shown())?;
     let (accepted, count) = (found.searched().accepted, found.shown());
     if for_programs {
         // Each design is made when it is written: there may be some hundred thousand of them.
-        let shown = args.output.is_out_of_sight(call).then(|| Progress::of_writing(call));
+        let shown = output.is_out_of_sight(call).then(|| Progress::of_writing(call));
         let told = |share: f64| shown.iter().for_each(|shown| _ = shown.at(share));
-        if args.output.format() == Format::Json {
+        if output.format() == Format::Json {
             let answer = found.streamed(&told)?;
-            args.output.stream(call, &files, &mut |out| write_json(&answer, out))?;
+            output.stream(call, &files, &mut |out| write_json(&answer, out))?;
         } else {
             let designs = found.designs().zip(1..).map(|(design, no)| {
                 told(f64::from(no) / count as f64);
                 design
             });
             let mut designs = Some(designs);
-            args.output.stream(call, &files, &mut |out| {
+            output.stream(call, &files, &mut |out| {
                 csv(designs.take().into_iter().flatten(), is_shifted, out)
             })?;
         }
-        if !args.output.has_json_out() {
+        if !output.has_json_out() {
             let found = found.streamed(&|_| ())?;
             call.record(&mut |out| write_json(&found, out))?;
         }
     } else {
-        let answer = found.answer().map_err(|error| refuse(args, error))?;
-        if args.output.is_page() {
+        let answer = found.answer().map_err(|error| refuse(request, error))?;
+        if output.is_page() {
             let best = answer.in_full().map(|design| &design.candidate);
             let drawn = best.map(|best| drawn(best, eta0)).transpose()?;
             let sheet =
                 crate::select::page::sheet_with_teeth(&answer, drawn.as_ref(), imprint::command(call));
-            args.output.deliver_page(call, files, &answer, sheet, &args.page.imprint())?;
+            output.deliver_page(call, files, &answer, sheet, &page.imprint())?;
         } else {
-            args.output.deliver_with(call, files, &answer)?;
+            output.deliver_with(call, files, &answer)?;
         }
     }
     if accepted == 0 || (count == 0 && most > 0) {
-        return Err(nothing_found(with_teeth_more(args).as_ref()));
+        return Err(nothing_found(with_teeth_more(request).as_ref()));
     }
     if for_programs && count == most {
         call.complain(&format!("note: the first {most} of the non-dominated designs; --limit shows more"));
@@ -448,12 +383,12 @@ const fn usual_order(teeth: bool) -> &'static [Objective] {
     if teeth { &[Objective::RatioError] } else { &[] }
 }
 
-fn no_such_design(args: &Args, designs: usize) -> Failure {
-    Failure::no_such_design(format!("{}: there are designs 1 to {designs}", args.nth))
+fn no_such_design(nth: usize, designs: usize) -> Failure {
+    Failure::no_such_design(format!("{nth}: there are designs 1 to {designs}"))
 }
 
 /// The file of --save with its content; none without a design that meets the criteria or that --nth names.
-fn save(
+fn files(
     call: &Call<'_>,
     args: &Args,
     saved: Option<Saved>,
@@ -465,23 +400,23 @@ fn save(
         if accepted == 0 {
             return Ok(vec![]);
         }
-        return Err(no_such_design(args, designs));
+        return Err(no_such_design(args.request.nth, designs));
     };
     let mut comments = vec![format!(
         "Design {} of epicyclic select: {}, with the direct-drive clutch chosen.",
-        args.nth, saved.scheme
+        args.request.nth, saved.scheme
     )];
     if !saved.sizes.is_empty() {
         comments.push("Module and face width are what the load factor needs.".to_owned());
     }
-    if args.nth > accepted {
-        if args.nth == 1 {
+    if args.request.nth > accepted {
+        if args.request.nth == 1 {
             return Ok(vec![]);
         }
         let remark = "It was rejected: it does not meet every required criterion.";
         call.complain(&format!(
             "note: design {} is saved; it does not meet every required criterion",
-            args.nth
+            args.request.nth
         ));
         comments.push(remark.to_owned());
     }
@@ -499,78 +434,18 @@ impl DutyOptions {
     }
 }
 
-fn bounds(args: &Args) -> Result<Bounds, Failure> {
-    let given = &args.teeth_bounds;
+fn bounds(request: &Request) -> Result<Bounds, Failure> {
+    let given = &request.teeth_bounds;
     let closed =
         |option, span: Span<u32>, usual| span.closed(usual).map_err(|error| Failure::Range { option, error });
-    let k = args.criteria.k(Bounds::default().ring_to_sun_ratio)?;
+    let k = request.criteria.k(Bounds::default().ring_to_sun_ratio)?;
     let usual = options::proposed([given.sun, given.planet, given.ring])?;
     let planets = closed("--planet-count", given.planet_count, usual.planets)?;
     Ok(Bounds { planets, ring_to_sun_ratio: k, ..usual })
 }
 
-impl RatioOptions {
-    /// The signs: those given where one is negative, since it was written for a purpose.
-    pub(crate) fn signs(&self, wanted: &Speeds) -> Signs {
-        let mut ratios = wanted.ratios.iter().flat_map(|ratios| &ratios.0);
-        match self.signs {
-            Some(SignChoice::AsGiven) => Signs::AsGiven,
-            Some(SignChoice::Any) => Signs::Any,
-            Some(SignChoice::Alike) => Signs::Alike,
-            None if ratios.any(|ratio| ratio.get() < 0.0) => Signs::AsGiven,
-            None => Signs::Alike,
-        }
-    }
-}
-
-/// Returns the requirements given by the options.
-pub(crate) fn requirements(
-    wanted: &Speeds,
-    tolerance: Quantity<Ratio>,
-    taken: &RatioOptions,
-    criteria: &Criteria,
-    same_direction: bool,
-    rating: Rating,
-) -> Result<Requirements, Failure> {
-    let series = match (&wanted.speeds, &wanted.ratios) {
-        (Some(speeds), _) => RatioSeries::of_speeds(&speeds.values(), 1),
-        (None, ratios) => {
-            let ratios: Vec<f64> =
-                ratios.iter().flat_map(|ratios| &ratios.0).map(|ratio| ratio.get()).collect();
-            RatioSeries::of_braked_gears(&ratios)
-        }
-    };
-    let range =
-        |option, span: Span<f64>, usual| span.closed(usual).map_err(|error| Failure::Range { option, error });
-    let usual = Limits::default();
-    let eta0 = MeshEfficiency::new(criteria.efficiency.0.si())
-        .map_err(|error| Failure::of_option("--efficiency", &error))?;
-    Ok(Requirements {
-        tolerance: tolerance.0.si(),
-        orders: match taken.brakes {
-            Brakes::Either => Orders::Both,
-            Brakes::AsGiven => Orders::AsGiven,
-        },
-        signs: taken.signs(wanted),
-        limits: Limits {
-            ring_to_sun: range("--k", criteria.k, usual.ring_to_sun)?,
-            preferred: range("--prefer", criteria.prefer, usual.preferred)?,
-            efficiency: criteria.least_efficiency.0.si(),
-            link_speed: criteria.link_speed.get(),
-            planet_speed: criteria.planet_speed.get(),
-            clutch_slip: criteria.clutch_slip.get(),
-            circulation: criteria.circulation.map_or(usual.circulation, |share| share.0.si()),
-            same_direction,
-            drawable: !criteria.allow_crossing,
-        },
-        eta0,
-        rating,
-        ..Requirements::new(series.map_err(|error| refuse_selection(error.into()))?)
-    })
-}
-
-fn rating(args: &Args, duty: &Duty) -> Result<Rating, Failure> {
-    let size = &args.size;
+fn rating(request: &Request, duty: &Duty) -> Result<Rating, Failure> {
+    let size = &request.size;
     let usual = Rating::default();
     let mesh_load_factors = match &size.mesh_load_factors {
         None => usual.mesh_load_factors,
@@ -588,7 +463,7 @@ fn rating(args: &Args, duty: &Duty) -> Result<Rating, Failure> {
     Ok(Rating {
         load: duty
             .torque()
-            .map_err(|error| refuse(args, error))?
+            .map_err(|error| refuse(request, error))?
             .zip(size.load_factor.map(|factor| factor.0)),
         face_width_ratio: size.face_width_ratio.get(),
         mesh_load_factors,

@@ -10,13 +10,13 @@ use std::str::FromStr;
 /// A comma between two digits parts nothing, so that `0,8 m/s` is refused with its correction and not read as
 /// two numbers. So `1.465,2.56` wants a space after its comma.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct List<T>(pub(crate) Vec<T>);
+pub struct List<T>(pub Vec<T>);
 
 /// Quantities of one kind.
-pub(crate) type Quantities<T> = List<Quantity<T>>;
+pub type Quantities<T> = List<Quantity<T>>;
 
 /// Plain numbers.
-pub(crate) type Numbers = List<Number>;
+pub type Numbers = List<Number>;
 
 impl<T> List<Quantity<T>>
 where

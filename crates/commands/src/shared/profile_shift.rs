@@ -8,8 +8,8 @@ use epicyclic_units::Number;
 use std::ops::RangeInclusive;
 
 /// Sets with profile shift.
-#[derive(Debug, clap::Args)]
-pub(crate) struct ShiftOptions {
+#[derive(Debug, Clone, clap::Args)]
+pub struct ShiftOptions {
     /// Simple sets with profile shift: teeth of the ring less those of the sun and twice those of a planet, a
     /// range from -9 to 9. Without it sets have no profile shift.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, value_parser = offsets)]

@@ -16,7 +16,7 @@ use std::str::FromStr;
 
 /// A list of ratios.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Ratios(pub(crate) Vec<WantedRatio>);
+pub struct Ratios(pub Vec<WantedRatio>);
 
 impl FromStr for Ratios {
     type Err = String;
@@ -29,7 +29,7 @@ impl FromStr for Ratios {
 
 /// A list of ratios that are mere numbers, separated in the same way.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct PlainRatios(pub(crate) Vec<Number>);
+pub struct PlainRatios(pub Vec<Number>);
 
 impl FromStr for PlainRatios {
     type Err = String;

@@ -1,6 +1,6 @@
 //! The error where no design meets every required criterion.
 
-use super::Args;
+use super::Request;
 use crate::failure::Failure;
 
 /// The answer says why; this says it to whoever sees only the end.
@@ -11,12 +11,12 @@ pub(super) fn nothing_found(way_out: Option<&String>) -> Failure {
 
 /// Advice after a search for tooth numbers that found nothing. Without `--teeth` the answer lists the
 /// criteria that no design meets.
-pub(super) fn with_teeth_more(args: &Args) -> Option<String> {
+pub(super) fn with_teeth_more(request: &Request) -> Option<String> {
     let mut more = vec![];
-    if !args.speeds.all_structures {
+    if !request.speeds.all_structures {
         more.push("--all-structures searches all, not only the source's");
     }
-    if args.same_direction {
+    if request.same_direction {
         more.push("leaving out --same-direction admits outputs that reverse");
     }
     more.push("without --teeth each criterion that stands in the way is told");

@@ -1,55 +1,16 @@
 //! Options that an error of a selection refers to.
 
-use super::Args;
+use super::Request;
 use crate::error::Error;
 use crate::failure::Failure;
 use crate::select::answer::duty::{DutyProblem, DutyQuantity};
-use epicyclic_selection::quantity::{KRange, Limited, Rated};
+use crate::shared::selection::refuse_selection;
 
 /// Converts an error to a failure with the option that caused it.
-pub(crate) fn refuse_selection(error: epicyclic_selection::Error) -> Failure {
-    use epicyclic_schemes::Error as S;
-    use epicyclic_selection::Error as E;
-    let option = match &error {
-        E::SpeedCount { .. } => "--speeds, --ratios",
-        E::Scheme(S::SpeedCount { .. } | S::SpeedsOutOfOrder { .. }) => "--speeds",
-        E::RatioCount { .. }
-        | E::OneRatio { .. }
-        | E::Scheme(S::RatioCount { .. } | S::Ratio { .. } | S::EqualRatios { .. }) => "--ratios",
-        E::Tolerance { .. } => "--tolerance",
-        E::RingToSunRange { what: KRange::Preferred, .. } => "--prefer",
-        E::RingToSunRange { .. } => "--k",
-        E::Limit { what: Limited::Efficiency, .. } => "--least-efficiency",
-        E::Limit { what: Limited::LinkSpeed, .. } => "--link-speed",
-        E::Limit { what: Limited::PlanetSpeed, .. } => "--planet-speed",
-        E::Limit { what: Limited::ClutchSlip, .. } => "--clutch-slip",
-        E::Limit { what: Limited::Circulation, .. } => "--circulation",
-        E::Limit { what: Limited::Module, .. } => "--least-module, --greatest-module",
-        E::Limit { what: Limited::RingDiameter, .. } | E::SizeWithoutTorque => "--ring-diameter",
-        E::Rating { what: Rated::MeshLoadFactor, .. } => "--mesh-load-factors",
-        E::Rating { what: Rated::FaceWidthRatio, .. } => "--face-width-ratio",
-        E::Rating { what: Rated::LoadFactor, .. } => "--load-factor",
-        E::PlanetNumber { .. } => "--planets",
-        E::TooManyToothSets { .. } => "--sun, --planet, --ring, --k",
-        E::TooManyWindows { .. } => "--sun, --planet, --ring, --k, --all-structures",
-        E::TooManyNear { .. } | E::TooManyPairs { .. } | E::FrontTooLarge { .. } => {
-            "--sun, --planet, --ring, --k, --tolerance"
-        }
-        E::GearSet(error) => match crate::shared::options::of_teeth(error, "--planet-count") {
-            Some(option) => option,
-            None => return Failure::Selection(E::GearSet(error.clone())),
-        },
-        E::RepeatedObjective { .. } | E::UnknownObjective { .. } | E::NoObjectiveOfTeeth { .. } => "--order",
-        _ => return Failure::Selection(error),
-    };
-    Failure::of_option(option, &error)
-}
-
-/// Converts an error to a failure with the option that caused it.
-pub(super) fn refuse(args: &Args, error: Error) -> Failure {
+pub(super) fn refuse(request: &Request, error: Error) -> Failure {
     match error {
         Error::Selection(error) => refuse_selection(error),
-        Error::Duty(problem) => refuse_duty(args, problem),
+        Error::Duty(problem) => refuse_duty(request, problem),
         Error::TooManyDesigns { .. } => {
             let message = format!(
                 "{error}; narrow the ranges of teeth or the tolerance to see the non-dominated designs further back"
@@ -61,9 +22,9 @@ pub(super) fn refuse(args: &Args, error: Error) -> Failure {
     }
 }
 
-fn refuse_duty(args: &Args, problem: DutyProblem) -> Failure {
+fn refuse_duty(request: &Request, problem: DutyProblem) -> Failure {
     const DUE: &str = "a finite quantity above 0 is due";
-    let duty = &args.duty;
+    let duty = &request.duty;
     let (option, written) = match problem {
         DutyProblem::NotPositive { quantity: DutyQuantity::InputSpeed } => {
             ("--input", duty.input.map(|speed| speed.to_string()))

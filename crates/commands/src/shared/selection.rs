@@ -1,0 +1,225 @@
+//! Options of the choice of a gearbox for two or three speeds: what it gives, how its ratios are taken, what it
+//! has to meet, and what is refused of them.
+
+use crate::failure::Failure;
+use crate::shared::lists::{List, Quantities};
+use crate::shared::options;
+use crate::shared::ratios::PlainRatios;
+use epicyclic_formats::Span;
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_schemes::RatioSeries;
+use epicyclic_selection::quantity::{KRange, Limited, Rated};
+use epicyclic_selection::{Limits, Orders, Rating, Requirements, Signs, Space};
+use epicyclic_units::{Number, Physical, Quantity};
+use std::ops::RangeInclusive;
+use uom::si::f64::{Ratio, Velocity};
+
+/// What the gearbox shall give, and of which mechanisms.
+#[derive(Debug, Clone, clap::Args)]
+pub struct Speeds {
+    /// Speeds of the machine, the slowest first.
+    #[arg(long, required_unless_present = "ratios", conflicts_with = "ratios", allow_hyphen_values = true)]
+    pub speeds: Option<Quantities<Velocity>>,
+
+    /// Ratios of the braked gears, in place of speeds: one or two. 2.5,1.5 or 2,5; 1,5.
+    #[arg(long, allow_hyphen_values = true)]
+    pub ratios: Option<PlainRatios>,
+
+    /// All 111 structures of two sets (or the 6 of one), and not only the source's.
+    #[arg(long)]
+    pub all_structures: bool,
+}
+
+/// How the ratios are taken.
+#[derive(Debug, Clone, clap::Args)]
+#[command(next_help_heading = "Ratios")]
+pub struct RatioOptions {
+    /// Which brake gives which ratio.
+    #[arg(long, value_enum, default_value_t = Brakes::Either)]
+    pub brakes: Brakes,
+
+    /// Which signs the ratios may have; direct drive is positive. Default: as-given where a ratio has a
+    /// minus, otherwise alike.
+    #[arg(long, value_enum)]
+    pub signs: Option<SignChoice>,
+}
+
+/// Which brake gives which ratio.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum Brakes {
+    /// Either brake gives either ratio.
+    Either,
+    /// The first brake gives the first ratio.
+    AsGiven,
+}
+
+/// Which signs the ratios may have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum SignChoice {
+    /// All positive, or all negative.
+    Alike,
+    /// Each by itself.
+    Any,
+    /// Those of --ratios.
+    AsGiven,
+}
+
+/// What a design has to meet.
+#[derive(Debug, Clone, clap::Args)]
+#[command(next_help_heading = "Criteria")]
+pub struct Criteria {
+    /// Ring-to-sun ratios allowed.
+    #[arg(long, value_name = "RANGE", default_value = "1.3..10")]
+    pub k: Span<f64>,
+
+    /// Ring-to-sun ratios preferred.
+    #[arg(long, value_name = "RANGE", default_value = "2.5..3")]
+    pub prefer: Span<f64>,
+
+    /// Efficiency of each set with its carrier fixed, 0.97 or 97%.
+    #[arg(long, value_name = "NUMBER", default_value = "0.9702", allow_hyphen_values = true)]
+    pub efficiency: Quantity<Ratio>,
+
+    /// Least efficiency of a gear.
+    #[arg(long, value_name = "NUMBER", default_value = "0.9", allow_hyphen_values = true)]
+    pub least_efficiency: Quantity<Ratio>,
+
+    /// Greatest speed of a link over the input's.
+    #[arg(long, value_name = "NUMBER", default_value = "2", allow_negative_numbers = true)]
+    pub link_speed: Number,
+
+    /// Greatest speed of a planet relative to its carrier over the input's.
+    #[arg(long, value_name = "NUMBER", default_value = "2", allow_negative_numbers = true)]
+    pub planet_speed: Number,
+
+    /// Greatest slip of the open direct-drive clutch over the input's speed.
+    #[arg(long, value_name = "NUMBER", default_value = "2", allow_negative_numbers = true)]
+    pub clutch_slip: Number,
+
+    /// Greatest circulating power of a gear over what enters, 0.5 or 50%. Not given: more than half is an
+    /// objection.
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    pub circulation: Option<Quantity<Ratio>>,
+
+    /// Accept schemes that are not drawable: a link would cross another.
+    #[arg(long)]
+    pub allow_crossing: bool,
+}
+
+impl Criteria {
+    /// The ring-to-sun ratios allowed, within these.
+    pub(crate) fn k(&self, usual: RangeInclusive<f64>) -> Result<RangeInclusive<f64>, Failure> {
+        self.k.closed(usual).map_err(|error| Failure::Range { option: "--k", error })
+    }
+}
+
+impl Speeds {
+    /// The mechanisms to choose among.
+    pub(crate) fn space(&self) -> Space {
+        if self.all_structures { Space::All } else { Space::Catalogue }
+    }
+
+    /// The speeds of the machine; none where ratios are given.
+    pub(crate) fn of_machine(&self) -> Vec<Velocity> {
+        self.speeds.iter().flat_map(List::values).collect()
+    }
+}
+
+impl RatioOptions {
+    /// The signs: those given where one is negative, since it was written for a purpose.
+    pub(crate) fn signs(&self, wanted: &Speeds) -> Signs {
+        let mut ratios = wanted.ratios.iter().flat_map(|ratios| &ratios.0);
+        match self.signs {
+            Some(SignChoice::AsGiven) => Signs::AsGiven,
+            Some(SignChoice::Any) => Signs::Any,
+            Some(SignChoice::Alike) => Signs::Alike,
+            None if ratios.any(|ratio| ratio.get() < 0.0) => Signs::AsGiven,
+            None => Signs::Alike,
+        }
+    }
+}
+
+/// Returns the requirements given by the options.
+pub(crate) fn requirements(
+    wanted: &Speeds,
+    tolerance: Quantity<Ratio>,
+    taken: &RatioOptions,
+    criteria: &Criteria,
+    same_direction: bool,
+    rating: Rating,
+) -> Result<Requirements, Failure> {
+    let series = match (&wanted.speeds, &wanted.ratios) {
+        (Some(speeds), _) => RatioSeries::of_speeds(&speeds.values(), 1),
+        (None, ratios) => {
+            let ratios: Vec<f64> =
+                ratios.iter().flat_map(|ratios| &ratios.0).map(|ratio| ratio.get()).collect();
+            RatioSeries::of_braked_gears(&ratios)
+        }
+    };
+    let range =
+        |option, span: Span<f64>, usual| span.closed(usual).map_err(|error| Failure::Range { option, error });
+    let usual = Limits::default();
+    let eta0 = MeshEfficiency::new(criteria.efficiency.0.si())
+        .map_err(|error| Failure::of_option("--efficiency", &error))?;
+    Ok(Requirements {
+        tolerance: tolerance.0.si(),
+        orders: match taken.brakes {
+            Brakes::Either => Orders::Both,
+            Brakes::AsGiven => Orders::AsGiven,
+        },
+        signs: taken.signs(wanted),
+        limits: Limits {
+            ring_to_sun: range("--k", criteria.k, usual.ring_to_sun)?,
+            preferred: range("--prefer", criteria.prefer, usual.preferred)?,
+            efficiency: criteria.least_efficiency.0.si(),
+            link_speed: criteria.link_speed.get(),
+            planet_speed: criteria.planet_speed.get(),
+            clutch_slip: criteria.clutch_slip.get(),
+            circulation: criteria.circulation.map_or(usual.circulation, |share| share.0.si()),
+            same_direction,
+            drawable: !criteria.allow_crossing,
+        },
+        eta0,
+        rating,
+        ..Requirements::new(series.map_err(|error| refuse_selection(error.into()))?)
+    })
+}
+
+/// Converts an error to a failure with the option that caused it.
+pub(crate) fn refuse_selection(error: epicyclic_selection::Error) -> Failure {
+    use epicyclic_schemes::Error as S;
+    use epicyclic_selection::Error as E;
+    let option = match &error {
+        E::SpeedCount { .. } => "--speeds, --ratios",
+        E::Scheme(S::SpeedCount { .. } | S::SpeedsOutOfOrder { .. }) => "--speeds",
+        E::RatioCount { .. }
+        | E::OneRatio { .. }
+        | E::Scheme(S::RatioCount { .. } | S::Ratio { .. } | S::EqualRatios { .. }) => "--ratios",
+        E::Tolerance { .. } => "--tolerance",
+        E::RingToSunRange { what: KRange::Preferred, .. } => "--prefer",
+        E::RingToSunRange { .. } => "--k",
+        E::Limit { what: Limited::Efficiency, .. } => "--least-efficiency",
+        E::Limit { what: Limited::LinkSpeed, .. } => "--link-speed",
+        E::Limit { what: Limited::PlanetSpeed, .. } => "--planet-speed",
+        E::Limit { what: Limited::ClutchSlip, .. } => "--clutch-slip",
+        E::Limit { what: Limited::Circulation, .. } => "--circulation",
+        E::Limit { what: Limited::Module, .. } => "--least-module, --greatest-module",
+        E::Limit { what: Limited::RingDiameter, .. } | E::SizeWithoutTorque => "--ring-diameter",
+        E::Rating { what: Rated::MeshLoadFactor, .. } => "--mesh-load-factors",
+        E::Rating { what: Rated::FaceWidthRatio, .. } => "--face-width-ratio",
+        E::Rating { what: Rated::LoadFactor, .. } => "--load-factor",
+        E::PlanetNumber { .. } => "--planets",
+        E::TooManyToothSets { .. } => "--sun, --planet, --ring, --k",
+        E::TooManyWindows { .. } => "--sun, --planet, --ring, --k, --all-structures",
+        E::TooManyNear { .. } | E::TooManyPairs { .. } | E::FrontTooLarge { .. } => {
+            "--sun, --planet, --ring, --k, --tolerance"
+        }
+        E::GearSet(error) => match options::of_teeth(error, "--planet-count") {
+            Some(option) => option,
+            None => return Failure::Selection(E::GearSet(error.clone())),
+        },
+        E::RepeatedObjective { .. } | E::UnknownObjective { .. } | E::NoObjectiveOfTeeth { .. } => "--order",
+        _ => return Failure::Selection(error),
+    };
+    Failure::of_option(option, &error)
+}
