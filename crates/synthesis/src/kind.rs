@@ -7,11 +7,12 @@
 /// housing. In both kinds every link but the input and the output is on a member: a link between two shift
 /// elements alone would put them in series.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema, clap::ValueEnum))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "ClassName"))]
 pub enum Kind {
-    /// No member on the housing, input and output on members, all sets joined by links.
+    /// No member on the housing, input and output on members, all sets joined.
     Core,
-    /// Sparse structures without further condition: members may be on the housing, and shift elements alone
-    /// may reach the input or the output.
+    /// Members may be on the housing, and shift elements alone may reach input or output.
     AllSparse,
 }
 

@@ -45,26 +45,30 @@ const COUNT: usize = 10;
 /// Objective by which a solution is rated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, strum::IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "Objective"))]
 pub enum Objective {
-    /// Whether its scheme can be drawn without links that cross.
+    /// Drawability of the scheme without links that cross.
     Drawable,
-    /// Shifts that exchange more than one shift element.
+    /// Number of shifts between neighbouring forward gears that exchange more than one shift element; less is
+    /// better.
     Shifts,
-    /// The efficiency of the forward gears.
+    /// Efficiency of the forward gears: the least, or the mean weighted by the parts of the time; more is
+    /// better.
     Efficiency,
-    /// Mean sum of the slips of the open shift elements.
+    /// Mean drag over the forward gears: the sum of the slips of the open shift elements; less is better.
     Drag,
-    /// The greatest torque inside.
+    /// Greatest torque of a shift element or a member of a set; less is better.
     Torque,
-    /// The greatest speed of a link or of a planet relative to its carrier.
+    /// Greatest speed of a link, or planet speed relative to its carrier; less is better.
     Speed,
-    /// The greatest circulating power.
+    /// Greatest circulating power; less is better.
     Circulation,
-    /// The greatest ratio of a step to the step before.
+    /// Greatest ratio of a step to the previous step; less is better.
     Progression,
-    /// The greatest deviation of a ratio.
+    /// Greatest deviation of a ratio over half the width of its bounds; less is better.
     Deviation,
-    /// The least efficiency of a reverse gear.
+    /// Least efficiency of a reverse gear; more is better.
     Reverse,
 }
 

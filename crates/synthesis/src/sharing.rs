@@ -70,6 +70,8 @@ pub struct Apart {
 
 /// Reason why two sets share no planet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "WhyApart"))]
 pub enum Obstacle {
     /// The common planet would need steps: the sets would give it two centre distances.
     Steps,

@@ -46,7 +46,7 @@ use epicyclic_numerics::values::largest_absolute;
 use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_synthesis::gearbox::{element_name, own_names, real_k};
 use epicyclic_synthesis::motion::Element;
-use epicyclic_synthesis::rank::{self, front};
+use epicyclic_synthesis::rank::{self, Objective, front};
 use epicyclic_synthesis::run::{self, Found, Progress, Share, search};
 use epicyclic_synthesis::structure::link_name;
 use epicyclic_synthesis::wish::Wish;
@@ -57,7 +57,7 @@ use families::{Family, families};
 use keep::keep;
 use left_out::LeftOuts;
 use near_miss::NearMiss;
-use rating::{Objective, Rating};
+use rating::Rating;
 use schemars::JsonSchema;
 use serde::Serialize;
 use shared_planets::SharedPlanets;
@@ -140,7 +140,7 @@ pub enum Listed {
 #[schemars(deny_unknown_fields)]
 pub struct Searched {
     /// Name of the class.
-    pub class: ClassName,
+    pub class: Kind,
     /// Number of planetary sets.
     pub sets: usize,
     /// Number of double-planet sets among them.
@@ -168,17 +168,6 @@ pub struct Searched {
     pub reducible: u64,
     /// Number of sets for which neither a solution was found nor its absence proved.
     pub undecided: u64,
-}
-
-/// Classes of structures.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum ClassName {
-    /// Structures without a member on the housing, with input and output on members, and all sets joined.
-    Core,
-    /// Structures with members on the housing, and with input or output connected only by shift elements, are
-    /// included.
-    AllSparse,
 }
 
 /// Gearbox that has the required ratios.
@@ -341,7 +330,7 @@ pub fn solve_by<E: From<Error>>(
 ) -> Result<(Synthesis, Vec<Kept>), E> {
     let k_double = (*wanted.double_planets.end() > 0).then(|| wanted.k_double.clone());
     let choices = wanted.teeth.as_ref().map(|teeth| Choices::wanted(teeth, k_double)).transpose()?;
-    let order = rank::Objective::order(&wanted.order);
+    let order = Objective::order(&wanted.order);
     let gears = wanted.gears().map_err(Error::from)?;
     let mut answer = Synthesis {
         wanted: gears.clone(),
@@ -362,8 +351,8 @@ pub fn solve_by<E: From<Error>>(
         families: Vec::new(),
         listed: if wanted.all_gearboxes { Listed::AllGearboxes } else { Listed::BestOfFamilies },
         shown: 0,
-        order: order.iter().map(|objective| Objective::of(*objective)).collect(),
-        objectives: wanted.objectives.iter().map(|objective| Objective::of(*objective)).collect(),
+        order: order.clone(),
+        objectives: wanted.objectives.clone(),
         non_dominated: 0,
         decided_by: None,
         explanation: None,
@@ -429,12 +418,12 @@ pub fn solve_by<E: From<Error>>(
     let ratings: Vec<&rank::Rating> = kept[..alike].iter().map(|kept| &kept.rating).collect();
     let on_front = front(&ratings, &wanted.objectives);
     let behind = |place: usize| ratings.get(place)?.decides(ratings[0], &order);
-    let first_of = |objectives: &mut dyn Iterator<Item = rank::Objective>| {
+    let first_of = |objectives: &mut dyn Iterator<Item = Objective>| {
         objectives.min_by_key(|objective| order.iter().position(|other| other == objective))
     };
     answer.found = kept.len();
     answer.non_dominated = on_front.len();
-    answer.decided_by = first_of(&mut (1..kept.len()).filter_map(behind)).map(Objective::of);
+    answer.decided_by = first_of(&mut (1..kept.len()).filter_map(behind));
     let told = told(&families, kept.len(), wanted);
     answer.shown = told.len();
     answer.solutions = told
@@ -491,7 +480,7 @@ impl Searched {
     fn of(searching: &Searching, gears: usize, answered: &run::Answer) -> Self {
         let class = searching.class;
         Self {
-            class: ClassName::of(class.kind()),
+            class: class.kind(),
             sets: class.sets(),
             double_planets: searching.double_planets,
             links: class.links(),
@@ -505,15 +494,6 @@ impl Searched {
             solutions: answered.found.len(),
             reducible: answered.tally.reducible,
             undecided: answered.tally.undecided,
-        }
-    }
-}
-
-impl ClassName {
-    fn of(kind: Kind) -> Self {
-        match kind {
-            Kind::Core => Self::Core,
-            Kind::AllSparse => Self::AllSparse,
         }
     }
 }

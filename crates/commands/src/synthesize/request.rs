@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::input;
 use crate::output::{Format, OutputArgs};
 use crate::progress::Progress;
-use crate::shared::gearbox::{Choice, one};
+use crate::shared::gearbox::{Choice, Gearbox, one};
 use crate::shared::lists::List;
 use crate::shared::options;
 use crate::shared::page_options::{self as imprint, PageArgs};
@@ -13,7 +13,7 @@ use crate::shared::ratios::Ratios;
 use crate::synthesize::answer::near_miss::near_miss;
 use crate::synthesize::answer::page::drawn;
 use crate::synthesize::answer::{
-    Kept, LeftOut, MOST_SOLUTIONS, Means, Searching, Synthesis, Wanted, saved, solve_by,
+    self as synthesize, Kept, LeftOut, MOST_SOLUTIONS, Means, Searching, Synthesis, Wanted, saved, solve_by,
 };
 use crate::synthesize::search_size as size;
 use crate::synthesize::shards;
@@ -30,7 +30,7 @@ use epicyclic_synthesis::run::{self, search};
 use epicyclic_synthesis::shifts::Shifts;
 use epicyclic_synthesis::wish::Wish;
 use epicyclic_synthesis::work::Share;
-use epicyclic_train::Gearbox;
+use epicyclic_train as train;
 use epicyclic_units::{Number, Physical as _, Quantity};
 use std::ops::{ControlFlow, RangeInclusive};
 use std::path::PathBuf;
@@ -52,113 +52,8 @@ const DRAWN: usize = 10;
 #[derive(Debug, clap::Args)]
 #[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
-    /// Wanted ratios, input speed over output speed; negative for reverse. Commas, semicolons or spaces part
-    /// them. Of a gear 4.714, 4.714±0.5%, 4.714±0.02, 4.5..4.9, ? (any between its neighbours), or in
-    /// brackets where it may be missing: (-3.295).
-    #[arg(long, allow_hyphen_values = true)]
-    ratios: Ratios,
-
-    /// How far a ratio may be off that has no tolerance of its own: 1%, or 0.01.
-    #[arg(long, default_value = "1%", allow_hyphen_values = true)]
-    tolerance: Quantity<Ratio>,
-
-    /// Which structures are searched.
-    #[arg(long, value_enum, default_value_t = Class::Core)]
-    class: Class,
-
-    // The limits are those of the library; their help is made of them.
-    #[arg(long, default_value = "1..3", help = format!("Number of planet sets, at most {MOST_SETS}"))]
-    sets: Span<u32>,
-
-    #[arg(long, default_value = "1..6", help = format!("Number of shift elements, at most {MOST_ELEMENTS}"))]
-    elements: Span<u32>,
-
-    #[arg(
-        long,
-        help = format!(
-            "Shift elements that a gear engages, at most {MOST_ENGAGED}. Default: 1..3; with --links or --open 1..{MOST_ENGAGED}"
-        )
-    )]
-    engaged: Option<Span<u32>>,
-
-    #[arg(long, help = format!("Number of moving links: sets, engaged elements and one more; at most {MOST_LINKS}"))]
-    links: Option<Span<u32>>,
-
-    /// Shift elements that are open in a gear: those not engaged.
-    #[arg(long)]
-    open: Option<Span<u32>>,
-
-    /// Ring-to-sun ratio k of every simple set.
-    #[arg(long, default_value = "1.4..4.5")]
-    k: Span<f64>,
-
     #[command(flatten)]
-    wishes: Wishes,
-
-    /// How many of the sets are double-planet sets, with two planets in mesh between sun and ring; each
-    /// number is searched.
-    #[arg(long, default_value = "0")]
-    double_planets: Span<u32>,
-
-    /// Ring-to-sun ratio k of every double-planet set.
-    #[arg(long, default_value = "1.6..4.5")]
-    k_double: Span<f64>,
-
-    /// At least so many sets of one kind have equal k.
-    #[arg(long, value_name = "N", default_value = "1")]
-    equal_k: u32,
-
-    /// Efficiency of the two meshes of a simple set: 0.97, or 97%; each of the three of a double-planet set
-    /// loses as much.
-    #[arg(long, default_value = "0.97", allow_hyphen_values = true)]
-    efficiency: Quantity<Ratio>,
-
-    /// Shares of time of forward gears, by their numbers in --ratios: '1:5%, 2:10%, 3:85%'; other gears have
-    /// none. Gearboxes are ordered by the mean efficiency of the forward gears by these shares, in place of
-    /// the least.
-    #[arg(long, value_name = "GEAR:SHARE,…")]
-    shares: Option<List<GearShare>>,
-
-    #[command(flatten)]
-    usable: UsableOptions,
-
-    /// Show at most this many gearboxes, of each family the best. Default: 20 in a table, otherwise all, up
-    /// to 10000.
-    #[arg(long, value_name = "N")]
-    limit: Option<usize>,
-
-    /// Show every gearbox, not the best of each family alone. Gearboxes of a family have equal formulas for
-    /// all gears, up to an exchange of sets of one kind.
-    #[arg(long)]
-    all_gearboxes: bool,
-
-    /// Search a share of the structures, the first of eight: 1/8. What it finds is a part, a Parquet table,
-    /// in the file of --output. If it is ended, the same command goes on from --output with .progress at its
-    /// end.
-    #[arg(long, value_name = "I/N", requires = "output", conflicts_with_all = ["merge", "format", "limit"])]
-    shard: Option<Share>,
-
-    /// Begin a search only if it is estimated to take at most this long. Default: 1 h, and at most 4 GB.
-    #[arg(long, value_name = "TIME", conflicts_with_all = ["shard", "merge"])]
-    longest: Option<Quantity<Time>>,
-
-    /// Take what was found from these parts of a search, all of its shares, instead of searching.
-    #[arg(long, value_name = "PART", num_args = 1.., value_hint = clap::ValueHint::FilePath)]
-    merge: Vec<PathBuf>,
-    /// The objectives that decide first which gearbox is the best; the others follow.
-    #[arg(
-        long,
-        value_name = "OBJECTIVES",
-        default_value = "drawable, shifts, efficiency, drag, torque, speed"
-    )]
-    order: List<Objective>,
-
-    /// The objectives of the Pareto front. Default: all.
-    #[arg(long, value_name = "OBJECTIVES")]
-    objectives: Option<List<Objective>>,
-
-    #[command(flatten)]
-    teeth: TeethOptions,
+    request: Request,
 
     /// Write the best gearbox as a file that analyze, draw and report read, with its tooth numbers where
     /// --teeth found any.
@@ -178,6 +73,20 @@ pub struct Args {
     #[arg(long, value_name = "NAME", requires = "explain")]
     transmission: Option<String>,
 
+    /// Search a share of the structures, the first of eight: 1/8. What it finds is a part, a Parquet table,
+    /// in the file of --output. If it is ended, the same command goes on from --output with .progress at its
+    /// end.
+    #[arg(long, value_name = "I/N", requires = "output", conflicts_with_all = ["merge", "format", "limit"])]
+    shard: Option<Share>,
+
+    /// Begin a search only if it is estimated to take at most this long. Default: 1 h, and at most 4 GB.
+    #[arg(long, value_name = "TIME", conflicts_with_all = ["shard", "merge"])]
+    longest: Option<Quantity<Time>>,
+
+    /// Take what was found from these parts of a search, all of its shares, instead of searching.
+    #[arg(long, value_name = "PART", num_args = 1.., value_hint = clap::ValueHint::FilePath)]
+    merge: Vec<PathBuf>,
+
     #[command(flatten)]
     output: OutputArgs,
 
@@ -185,126 +94,252 @@ pub struct Args {
     page: PageArgs,
 }
 
+/// What is asked of a search for gearboxes.
+#[derive(Debug, Clone, clap::Args)]
+pub struct Request {
+    /// Wanted ratios, input speed over output speed; negative for reverse. Commas, semicolons or spaces part
+    /// them. Of a gear 4.714, 4.714±0.5%, 4.714±0.02, 4.5..4.9, ? (any between its neighbours), or in
+    /// brackets where it may be missing: (-3.295).
+    #[arg(long, allow_hyphen_values = true)]
+    pub ratios: Ratios,
+
+    /// How far a ratio may be off that has no tolerance of its own: 1%, or 0.01.
+    #[arg(long, default_value = "1%", allow_hyphen_values = true)]
+    pub tolerance: Quantity<Ratio>,
+
+    /// Which structures are searched.
+    #[arg(long, value_enum, default_value_t = Kind::Core)]
+    pub class: Kind,
+
+    // The limits are those of the library; their help is made of them.
+    /// Number of planet sets.
+    #[arg(long, default_value = "1..3", help = format!("Number of planet sets, at most {MOST_SETS}"))]
+    pub sets: Span<u32>,
+
+    /// Number of shift elements.
+    #[arg(long, default_value = "1..6", help = format!("Number of shift elements, at most {MOST_ELEMENTS}"))]
+    pub elements: Span<u32>,
+
+    /// Shift elements that a gear engages.
+    #[arg(
+        long,
+        help = format!(
+            "Shift elements that a gear engages, at most {MOST_ENGAGED}. Default: 1..3; with --links or --open 1..{MOST_ENGAGED}"
+        )
+    )]
+    pub engaged: Option<Span<u32>>,
+
+    /// Number of moving links: sets, engaged elements and one more.
+    #[arg(long, help = format!("Number of moving links: sets, engaged elements and one more; at most {MOST_LINKS}"))]
+    pub links: Option<Span<u32>>,
+
+    /// Shift elements that are open in a gear: those not engaged.
+    #[arg(long)]
+    pub open: Option<Span<u32>>,
+
+    /// Ring-to-sun ratio k of every simple set.
+    #[arg(long, default_value = "1.4..4.5")]
+    pub k: Span<f64>,
+
+    /// What else is wanted.
+    #[command(flatten)]
+    pub wishes: Wishes,
+
+    /// How many of the sets are double-planet sets, with two planets in mesh between sun and ring; each
+    /// number is searched.
+    #[arg(long, default_value = "0")]
+    pub double_planets: Span<u32>,
+
+    /// Ring-to-sun ratio k of every double-planet set.
+    #[arg(long, default_value = "1.6..4.5")]
+    pub k_double: Span<f64>,
+
+    /// At least so many sets of one kind have equal k.
+    #[arg(long, value_name = "N", default_value = "1")]
+    pub equal_k: u32,
+
+    /// Efficiency of the two meshes of a simple set: 0.97, or 97%; each of the three of a double-planet set
+    /// loses as much.
+    #[arg(long, default_value = "0.97", allow_hyphen_values = true)]
+    pub efficiency: Quantity<Ratio>,
+
+    /// Shares of time of forward gears, by their numbers in --ratios: '1:5%, 2:10%, 3:85%'; other gears have
+    /// none. Gearboxes are ordered by the mean efficiency of the forward gears by these shares, in place of
+    /// the least.
+    #[arg(long, value_name = "GEAR:SHARE,…")]
+    pub shares: Option<List<GearShare>>,
+
+    /// What a gearbox of use keeps.
+    #[command(flatten)]
+    pub usable: UsableOptions,
+
+    /// Show at most this many gearboxes, of each family the best. Default: 20 in a table, otherwise all, up
+    /// to 10000.
+    #[arg(long, value_name = "N")]
+    pub limit: Option<usize>,
+
+    /// Show every gearbox, not the best of each family alone. Gearboxes of a family have equal formulas for
+    /// all gears, up to an exchange of sets of one kind.
+    #[arg(long)]
+    pub all_gearboxes: bool,
+
+    /// The objectives that decide first which gearbox is the best; the others follow.
+    #[arg(
+        long,
+        value_name = "OBJECTIVES",
+        default_value = "drawable, shifts, efficiency, drag, torque, speed"
+    )]
+    pub order: List<Objective>,
+
+    /// The objectives of the Pareto front. Default: all.
+    #[arg(long, value_name = "OBJECTIVES")]
+    pub objectives: Option<List<Objective>>,
+
+    /// Tooth numbers of the gearboxes shown.
+    #[command(flatten)]
+    pub teeth: TeethOptions,
+}
+
 /// What a gearbox has to keep besides its ratios.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "What else is wanted")]
-struct Wishes {
+pub struct Wishes {
     /// Number of brakes among the shift elements.
     #[arg(long, value_name = "RANGE", default_value = "0..7")]
-    brakes: Span<u32>,
+    pub brakes: Span<u32>,
 
     /// Number of clutches among the shift elements.
     #[arg(long, value_name = "RANGE", default_value = "0..7")]
-    clutches: Span<u32>,
+    pub clutches: Span<u32>,
 
     /// Shifts between neighbouring forward gears: single ones open one element and engage one.
     #[arg(long, value_enum, default_value_t = ShiftChoice::Any)]
-    shifts: ShiftChoice,
+    pub shifts: ShiftChoice,
 
     /// Shifts that skip a gear: 1–3, 2–4 and so on.
     #[arg(long, value_enum, default_value_t = ShiftChoice::Any)]
-    skip_shifts: ShiftChoice,
+    pub skip_shifts: ShiftChoice,
 
     /// A gear is direct: it turns the gearbox as one block.
     #[arg(long)]
-    direct: bool,
+    pub direct: bool,
 
     /// Ratio steps between neighbouring forward gears.
     #[arg(long, value_name = "RANGE")]
-    step: Option<Span<f64>>,
+    pub step: Option<Span<f64>>,
 
     /// Ratio steps fall from the first gear on: none is larger than the one before it.
     #[arg(long)]
-    falling_steps: bool,
+    pub falling_steps: bool,
 
     /// Greatest slip of an open shift element over the input's speed.
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
-    slip: Option<Number>,
+    pub slip: Option<Number>,
 
     /// Greatest speed of a link over the input's.
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
-    link_speed: Option<Number>,
+    pub link_speed: Option<Number>,
 
     /// Greatest speed of a planet relative to its carrier over the input's; of a double-planet set the speed
     /// that its planets exceed with any teeth.
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
-    planet_speed: Option<Number>,
+    pub planet_speed: Option<Number>,
 
     /// Only gearboxes that can be drawn: no link across another, each brake reached from the housing.
     #[arg(long)]
-    drawable: bool,
+    pub drawable: bool,
 }
 
 /// Which shifts are allowed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum ShiftChoice {
+pub enum ShiftChoice {
     /// All; those with fewer multiple shifts are told first.
     Any,
     /// Those that exchange one element for one.
     Single,
 }
 
-/// Which structures are searched.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum Class {
-    /// No member on the housing, input and output on members, all sets joined.
-    Core,
-    /// Members may be on the housing, and shift elements alone may reach input or output.
-    AllSparse,
+impl Request {
+    /// Searches, and tells the gearboxes that have the ratios; `limit` of them, or the most that are told. One
+    /// may be placed beside the search. The closure is told how far the class that is searched is, from 0 to
+    /// 1, and whether it ends the search: what is found until then is the answer.
+    ///
+    /// # Errors
+    /// [`Failure::Option`] for an option that cannot be, alone or with the others.
+    pub fn answer(
+        &self,
+        explain: Option<&Gearbox>,
+        goes_on: &(dyn Fn(f64) -> ControlFlow<()> + Sync),
+    ) -> Result<Synthesis, Failure> {
+        let explain = explain.map(|gearbox| gearbox.train.clone());
+        let wanted = Wanted { explain, ..self.wanted(self.most(false))? };
+        let share = |at: run::Progress| at.done as f64 / at.of.max(1) as f64;
+        synthesize::answer(&wanted, &|_, at| goes_on(share(at))).map_err(options::of_synthesis)
+    }
+
+    /// How many gearboxes are shown, of a table fewer.
+    fn most(&self, in_table: bool) -> usize {
+        // Tooth numbers of thousands of gearboxes would take hours.
+        let few = in_table || self.teeth.teeth;
+        self.limit.unwrap_or(if few { SHOWN_IN_TABLE } else { MOST_SOLUTIONS })
+    }
+
+    fn wanted(&self, most: usize) -> Result<Wanted, Failure> {
+        let tolerance = self.tolerance.0.si();
+        if !(tolerance > 0.0 && tolerance < 1.0) {
+            return Err(Failure::invalid("--tolerance", "above 0 and below 100 %"));
+        }
+        let efficiency = MeshEfficiency::new(self.efficiency.0.si())
+            .map_err(|error| Failure::of_option("--efficiency", &error))?;
+        let objectives = self.objectives.as_ref().map_or(Objective::ALL.to_vec(), |list| list.0.clone());
+        Ok(Wanted {
+            gears: self.ratios.0.clone(),
+            tolerance,
+            kind: self.class,
+            sets: counts("--sets", self.sets, 1..=MOST_SETS)?,
+            elements: counts("--elements", self.elements, 1..=MOST_ELEMENTS)?,
+            engaged: match self.engaged {
+                Some(engaged) => counts("--engaged", engaged, 1..=MOST_ENGAGED)?,
+                None if self.links.is_some() || self.open.is_some() => 1..=MOST_ENGAGED,
+                None => 1..=3,
+            },
+            links: self.links.map_or(Ok(0..=usize::MAX), |links| counts("--links", links, 3..=MOST_LINKS))?,
+            open: self.open.map_or(Ok(0..=usize::MAX), |open| counts("--open", open, 0..=MOST_ELEMENTS))?,
+            k: self.k.within(ANY_K).map_err(|error| Failure::Range { option: "--k", error })?,
+            double_planets: counts("--double-planets", self.double_planets, 0..=MOST_SETS)?,
+            k_double: self
+                .k_double
+                .within(ANY_K)
+                .map_err(|error| Failure::Range { option: "--k-double", error })?,
+            equal_k: equal_k(self.equal_k)?,
+            rules: self.wishes.rules()?,
+            limits: self.wishes.limits()?,
+            drawable: self.wishes.drawable,
+            shares: self.shares.as_ref().map(|shares| shares_of(&shares.0, &self.ratios.0)).transpose()?,
+            usable: self.usable.wanted()?,
+            efficiency,
+            most,
+            all_gearboxes: self.all_gearboxes,
+            also: None,
+            order: self.order.0.clone(),
+            objectives,
+            teeth: self.teeth.wanted()?,
+            explain: None,
+        })
+    }
 }
 
 /// Runs the command.
 pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
-    args.page.only_of_a_page(args.output.is_page() && args.shard.is_none())?;
-    let tolerance = args.tolerance.0.si();
-    if !(tolerance > 0.0 && tolerance < 1.0) {
-        return Err(Failure::invalid("--tolerance", "above 0 and below 100 %"));
-    }
-    let efficiency = MeshEfficiency::new(args.efficiency.0.si())
-        .map_err(|error| Failure::of_option("--efficiency", &error))?;
-    let format = args.output.format();
-    // Tooth numbers of thousands of gearboxes would take hours.
-    let few = format == Format::Table || args.teeth.teeth;
-    let most = args.limit.unwrap_or(if few { SHOWN_IN_TABLE } else { MOST_SOLUTIONS });
-    let objectives = args.objectives.as_ref().map_or(Objective::ALL.to_vec(), |list| list.0.clone());
+    let Args { request, save, output, page, .. } = args;
+    page.only_of_a_page(output.is_page() && args.shard.is_none())?;
+    let format = output.format();
     let wanted = Wanted {
-        gears: args.ratios.0.clone(),
-        tolerance,
-        kind: match args.class {
-            Class::Core => Kind::Core,
-            Class::AllSparse => Kind::AllSparse,
-        },
-        sets: counts("--sets", args.sets, 1..=MOST_SETS)?,
-        elements: counts("--elements", args.elements, 1..=MOST_ELEMENTS)?,
-        engaged: match args.engaged {
-            Some(engaged) => counts("--engaged", engaged, 1..=MOST_ENGAGED)?,
-            None if args.links.is_some() || args.open.is_some() => 1..=MOST_ENGAGED,
-            None => 1..=3,
-        },
-        links: args.links.map_or(Ok(0..=usize::MAX), |links| counts("--links", links, 3..=MOST_LINKS))?,
-        open: args.open.map_or(Ok(0..=usize::MAX), |open| counts("--open", open, 0..=MOST_ELEMENTS))?,
-        k: args.k.within(ANY_K).map_err(|error| Failure::Range { option: "--k", error })?,
-        double_planets: counts("--double-planets", args.double_planets, 0..=MOST_SETS)?,
-        k_double: args
-            .k_double
-            .within(ANY_K)
-            .map_err(|error| Failure::Range { option: "--k-double", error })?,
-        equal_k: equal_k(args.equal_k)?,
-        rules: args.wishes.rules()?,
-        limits: args.wishes.limits()?,
-        drawable: args.wishes.drawable,
-        shares: args.shares.as_ref().map(|shares| shares_of(&shares.0, &args.ratios.0)).transpose()?,
-        usable: args.usable.wanted()?,
-        efficiency,
-        most,
-        all_gearboxes: args.all_gearboxes,
-        also: args.save.is_some().then_some(args.nth),
-        order: args.order.0.clone(),
-        objectives,
-        teeth: args.teeth.wanted()?,
+        also: save.is_some().then_some(args.nth),
         explain: given(call, args)?,
+        ..request.wanted(request.most(format == Format::Table))?
     };
-    if let (Some(share), Some(file)) = (args.shard, args.output.file()) {
+    if let (Some(share), Some(file)) = (args.shard, output.file()) {
         return shards::search(call, &wanted, share, file);
     }
     let (mut found, kept) = if args.merge.is_empty() {
@@ -340,12 +375,12 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
             ))
         )));
     }
-    let files = save(args, &found, &kept)?;
-    if args.output.is_page() {
+    let files = files(args, &found, &kept)?;
+    if output.is_page() {
         let sheet = crate::synthesize::page::sheet(&found, &drawn(&kept, DRAWN)?, imprint::command(call));
-        args.output.deliver_page(call, files, &found, sheet, &args.page.imprint())?;
+        output.deliver_page(call, files, &found, sheet, &page.imprint())?;
     } else {
-        args.output.deliver_with(call, files, &found)?;
+        output.deliver_with(call, files, &found)?;
     }
     if format != Format::Table && found.shown < found.found {
         call.complain(&format!("note: {}", crate::synthesize::table::count(&found)));
@@ -502,7 +537,7 @@ fn counts(
 }
 
 /// The gearbox of --explain.
-fn given(call: &Call<'_>, args: &Args) -> Result<Option<Gearbox>, Failure> {
+fn given(call: &Call<'_>, args: &Args) -> Result<Option<train::Gearbox>, Failure> {
     let Some(file) = &args.explain else { return Ok(None) };
     let document = input::document(call, file)?;
     let choice = Choice { transmission: args.transmission.clone(), ..Choice::default() };
@@ -510,7 +545,7 @@ fn given(call: &Call<'_>, args: &Args) -> Result<Option<Gearbox>, Failure> {
 }
 
 /// The file of --save with its content.
-fn save(args: &Args, found: &Synthesis, kept: &[Kept]) -> Result<Vec<Content>, Failure> {
+fn files(args: &Args, found: &Synthesis, kept: &[Kept]) -> Result<Vec<Content>, Failure> {
     let Some(file) = &args.save else { return Ok(vec![]) };
     let Some(one) = kept.iter().find(|kept| kept.number == args.nth) else {
         let message = format!("{}: there are gearboxes 1 to {}", args.nth, found.found);

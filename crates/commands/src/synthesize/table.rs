@@ -6,15 +6,14 @@ mod rating;
 mod teeth;
 
 use crate::synthesize::answer::near_miss::NearMiss;
-use crate::synthesize::answer::shared_planets::{SharedPlanets, WhyApart};
+use crate::synthesize::answer::shared_planets::SharedPlanets;
 use crate::synthesize::answer::teeth::TeethOfSet;
-use crate::synthesize::answer::{
-    ClassName, Edge, LeftOut, Listed, Reason, Searched, Solution, Synthesis, WantedGear,
-};
+use crate::synthesize::answer::{Edge, LeftOut, Listed, Reason, Searched, Solution, Synthesis, WantedGear};
 use crate::table::columns::Table;
 use crate::table::figure::Figure;
 use crate::table::report::AsReport;
 use crate::table::report::{Part, Records, Report, Text};
+use epicyclic_synthesis::sharing::Obstacle;
 use epicyclic_units::format::{significant, trimmed};
 
 /// Solutions whose gears are shown one by one.
@@ -155,11 +154,11 @@ fn shared_planets(of: &SharedPlanets) -> String {
         None => format!(
             "{sets} share planets, with carrier {carrier} and {common} in common, of equal teeth: they are rated as one compound set"
         ),
-        Some(WhyApart::Steps) => format!(
+        Some(Obstacle::Steps) => format!(
             "{sets} have carrier {carrier} and {common} in common, but a common planet would need steps: they are rated with planets of \
              their own"
         ),
-        Some(WhyApart::Room) => format!(
+        Some(Obstacle::Room) => format!(
             "{sets} have carrier {carrier} and {common} in common, but with these k a common planet leaves no room for the other gears: \
              they are rated with planets of their own"
         ),
@@ -251,14 +250,6 @@ fn warnings(answer: &Synthesis) -> Vec<(&'static str, String)> {
     told
 }
 
-fn class(name: ClassName) -> String {
-    match name {
-        ClassName::Core => "core",
-        ClassName::AllSparse => "all sparse",
-    }
-    .to_owned()
-}
-
 /// `580000`; from 10⁷ on `8.6e8`, which leaves room for the other columns.
 fn space(of: f64) -> String {
     if of < 1e7 { significant(of, 2) } else { format!("{of:.1e}") }
@@ -274,7 +265,7 @@ fn searched(classes: &[Searched]) -> Records {
     shown.extend(differ.then_some("gears"));
     shown.extend(["structures", "space_rounded", "solutions"]);
     Table::new("searched", classes)
-        .words("class", "class", |of| class(of.class))
+        .words("class", "class", |of| of.class.name())
         .number("sets", "sets", |of| of.sets)
         .number("double_planets", "double", |of| of.double_planets)
         .number("links", "links", |of| of.links)

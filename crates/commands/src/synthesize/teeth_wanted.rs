@@ -13,56 +13,57 @@ use std::ops::RangeInclusive;
 pub(crate) const ANY_K: RangeInclusive<f64> = 1.05..=20.0;
 
 /// Tooth numbers of the gearboxes shown.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "Tooth numbers")]
-pub(crate) struct TeethOptions {
+pub struct TeethOptions {
     /// Find all tooth numbers of each gearbox shown that keep the tolerances.
     #[arg(long)]
-    pub(crate) teeth: bool,
+    pub teeth: bool,
 
     /// Teeth of the suns.
     #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
-    sun: Span<u32>,
+    pub sun: Span<u32>,
 
     /// Teeth of the planets; of a double-planet set of either planet.
     #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
-    planet: Span<u32>,
+    pub planet: Span<u32>,
 
     /// Teeth of the rings.
     #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "12..200")]
-    ring: Span<u32>,
+    pub ring: Span<u32>,
 
     /// Number of planets of a set, of a double-planet set of its pairs of planets, from 2 to 8.
     #[arg(long, value_name = "RANGE", requires = "teeth", default_value = "3..8")]
-    planet_count: Span<u32>,
+    pub planet_count: Span<u32>,
 
     /// At least so many sets have rings of equal teeth.
     #[arg(long, value_name = "N", requires = "teeth", default_value = "1")]
-    equal_rings: usize,
+    pub equal_rings: usize,
 
     /// At least so many sets have suns of equal teeth.
     #[arg(long, value_name = "N", requires = "teeth", default_value = "1")]
-    equal_suns: usize,
+    pub equal_suns: usize,
 
     /// At least so many sets are equal.
     #[arg(long, value_name = "N", requires = "teeth", default_value = "1")]
-    equal_sets: usize,
+    pub equal_sets: usize,
 
     /// Which tooth numbers are the best.
     #[arg(long, value_enum, requires = "teeth", default_value_t = TeethAim::Deviation)]
-    teeth_aim: TeethAim,
+    pub teeth_aim: TeethAim,
 
     /// Choices of tooth numbers shown of each gearbox.
     #[arg(long, value_name = "N", requires = "teeth", default_value = "5")]
-    teeth_limit: usize,
+    pub teeth_limit: usize,
 
+    /// Profile shifts.
     #[command(flatten)]
-    shifts: ShiftOptions,
+    pub shifts: ShiftOptions,
 }
 
 /// Which tooth numbers are the best.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub(crate) enum TeethAim {
+pub enum TeethAim {
     /// The least greatest deviation of a ratio.
     Deviation,
     /// The fewest teeth of all suns and rings.

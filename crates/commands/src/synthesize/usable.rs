@@ -11,30 +11,30 @@ use std::str::FromStr;
 use uom::si::f64::Ratio;
 
 /// What a gearbox of use keeps.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "When the search stops")]
-pub(crate) struct UsableOptions {
+pub struct UsableOptions {
     /// Least efficiency of a forward gear. While every gearbox found misses this or the next two limits, or
     /// cannot be drawn, larger classes are searched.
     #[arg(long, value_name = "SHARE", default_value = "0.9", allow_hyphen_values = true)]
-    least_efficiency: Quantity<Ratio>,
+    pub least_efficiency: Quantity<Ratio>,
 
     /// Least efficiency of a reverse gear.
     #[arg(long, value_name = "SHARE", default_value = "0.8", allow_hyphen_values = true)]
-    least_reverse_efficiency: Quantity<Ratio>,
+    pub least_reverse_efficiency: Quantity<Ratio>,
 
     /// Greatest circulating power of a forward gear over what enters.
     #[arg(long, value_name = "NUMBER", default_value = "1", allow_negative_numbers = true)]
-    most_circulating: Number,
+    pub most_circulating: Number,
 
     /// End at the first class with gearboxes, whether they are of use or not.
     #[arg(long)]
-    first_class: bool,
+    pub first_class: bool,
 }
 
 /// The share of time of a gear: `3:20%`.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct GearShare {
+pub struct GearShare {
     gear: usize,
     share: f64,
 }

@@ -1,7 +1,8 @@
 //! Gearboxes of fewer sets that narrowly miss the required ratios.
 
-use super::{ClassName, Kept, Synthesis, Wanted, solve};
+use super::{Kept, Synthesis, Wanted, solve};
 use crate::error::Error;
+use epicyclic_synthesis::Kind;
 use epicyclic_synthesis::rank::Objective;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -21,7 +22,7 @@ const MOST_SPACE: f64 = 1e6;
 #[schemars(deny_unknown_fields)]
 pub struct NearMiss {
     /// Class of the structure.
-    pub class: ClassName,
+    pub class: Kind,
     /// Number of planetary sets.
     pub sets: usize,
     /// Number of shift elements.
@@ -81,7 +82,7 @@ pub fn near_miss(
     let mut of_use = found.solutions.iter().zip(&kept).filter(|(_, kept)| is_of_use(kept));
     let first = of_use.find(|(one, _)| one.missing_gears.is_empty()).map(|(one, _)| one);
     Ok(first.map(|one| NearMiss {
-        class: found.searched.last().map_or(ClassName::Core, |class| class.class),
+        class: found.searched.last().map_or(Kind::Core, |class| class.class),
         sets: one.sets.len(),
         shift_elements: one.shift_elements.len(),
         greatest_deviation: one.greatest_deviation,

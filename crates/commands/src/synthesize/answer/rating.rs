@@ -3,37 +3,9 @@
 use crate::shared::drawability::answer::Conflict;
 use epicyclic_layout::{Options, Verdict, draw};
 use epicyclic_synthesis::judge::Judged;
-use epicyclic_synthesis::rank;
+use epicyclic_synthesis::rank::{self, Objective};
 use schemars::JsonSchema;
 use serde::Serialize;
-
-/// Objectives by which solutions are compared.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Objective {
-    /// Drawability of the scheme without links that cross.
-    Drawable,
-    /// Number of shifts between neighbouring forward gears that exchange more than one shift element; less is
-    /// better.
-    Shifts,
-    /// Efficiency of the forward gears: the least, or the mean weighted by the parts of the time; more is
-    /// better.
-    Efficiency,
-    /// Mean drag over the forward gears: the sum of the slips of the open shift elements; less is better.
-    Drag,
-    /// Greatest torque of a shift element or a member of a set; less is better.
-    Torque,
-    /// Greatest speed of a link, or planet speed relative to its carrier; less is better.
-    Speed,
-    /// Greatest circulating power; less is better.
-    Circulation,
-    /// Greatest ratio of a step to the previous step; less is better.
-    Progression,
-    /// Greatest deviation of a ratio over half the width of its bounds; less is better.
-    Deviation,
-    /// Least efficiency of a reverse gear; more is better.
-    Reverse,
-}
 
 /// Values of the objectives for a solution.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -89,31 +61,12 @@ pub struct GearRating {
     pub circulating_of_entering: f64,
 }
 
-impl Objective {
-    /// Converts the objective into a record.
-    #[must_use]
-    pub const fn of(objective: rank::Objective) -> Self {
-        match objective {
-            rank::Objective::Drawable => Self::Drawable,
-            rank::Objective::Shifts => Self::Shifts,
-            rank::Objective::Efficiency => Self::Efficiency,
-            rank::Objective::Drag => Self::Drag,
-            rank::Objective::Torque => Self::Torque,
-            rank::Objective::Speed => Self::Speed,
-            rank::Objective::Circulation => Self::Circulation,
-            rank::Objective::Progression => Self::Progression,
-            rank::Objective::Deviation => Self::Deviation,
-            rank::Objective::Reverse => Self::Reverse,
-        }
-    }
-}
-
 impl Rating {
     pub(super) fn of(
         rating: &rank::Rating,
         judged: &Judged,
         non_dominated: bool,
-        behind_by: Option<rank::Objective>,
+        behind_by: Option<Objective>,
     ) -> Self {
         let conflict = (!rating.is_drawable())
             .then(|| draw(&judged.gearbox, Options { attempts: 1, ..Options::default() }))
@@ -123,15 +76,15 @@ impl Rating {
             });
         Self {
             non_dominated,
-            behind_by: behind_by.map(Objective::of),
+            behind_by,
             drawable: rating.is_drawable(),
             conflict,
-            mean_drag_of_input: rating.value(rank::Objective::Drag),
-            greatest_torque_of_input: rating.value(rank::Objective::Torque),
-            greatest_speed_of_input: rating.value(rank::Objective::Speed),
-            greatest_circulating_of_entering: rating.value(rank::Objective::Circulation),
+            mean_drag_of_input: rating.value(Objective::Drag),
+            greatest_torque_of_input: rating.value(Objective::Torque),
+            greatest_speed_of_input: rating.value(Objective::Speed),
+            greatest_circulating_of_entering: rating.value(Objective::Circulation),
             progression: rating.progression,
-            deviation_of_tolerance: rating.value(rank::Objective::Deviation),
+            deviation_of_tolerance: rating.value(Objective::Deviation),
             gears: rating.gears.iter().map(GearRating::of).collect(),
         }
     }

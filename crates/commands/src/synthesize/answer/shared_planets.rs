@@ -21,17 +21,7 @@ pub struct SharedPlanets {
     pub common_rings: Vec<char>,
     /// Reason why the sets have their own planets and are rated separately; null for a compound set, which is
     /// rated as one.
-    pub apart: Option<WhyApart>,
-}
-
-/// Reasons why sets with a common carrier and a common sun or ring share no planets.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum WhyApart {
-    /// A common planet would have to be stepped, because two simple sets give it two centre distances.
-    Steps,
-    /// A common planet with these k leaves no room for the other gears.
-    Room,
+    pub apart: Option<Obstacle>,
 }
 
 impl SharedPlanets {
@@ -62,10 +52,7 @@ impl SharedPlanets {
             carrier: link_name(one[2]),
             common_suns: common(0),
             common_rings: common(1),
-            apart: Some(match apart.why {
-                Obstacle::Steps => WhyApart::Steps,
-                Obstacle::Room => WhyApart::Room,
-            }),
+            apart: Some(apart.why),
         }
     }
 }

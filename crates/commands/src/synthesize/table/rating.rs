@@ -1,10 +1,10 @@
 //! What solutions are worth, and why the first is first.
 
 use crate::shared::drawability::table::shut_in;
-use crate::synthesize::answer::rating::Objective;
 use crate::synthesize::answer::{Solution, Synthesis};
 use crate::table::columns::Table;
 use crate::table::report::{Records, Text};
+use epicyclic_synthesis::rank::Objective;
 use epicyclic_units::format::trimmed;
 
 /// Solutions behind the first that are told one by one.
