@@ -1,12 +1,41 @@
-//! Library form of the program `epicyclic`: planetary gear mechanisms by the words of a command line.
+//! Planetary gear mechanisms as a library: what the program `epicyclic` answers, as types.
 //!
-//! [`call`] answers one command line. All input and output goes through a [`Desk`]: a terminal for the
-//! program, memory for a page in a browser, both for other languages. The answers are the records of
-//! `epicyclic-commands`.
+//! Each command is a module: its `Request` has the options of the command line as fields, and `answer` gives the
+//! record that the program prints. Numbers of records are in SI units, and the names of keys end in the unit.
 //!
 //! ```
-//! use epicyclic_commands::desk::memory::Memory;
-//! use epicyclic::call;
+//! use epicyclic::{Gearbox, losses};
+//!
+//! let text = "{ gearbox: one set, input: a, output: h, gears: [{ name: only }],
+//!     sets: [{ id: P, sun: a, ring: ground, carrier: h, teeth: [20, 80], efficiency: 0.98 }] }";
+//! let gearbox = Gearbox::parse("one-set.yaml", text.as_bytes())?;
+//! let request = losses::Request {
+//!     speed: Some("1475 rpm".parse()?),
+//!     power: Some("75 kW".parse()?),
+//!     ..losses::Request::default()
+//! };
+//! let found = request.answer(&gearbox)?;
+//! // Of the power, 1 − 1/5 rolls through the meshes, and 2 % of it are lost there.
+//! assert!((found.gears[0].loss_w - 75e3 * 0.8 * 0.02).abs() < 1e-6);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Where a request has many fields, [`request`] fills in those that are not named:
+//!
+//! ```
+//! use epicyclic::{request, select};
+//!
+//! let request = select::Request { nth: 2, ..request(["--speeds", "0.8 m/s, 3.15 m/s"])? };
+//! assert_eq!(request.answer()?.shown_in_full, Some(2));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! [`to_json`] and [`AsReport`] write any answer as the program does. [`call`] answers a whole command line: all
+//! input and output goes through a [`Desk`], a terminal for the program, memory for a page in a browser, both for
+//! other languages.
+//!
+//! ```
+//! use epicyclic::{Memory, call};
 //!
 //! let desk = Memory::default();
 //! assert_eq!(call(["teeth", "--ratio", "6", "--limit", "1", "--format", "json"], &desk), 0);
@@ -30,7 +59,7 @@
 //! | `completions`, `man` | the commands of these names, for shells and `man` |
 //! | `usage` | refusals of a command line as answers |
 //!
-//! All other commands are folders of `epicyclic-commands`.
+//! All other commands are folders of `epicyclic-commands`, re-exported here.
 //!
 //! Exit codes: see [`epicyclic_commands::failure`].
 
@@ -52,13 +81,23 @@ use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 use epicyclic_commands as commands;
 use epicyclic_commands::answer::write_json;
 use epicyclic_commands::desk::{Call, apart};
-use epicyclic_commands::failure::{self, Failure};
+use epicyclic_commands::failure;
+pub use epicyclic_commands::failure::Failure;
 use epicyclic_commands::output;
 use std::ffi::OsString;
 
 pub use desk::Desk;
 pub use desk::memory::Memory;
+pub use epicyclic_commands::answer::to_json;
 pub use epicyclic_commands::failure::{INTERRUPTED, NOTHING_TO_SHOW};
+pub use epicyclic_commands::shared::gearbox::Gearbox;
+pub use epicyclic_commands::table::report::AsReport;
+pub use epicyclic_commands::words::request;
+pub use epicyclic_commands::{
+    analyze, compare, design, draw, drive, losses, machine, motor, report, schemes, select, sheet, simulate,
+    size, strength, synthesize, teeth, vibrate,
+};
+pub use epicyclic_units::Quantity;
 
 /// Planetary gear mechanisms: tooth numbers, drives, gearboxes of several speeds, hydromotors.
 #[derive(Parser)]

@@ -43,6 +43,7 @@
 //! | [`desk`] | surroundings of a call; [`input`]: files that are read |
 //! | [`output`] | formats of an answer, and where it goes; [`drawing_file`]: SVG, DXF, PDF, PNG |
 //! | [`progress`] | how far a long search is |
+//! | [`words`] | requests of a library from the words of a command line |
 //! | [`shared`] | what several commands share |
 //!
 //! Choices are enums, lists are lists, missing values are `null`: no text has to be parsed.
@@ -107,3 +108,4 @@ pub mod table;
 pub mod teeth;
 pub(crate) mod tolerance;
 pub mod vibrate;
+pub mod words;

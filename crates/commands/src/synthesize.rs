@@ -12,3 +12,6 @@ pub mod shards;
 pub mod table;
 pub mod teeth_wanted;
 pub mod usable;
+
+pub use answer::Synthesis;
+pub use request::Request;

@@ -71,6 +71,24 @@ pub struct GearInputs {
 }
 
 impl Gearbox {
+    /// The one gearbox of a file in YAML; messages call the file by this name.
+    ///
+    /// ```
+    /// use epicyclic_commands::shared::gearbox::Gearbox;
+    ///
+    /// let text = "{ gearbox: one set, input: a, output: h, gears: [{ name: only }],
+    ///     sets: [{ id: P, sun: a, ring: ground, carrier: h, teeth: [20, 80] }] }";
+    /// let gearbox = Gearbox::parse("one-set.yaml", text.as_bytes())?;
+    /// assert_eq!(gearbox.train.analyze("only")?.ratio(), Some(5.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Faults of the text with their places, and those of [`one`].
+    pub fn parse(file_name: &str, yaml: &[u8]) -> Result<Self, Error> {
+        one(&Document::parse_one(file_name, yaml)?, &Choice::default())
+    }
+
     /// Refuses a set that there is not.
     ///
     /// # Errors
