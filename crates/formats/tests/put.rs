@@ -147,9 +147,9 @@ fn missing_keys_and_wrong_values_are_found_together() {
             "box.yaml:1:1 missing-key",
             "box.yaml:2:9: output wrong-type",
             "box.yaml:4:33: sets[0].k decimal-comma",
-            "box.yaml:5:5: sets[1] missing-key",
-            "box.yaml:5:5: sets[1] missing-key",
-            "box.yaml:5:15: sets[1].k wrong-type",
+            "box.yaml:5:3: sets[1] missing-key",
+            "box.yaml:5:3: sets[1] missing-key",
+            "box.yaml:5:16: sets[1].k wrong-type",
         ]
     );
 }
