@@ -288,6 +288,10 @@ impl Failure {
             Self::SelfCrossing { .. } | Self::NothingFound(_) | Self::TooLong(_) => text,
             // Names to choose from stand below each other, set in.
             Self::Option { .. } => text.split("\n  ").map(one_line).collect::<Vec<_>>().join("\n  "),
+            // Each fault of a file is one line already, with its own `error: `.
+            Self::Document(error) | Self::Answer(crate::error::Error::Document(error)) => {
+                error.faults().map(ToString::to_string).collect::<Vec<_>>().join("\nerror: ")
+            }
             _ => one_line(&text).into_owned(),
         }
     }

@@ -5,29 +5,61 @@ use std::{fmt, sync::Arc};
 use crate::document::{path::Path, position::Position};
 use epicyclic_units::{QuantityError, visible::one_line};
 
-/// A [`Problem`] at its [`Place`]. Displays as
+/// The faults of a document, each a [`Problem`] at its [`Place`]. Displays each on a line as
 /// `file.yaml:12:7: given.power: 106,5 kW: decimal comma; write 106.5 kW`.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Error(Box<(Place, Problem)>);
+pub struct Error(Box<(Fault, Vec<Fault>)>);
+
+/// A problem at its place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fault {
+    /// Place of the wrong value or key.
+    pub at: Place,
+    /// Problem of the value or key.
+    pub problem: Problem,
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // Names in a file may hold any characters; a message stays one line that shows all of them.
+        f.write_str(&one_line(&format!("{}: {}", self.at, self.problem)))
+    }
+}
 
 impl Error {
     pub(crate) fn new(at: Place, problem: Problem) -> Self {
-        Self(Box::new((at, problem)))
+        Self(Box::new((Fault { at, problem }, vec![])))
     }
 
-    /// Where it is.
+    /// An error of several faults, in this order. Without any it is an empty file.
+    pub(crate) fn all(faults: Vec<(Place, Problem)>) -> Self {
+        let mut faults = faults.into_iter().map(|(at, problem)| Fault { at, problem });
+        let none = || Fault {
+            at: Place { file: "".into(), position: Position::START, path: Path::root() },
+            problem: Problem::EmptyFile,
+        };
+        Self(Box::new((faults.next().unwrap_or_else(none), faults.collect())))
+    }
+
+    /// All faults, in the order of their positions.
+    pub fn faults(&self) -> impl Iterator<Item = &Fault> {
+        let (first, others) = &*self.0;
+        std::iter::once(first).chain(others)
+    }
+
+    /// Place of the first fault.
     #[must_use]
     pub fn at(&self) -> &Place {
-        &self.0.0
+        &self.0.0.at
     }
 
-    /// What it is.
+    /// Problem of the first fault.
     #[must_use]
     pub fn problem(&self) -> &Problem {
-        &self.0.1
+        &self.0.0.problem
     }
 
-    /// The name of the problem, which does not change: `unknown-key`.
+    /// Name of the first problem, which does not change: `unknown-key`.
     #[must_use]
     pub fn name(&self) -> &'static str {
         self.problem().name()
@@ -36,8 +68,10 @@ impl Error {
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // Names in a file may hold anything; a message stays one line that shows all of it.
-        f.write_str(&one_line(&format!("{}: {}", self.at(), self.problem())))
+        for (number, fault) in self.faults().enumerate() {
+            write!(f, "{}{fault}", if number > 0 { "\n" } else { "" })?;
+        }
+        Ok(())
     }
 }
 
@@ -105,9 +139,6 @@ pub enum Problem {
         /// What the parser says.
         message: String,
     },
-    /// Legal YAML which two parsers read differently.
-    #[error("this can be read in two ways; put the text in quotes, or write one entry a line")]
-    ReadTwoWays,
     /// Maps and sequences within each other beyond reason.
     #[error("nested deeper than {limit} levels")]
     TooDeep {

@@ -51,7 +51,7 @@ pub mod wanted_ratio;
 pub mod yaml;
 
 pub use document::{Document, Path, Position};
-pub use error::{Error, Place, Problem, nearest};
+pub use error::{Error, Fault, Place, Problem, nearest};
 pub use file_kind::FileKind;
 pub use range::{RangeError, Span};
 pub use wanted_ratio::WantedRatio;

@@ -1,38 +1,9 @@
-//! `serde_yaml`, behind this one door.
-//!
-//! It builds values and writes them; positions come from elsewhere, since it forgets them once it has parsed.
+//! Values without places, and their YAML text. Only this module calls `serde_yaml`, which writes; documents
+//! are read by [`document`](crate::document).
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
+pub(crate) use serde_yaml::Number;
 pub use serde_yaml::{Mapping, Value};
-
-/// What the YAML parser refused, and where, if it said so: 1-based, columns in characters.
-#[derive(Debug)]
-pub(crate) struct Refusal {
-    pub(crate) line_column: Option<(usize, usize)>,
-    pub(crate) message: String,
-}
-
-/// The value of every document of a stream.
-pub(crate) fn parse_stream(text: &str) -> Result<Vec<Value>, Refusal> {
-    serde_yaml::Deserializer::from_str(text)
-        .map(|document| {
-            Value::deserialize(document).map_err(|error| {
-                let message = error.to_string();
-                // The position is reported apart from the message.
-                let message = message.split(" at line ").next().unwrap_or_default();
-                let message = match message {
-                    // The parser's only complaint about types: its values stop at 64 bits.
-                    _ if message.ends_with("expected any YAML value") => {
-                        "a whole number of more than 64 bits; write it with a decimal point".to_owned()
-                    }
-                    message => message.to_owned(),
-                };
-                let line_column = error.location().map(|location| (location.line(), location.column()));
-                Refusal { line_column, message }
-            })
-        })
-        .collect()
-}
 
 /// YAML text of a value.
 ///

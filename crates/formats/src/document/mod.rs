@@ -1,47 +1,50 @@
-//! YAML documents that know where everything stands.
+//! YAML documents with the place of every key and value.
 //!
-//! Values come from one parser and positions from another, run over the same bytes; where the two would see a
-//! different structure the document is refused. Also refused, each by name: repeated keys, merge keys,
-//! anchors and aliases, tags, and numbers that are not finite.
+//! One parser makes a tree of nodes with places, and every type is read from this tree. Repeated keys, merge keys,
+//! anchors and aliases, tags, and numbers that are not finite are refused, each by name.
 
-mod index;
+mod filled;
 pub(crate) mod path;
 pub(crate) mod position;
 mod reader;
 mod renamed;
 mod renumbered;
+mod tree;
 mod words;
 
 use std::borrow::Cow;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use serde::de::DeserializeOwned;
 
-use self::{
-    index::{Content, Node},
-    reader::{Fault, Reader},
-};
+use self::tree::{Content, Node};
 pub use self::{
     path::{Path, Segment},
     position::Position,
 };
 use crate::{
     error::{Error, Place, Problem},
-    yaml::{self, Value},
+    yaml::Value,
 };
-use epicyclic_units::QuantityError;
 pub use renamed::RENAMED;
 
 /// The most bytes that a file may have. A description of a gearbox has some thousands; what is far beyond is
 /// not one.
 pub const SIZE_LIMIT: u64 = 4 << 20;
 
-/// A YAML document: its value, and the position of each key and value in it.
-#[derive(Debug, Clone, PartialEq)]
+/// A YAML document with the place of each key and value.
+#[derive(Debug, Clone)]
 pub struct Document {
     file: Arc<str>,
-    value: Value,
     root: Node,
+    /// The root without places, made when it is first asked for.
+    value: OnceLock<Value>,
+}
+
+impl PartialEq for Document {
+    fn eq(&self, other: &Self) -> bool {
+        (&self.file, &self.root) == (&other.file, &other.root)
+    }
 }
 
 impl Document {
@@ -63,32 +66,18 @@ impl Document {
 
         let text = decode(bytes).map_err(|(position, problem)| at_root(position, problem))?;
         let text = &*joined_surrogates(text);
-        let roots = index::documents(text).map_err(fail)?;
+        let roots = tree::documents(text).map_err(fail)?;
         if roots.is_empty() {
             return Err(at_root(Position::START, Problem::EmptyFile));
         }
-        let values = yaml::parse_stream(text).map_err(|refusal| {
-            let position = refusal.line_column.map(|(line, column)| Position { line, column });
-            at_root(position.unwrap_or(Position::START), Problem::Syntax { message: refusal.message })
-        })?;
-        if values.len() != roots.len() {
-            let extra = roots.get(values.len()).map_or(Position::START, |root| root.at);
-            return Err(at_root(extra, Problem::ReadTwoWays));
-        }
-        if values.iter().all(Value::is_null) {
+        if roots.iter().all(Node::is_null) {
             return Err(at_root(Position::START, Problem::EmptyFile));
         }
-        values
-            .into_iter()
-            .zip(roots)
-            .map(|(value, root)| {
-                if value.is_null() {
-                    return Err(at_root(root.at, Problem::EmptyDocument));
-                }
-                compare(&value, &root, &mut Path::root()).map_err(fail)?;
-                Ok(Self { file: Arc::clone(&file), value, root })
-            })
-            .collect()
+        if let Some(root) = roots.iter().find(|root| root.is_null()) {
+            return Err(at_root(root.at, Problem::EmptyDocument));
+        }
+        let document = |root| Self { file: Arc::clone(&file), root, value: OnceLock::new() };
+        Ok(roots.into_iter().map(document).collect())
     }
 
     /// The only document of a file.
@@ -115,20 +104,20 @@ impl Document {
     /// The whole value.
     #[must_use]
     pub fn value(&self) -> &Value {
-        &self.value
+        self.value.get_or_init(|| self.root.value())
     }
 
     /// The value at a path.
     #[must_use]
     pub fn value_at(&self, path: &Path) -> Option<&Value> {
-        path.segments().iter().try_fold(&self.value, |value, segment| step(value, segment))
+        path.segments().iter().try_fold(self.value(), |value, segment| step(value, segment))
     }
 
     /// The text of a scalar exactly as written, but for quotes and escapes: `2.940`, where the value is 2.94.
     #[must_use]
     pub fn text_at(&self, path: &Path) -> Option<&str> {
         match &path.segments().iter().try_fold(&self.root, Node::step)?.content {
-            Content::Scalar(text) => Some(text),
+            Content::Scalar(_, text) => Some(text),
             Content::Sequence(_) | Content::Map(_) => None,
         }
     }
@@ -165,66 +154,48 @@ impl Document {
     /// The document as a `T`.
     ///
     /// # Errors
-    /// The first thing wrong with it, with its place.
+    /// All independent faults with their places.
     pub fn read<T: DeserializeOwned>(&self) -> Result<T, Error> {
-        self.read_value(&self.value, &Path::root())
+        self.read_node(&self.root, &Path::root())
     }
 
-    /// What stands at `path` as a `T`.
+    /// The value at `path` as a `T`.
     ///
     /// # Errors
-    /// As [`Document::read`]; [`Problem::MissingKey`] if nothing stands there.
+    /// Those of [`Document::read`]; [`Problem::MissingKey`] if there is no such value.
     pub fn read_at<T: DeserializeOwned>(&self, path: &Path) -> Result<T, Error> {
-        if let Some(value) = self.value_at(path) {
-            return self.read_value(value, path);
+        let mut node = &self.root;
+        for (depth, segment) in path.segments().iter().enumerate() {
+            let Some(next) = node.step(segment) else {
+                let key = match segment {
+                    Segment::Key(key) => key.clone(),
+                    Segment::Index(index) => format!("[{index}]"),
+                };
+                let parent = path.segments()[..depth].iter().cloned().collect();
+                return Err(self.error_at(node.at, parent, Problem::MissingKey { key }));
+            };
+            node = next;
         }
-        let mut parent = path.clone();
-        let mut missing = String::new();
-        while self.value_at(&parent).is_none() {
-            match parent.pop() {
-                Some(Segment::Key(key)) => missing = key,
-                Some(Segment::Index(index)) => missing = format!("[{index}]"),
-                None => break,
-            }
-        }
-        Err(self.error(&parent, Problem::MissingKey { key: missing }))
+        self.read_node(node, path)
     }
 
-    /// A value made from the one at `base` as a `T`; positions are those of this document. What has no place
-    /// in it, since the caller put it there, gets that of its nearest ancestor.
+    /// A changed copy of the value at `base` as a `T`, with the places of this document. A part that this
+    /// document lacks has the place of its nearest ancestor.
     ///
     /// # Errors
-    /// As [`Document::read`].
+    /// Those of [`Document::read`].
     pub fn read_value<T: DeserializeOwned>(&self, value: &Value, base: &Path) -> Result<T, Error> {
-        serde_path_to_error::deserialize(Reader(value)).map_err(|error| {
-            let mut path = base.clone();
-            let mut node = Some(value);
-            for segment in error.path() {
-                use serde_path_to_error::Segment as Theirs;
-                let segment = match segment {
-                    Theirs::Seq { index } => Segment::Index(*index),
-                    Theirs::Map { key } => Segment::Key(key.clone()),
-                    // A name on its own is not a step into anything.
-                    Theirs::Enum { variant } if node.is_some_and(Value::is_mapping) => {
-                        Segment::Key(variant.clone())
-                    }
-                    Theirs::Enum { .. } | Theirs::Unknown => continue,
-                };
-                node = node.and_then(|node| step(node, &segment));
-                path.push(segment);
-            }
-            let Fault(problem) = error.into_inner();
-            let position = match &*problem {
-                Problem::UnknownKey { .. } | Problem::RenamedKey { .. } | Problem::DuplicateKey { .. } => {
-                    self.key_position(&path)
-                }
-                Problem::UnknownName { found, .. } if node.is_some_and(Value::is_mapping) => {
-                    path.push(Segment::Key(found.clone()));
-                    self.key_position(&path)
-                }
-                _ => self.position(&path),
-            };
-            self.error_at(position, path, *problem)
+        let own = base.segments().iter().try_fold(&self.root, Node::step);
+        self.read_node(&Node::placed(self.position(base), value, own), base)
+    }
+
+    fn read_node<T: DeserializeOwned>(&self, node: &Node, base: &Path) -> Result<T, Error> {
+        reader::read(node).map_err(|faults| {
+            let faults = faults.into_iter().map(|(position, path, problem)| {
+                let path = base.segments().iter().chain(path.segments()).cloned().collect();
+                (Place { file: Arc::clone(&self.file), position, path }, problem)
+            });
+            Error::all(faults.collect())
         })
     }
 
@@ -254,9 +225,9 @@ pub fn too_large(file_name: &str, size: Option<u64>) -> Error {
 
 fn step<'a>(value: &'a Value, segment: &Segment) -> Option<&'a Value> {
     match (value, segment) {
-        (Value::Mapping(map), Segment::Key(key)) => map.get(key.as_str()).or_else(|| {
-            map.iter().find(|(other, _)| words::scalar(other).as_deref() == Some(key)).map(|(_, value)| value)
-        }),
+        (Value::Mapping(map), Segment::Key(key)) => map
+            .get(key.as_str())
+            .or_else(|| map.iter().find(|(other, _)| tree::scalar(other).1 == *key).map(|(_, value)| value)),
         (Value::Sequence(items), Segment::Index(index)) => items.get(*index),
         _ => None,
     }
@@ -324,47 +295,6 @@ const fn is_invisible(c: char) -> bool {
 fn end_of(text: &str) -> Position {
     let last = text.rsplit('\n').next().unwrap_or_default();
     Position { line: text.matches('\n').count() + 1, column: last.chars().count() + 1 }
-}
-
-/// Holds the value against the text's own structure, and refuses numbers that are not finite.
-fn compare(value: &Value, node: &Node, path: &mut Path) -> Result<(), index::Found> {
-    let two_ways = |path: &Path| (node.at, path.clone(), Problem::ReadTwoWays);
-    match (value, &node.content) {
-        (Value::Sequence(values), Content::Sequence(nodes)) if values.len() == nodes.len() => {
-            for (index, (value, node)) in values.iter().zip(nodes).enumerate() {
-                path.push(Segment::Index(index));
-                compare(value, node, path)?;
-                path.pop();
-            }
-            Ok(())
-        }
-        (Value::Mapping(values), Content::Map(nodes)) if values.len() == nodes.entries().len() => {
-            // Both in the order of the text. A key that YAML takes for a number may not look as written:
-            // `0x10`.
-            for ((key, value), entry) in values.iter().zip(nodes.entries()) {
-                if key.as_str().is_some_and(|key| key != entry.key) || words::scalar(key).is_none() {
-                    return Err(two_ways(path));
-                }
-                path.push(Segment::Key(entry.key.clone()));
-                refuse_infinite(key, entry.key_at, path)?;
-                compare(value, &entry.value, path)?;
-                path.pop();
-            }
-            Ok(())
-        }
-        (Value::Sequence(_) | Value::Mapping(_) | Value::Tagged(_), _) => Err(two_ways(path)),
-        (_, Content::Scalar(_)) => refuse_infinite(value, node.at, path),
-        (_, Content::Sequence(_) | Content::Map(_)) => Err(two_ways(path)),
-    }
-}
-
-fn refuse_infinite(value: &Value, at: Position, path: &Path) -> Result<(), index::Found> {
-    match value {
-        Value::Number(number) if !number.is_finite() => {
-            Err((at, path.clone(), QuantityError::NotFinite { text: number.to_string() }.into()))
-        }
-        _ => Ok(()),
-    }
 }
 
 #[cfg(test)]

@@ -1,35 +1,128 @@
-//! A value read as a Rust type, with faults that keep their parts.
+//! Reader of a tree of nodes as a Rust type. Every fault has the place and the path of its value.
 //!
-//! `serde_yaml` reports a fault as a text. This deserializer walks its [`Value`] instead, and its error is a
-//! [`Problem`]: an unknown key comes with the keys allowed, a number with a decimal comma is recognised where a number
-//! is due, and a [`Quantity`](epicyclic_units::Quantity) is parsed here, so that its error keeps its name.
-//! It is stricter, too: nothing is not an empty sequence, and a number is not text.
+//! An unknown key comes with the allowed keys, a decimal comma is recognised where a number is required, and a
+//! [`Quantity`](epicyclic_units::Quantity) is parsed here, so that its error keeps its name. A number is not
+//! text, and an empty value is no empty sequence.
+//!
+//! After a fault the type is read again with an allowed value in place of the wrong one. So all independent
+//! faults are found.
 
+use std::collections::HashMap;
 use std::fmt;
+use std::slice::Iter;
 
-use serde::{
-    Deserializer,
-    de::{
-        self, Expected, IntoDeserializer, Unexpected, Visitor,
-        value::{
-            BorrowedStrDeserializer, MapAccessDeserializer, MapDeserializer, SeqDeserializer, StrDeserializer,
-        },
-    },
-    forward_to_deserialize_any,
+use serde::de::value::StrDeserializer;
+use serde::de::{
+    self, DeserializeOwned, DeserializeSeed, EnumAccess, Expected, MapAccess, SeqAccess, Unexpected,
+    VariantAccess, Visitor,
 };
+use serde::{Deserializer, forward_to_deserialize_any};
 
+use super::filled::Filled;
+use super::path::Segment;
+use super::position::Position;
 use super::renamed::renamed;
+use super::tree::{Content, Entry, Found, Node, Scalar};
 use super::words;
-use crate::{error::Problem, yaml::Value};
+use crate::error::{Problem, nearest};
 use epicyclic_units::{self as quantity, Dimension, QuantityError};
 
-/// A [`Problem`] on its way through `serde`.
+/// Greatest number of faults listed of one document.
+const MOST_FAULTS: usize = 50;
+
+/// Reads a node, or finds its faults in the order of their positions.
+pub(super) fn read<T: DeserializeOwned>(root: &Node) -> Result<T, Vec<Found>> {
+    let mut repairs = Repairs::default();
+    let mut faults: Vec<Found> = vec![];
+    while faults.len() < MOST_FAULTS {
+        let Inner { problem, place, path } = match T::deserialize(Reader { node: root, repairs: &repairs }) {
+            Ok(read) if faults.is_empty() => return Ok(read),
+            Ok(_) => break,
+            Err(Fault(inner)) => *inner,
+        };
+        let place = place.unwrap_or(FaultPlace { at: root.at, node: root, is_key: false, is_scalar: false });
+        match repairs.add(&problem, &place, !faults.is_empty()) {
+            Some(true) => faults.push((place.at, path.into_iter().rev().collect(), problem)),
+            Some(false) => {}
+            None => {
+                if faults.is_empty() {
+                    faults.push((place.at, path.into_iter().rev().collect(), problem));
+                }
+                break;
+            }
+        }
+    }
+    faults.sort_by_key(|(at, ..)| *at);
+    Err(faults)
+}
+
+/// Changes with which the reading goes on after a fault, by the node that has the fault.
+#[derive(Default)]
+struct Repairs {
+    filled: HashMap<*const Node, ()>,
+    left_out: HashMap<*const Node, ()>,
+    /// Keys added to a map.
+    added: HashMap<*const Node, Vec<String>>,
+    /// Keys that a wrong key probably means. Their absence is no fault of its own.
+    meant: Vec<String>,
+}
+
+impl Repairs {
+    /// Repairs a fault. `Some(false)` for a consequence of an earlier fault, `None` where nothing can be
+    /// repaired.
+    fn add(&mut self, problem: &Problem, place: &FaultPlace, has_faults: bool) -> Option<bool> {
+        let (node, is_scalar) = (place.node, place.is_scalar);
+        if place.is_key {
+            match problem {
+                Problem::RenamedKey { new, .. } => self.meant.push(new.clone()),
+                Problem::UnknownKey { key, allowed } => {
+                    self.meant.extend(nearest(key, allowed).map(str::to_owned));
+                }
+                _ => {}
+            }
+            return self.left_out.insert(node, ()).is_none().then_some(true);
+        }
+        if let Problem::MissingKey { key } = problem {
+            let added = self.added.entry(node).or_default();
+            if added.contains(key) {
+                return None;
+            }
+            added.push(key.clone());
+            return Some(!self.meant.iter().any(|meant| meant == key));
+        }
+        // A check of several values fails on the values that were put in.
+        if matches!(problem, Problem::Refused { .. }) && has_faults && !is_scalar {
+            return None;
+        }
+        self.filled.insert(node, ()).is_none().then_some(true)
+    }
+}
+
+/// A [`Problem`] with its place. The readers of the values around it complete the path.
 #[derive(Debug)]
-pub(super) struct Fault(pub(super) Box<Problem>);
+pub(super) struct Fault(Box<Inner>);
+
+#[derive(Debug)]
+struct Inner {
+    problem: Problem,
+    place: Option<FaultPlace>,
+    /// Segments of the path, from the value to the root.
+    path: Vec<Segment>,
+}
+
+/// The node that has a fault.
+#[derive(Debug)]
+struct FaultPlace {
+    at: Position,
+    node: *const Node,
+    /// Whether the key of the node in its map is wrong, not the value.
+    is_key: bool,
+    is_scalar: bool,
+}
 
 impl From<Problem> for Fault {
     fn from(problem: Problem) -> Self {
-        Self(Box::new(problem))
+        Self(Box::new(Inner { problem, place: None, path: vec![] }))
     }
 }
 
@@ -41,7 +134,7 @@ impl From<QuantityError> for Fault {
 
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
+        self.0.problem.fmt(f)
     }
 }
 
@@ -99,73 +192,250 @@ fn wrong_type(found: String, expected: &dyn Expected, correction: Option<String>
     Problem::WrongType { found, expected, correction }.into()
 }
 
-/// A node to read.
+/// Reader of a node.
 #[derive(Clone, Copy)]
-pub(super) struct Reader<'de>(pub(super) &'de Value);
+struct Reader<'de> {
+    node: &'de Node,
+    repairs: &'de Repairs,
+}
 
 impl<'de> Reader<'de> {
+    fn of(self, node: &'de Node) -> Self {
+        Self { node, ..self }
+    }
+
+    /// A fault without a place is at this node.
+    fn here<T>(self, read: Result<T, Fault>) -> Result<T, Fault> {
+        read.map_err(|mut fault| {
+            fault.0.place.get_or_insert_with(|| FaultPlace {
+                at: self.node.at,
+                node: self.node,
+                is_key: false,
+                is_scalar: matches!(self.node.content, Content::Scalar(..)),
+            });
+            fault
+        })
+    }
+
+    /// Reads a part of this node.
+    fn part<S: DeserializeSeed<'de>>(
+        self,
+        node: &'de Node,
+        seed: S,
+        segment: impl FnOnce() -> Segment,
+    ) -> Result<S::Value, Fault> {
+        let part = self.of(node);
+        let read = if self.repairs.filled.contains_key(&std::ptr::from_ref(node)) {
+            seed.deserialize(Filled)
+        } else {
+            seed.deserialize(part)
+        };
+        part.here(read).map_err(|mut fault| {
+            fault.0.path.push(segment());
+            fault
+        })
+    }
+
+    /// Reads the key of an entry.
+    fn key<S: DeserializeSeed<'de>>(self, entry: &'de Entry, seed: S) -> Result<S::Value, Fault> {
+        seed.deserialize(KeyReader(entry)).map_err(|mut fault| {
+            fault.0.place = Some(FaultPlace {
+                at: entry.key_at,
+                node: &raw const entry.value,
+                is_key: true,
+                is_scalar: true,
+            });
+            fault.0.path.push(Segment::Key(entry.key.clone()));
+            fault
+        })
+    }
+
     fn mismatch(self, expected: &dyn Expected) -> Fault {
-        match self.0 {
-            Value::Tagged(tagged) => Problem::Tag { tag: tagged.tag.to_string() }.into(),
-            value => wrong_type(words::found_value(value), expected, None),
-        }
+        wrong_type(words::found_node(self.node), expected, None)
     }
 
     fn number<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
-        match self.0 {
-            Value::Number(_) => self.deserialize_any(visitor),
-            Value::String(text) => match quantity::parse_number(text) {
-                // It was put in quotes, or has leading zeros.
-                Ok(value) => Err(wrong_type(words::found_value(self.0), &visitor, Some(value.to_string()))),
-                Err(QuantityError::Empty { .. } | QuantityError::NotANumber { .. }) => {
-                    Err(self.mismatch(&visitor))
-                }
-                Err(error) => Err(error.into()),
-            },
+        match &self.node.content {
+            Content::Scalar(scalar, text) => number(*scalar, text, visitor),
             _ => Err(self.mismatch(&visitor)),
         }
     }
 
-    fn quantity<V: Visitor<'de>>(self, dimension: Dimension, visitor: V) -> Result<V::Value, Fault> {
-        let text = match self.0 {
-            Value::String(text) => text.clone(),
-            Value::Number(number) => number.to_string(),
-            _ => return Err(self.mismatch(&visitor)),
-        };
-        quantity::parse_as(&text, dimension)?;
-        visitor.visit_newtype_struct(StrDeserializer::<Fault>::new(&text))
-    }
-
     fn sequence<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
-        let Value::Sequence(items) = self.0 else { return Err(self.mismatch(&visitor)) };
-        let mut items = SeqDeserializer::new(items.iter().map(Reader));
-        let read = visitor.visit_seq(&mut items)?;
-        items.end()?;
+        let Content::Sequence(items) = &self.node.content else { return Err(self.mismatch(&visitor)) };
+        let mut access = Items { reader: self, items: items.iter(), next: 0 };
+        let read = visitor.visit_seq(&mut access)?;
+        if access.items.len() > 0 {
+            let read = items.len() - access.items.len();
+            return Err(de::Error::invalid_length(
+                items.len(),
+                &format!("{read} elements in sequence").as_str(),
+            ));
+        }
         Ok(read)
     }
 
     fn map<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
-        let Value::Mapping(map) = self.0 else { return Err(self.mismatch(&visitor)) };
-        let mut entries =
-            MapDeserializer::new(map.iter().map(|(key, value)| (KeyReader(key), Reader(value))));
-        let read = visitor.visit_map(&mut entries)?;
-        entries.end()?;
-        Ok(read)
+        let Content::Map(map) = &self.node.content else { return Err(self.mismatch(&visitor)) };
+        let added = self.repairs.added.get(&std::ptr::from_ref(self.node)).map_or(&[][..], Vec::as_slice);
+        visitor.visit_map(Entries {
+            reader: self,
+            entries: map.entries().iter(),
+            value: None,
+            added: added.iter(),
+        })
     }
 }
 
-impl<'de> IntoDeserializer<'de, Fault> for Reader<'de> {
-    type Deserializer = Self;
+struct Items<'de> {
+    reader: Reader<'de>,
+    items: Iter<'de, Node>,
+    next: usize,
+}
 
-    fn into_deserializer(self) -> Self {
-        self
+impl<'de> SeqAccess<'de> for Items<'de> {
+    type Error = Fault;
+
+    fn next_element_seed<S: DeserializeSeed<'de>>(&mut self, seed: S) -> Result<Option<S::Value>, Fault> {
+        let Some(item) = self.items.next() else { return Ok(None) };
+        let index = self.next;
+        self.next += 1;
+        self.reader.part(item, seed, || Segment::Index(index)).map(Some)
     }
+
+    fn size_hint(&self) -> Option<usize> {
+        Some(self.items.len())
+    }
+}
+
+struct Entries<'de> {
+    reader: Reader<'de>,
+    entries: Iter<'de, Entry>,
+    value: Option<&'de Entry>,
+    added: Iter<'de, String>,
+}
+
+impl<'de> MapAccess<'de> for Entries<'de> {
+    type Error = Fault;
+
+    fn next_key_seed<S: DeserializeSeed<'de>>(&mut self, seed: S) -> Result<Option<S::Value>, Fault> {
+        let left_out = &self.reader.repairs.left_out;
+        self.value = self.entries.find(|entry| !left_out.contains_key(&std::ptr::from_ref(&entry.value)));
+        match (self.value, self.value.is_none().then(|| self.added.next()).flatten()) {
+            (Some(entry), _) => self.reader.key(entry, seed).map(Some),
+            (None, Some(key)) => seed.deserialize(StrDeserializer::<Fault>::new(key)).map(Some),
+            (None, None) => Ok(None),
+        }
+    }
+
+    fn next_value_seed<S: DeserializeSeed<'de>>(&mut self, seed: S) -> Result<S::Value, Fault> {
+        match self.value {
+            Some(entry) => self.reader.part(&entry.value, seed, || Segment::Key(entry.key.clone())),
+            None => seed.deserialize(Filled),
+        }
+    }
+}
+
+/// A name as the only key of a map, with the value of the name.
+struct NameOf<'de> {
+    reader: Reader<'de>,
+    entry: &'de Entry,
+}
+
+impl<'de> EnumAccess<'de> for NameOf<'de> {
+    type Error = Fault;
+    type Variant = Self;
+
+    fn variant_seed<S: DeserializeSeed<'de>>(self, seed: S) -> Result<(S::Value, Self), Fault> {
+        self.reader.key(self.entry, seed).map(|name| (name, self))
+    }
+}
+
+impl NameOf<'_> {
+    fn placed<T>(self, read: Result<T, Fault>) -> Result<T, Fault> {
+        self.reader.of(&self.entry.value).here(read).map_err(|mut fault| {
+            fault.0.path.push(Segment::Key(self.entry.key.clone()));
+            fault
+        })
+    }
+}
+
+impl<'de> VariantAccess<'de> for NameOf<'de> {
+    type Error = Fault;
+
+    fn unit_variant(self) -> Result<(), Fault> {
+        let read = serde::Deserialize::deserialize(self.reader.of(&self.entry.value));
+        self.placed(read)
+    }
+
+    fn newtype_variant_seed<S: DeserializeSeed<'de>>(self, seed: S) -> Result<S::Value, Fault> {
+        self.reader.part(&self.entry.value, seed, || Segment::Key(self.entry.key.clone()))
+    }
+
+    fn tuple_variant<V: Visitor<'de>>(self, _len: usize, visitor: V) -> Result<V::Value, Fault> {
+        let read = self.reader.of(&self.entry.value).sequence(visitor);
+        self.placed(read)
+    }
+
+    fn struct_variant<V: Visitor<'de>>(
+        self,
+        _: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Fault> {
+        let read = self.reader.of(&self.entry.value).map(visitor);
+        self.placed(read)
+    }
+}
+
+/// Hands a scalar on as what it means.
+fn visit<'de, V: Visitor<'de>>(scalar: Scalar, text: &'de str, visitor: V) -> Result<V::Value, Fault> {
+    match scalar {
+        Scalar::Null => visitor.visit_unit(),
+        Scalar::Bool(value) => visitor.visit_bool(value),
+        Scalar::Whole(value) => visitor.visit_u64(value),
+        Scalar::Negative(value) => visitor.visit_i64(value),
+        Scalar::Number(value) if value.is_finite() => visitor.visit_f64(value),
+        Scalar::Number(value) => Err(QuantityError::NotFinite { text: words::number(value) }.into()),
+        Scalar::Text => visitor.visit_borrowed_str(text),
+    }
+}
+
+fn number<'de, V: Visitor<'de>>(scalar: Scalar, text: &'de str, visitor: V) -> Result<V::Value, Fault> {
+    let found = || words::found_scalar(scalar, text);
+    match scalar {
+        Scalar::Whole(_) | Scalar::Negative(_) | Scalar::Number(_) => visit(scalar, text, visitor),
+        Scalar::Text => match quantity::parse_number(text) {
+            // In quotes, or with leading zeros.
+            Ok(value) => Err(wrong_type(found(), &visitor, Some(value.to_string()))),
+            Err(QuantityError::Empty { .. } | QuantityError::NotANumber { .. }) => {
+                Err(wrong_type(found(), &visitor, None))
+            }
+            Err(error) => Err(error.into()),
+        },
+        Scalar::Null | Scalar::Bool(_) => Err(wrong_type(found(), &visitor, None)),
+    }
+}
+
+fn quantity<'de, V: Visitor<'de>>(
+    scalar: Scalar,
+    text: &str,
+    dimension: Dimension,
+    visitor: V,
+) -> Result<V::Value, Fault> {
+    let text = match scalar {
+        Scalar::Null | Scalar::Bool(_) => {
+            return Err(wrong_type(words::found_scalar(scalar, text), &visitor, None));
+        }
+        scalar => words::scalar(scalar, text),
+    };
+    quantity::parse_as(&text, dimension)?;
+    visitor.visit_newtype_struct(StrDeserializer::<Fault>::new(&text))
 }
 
 macro_rules! forward {
-    ($($method:ident)* => $reader:ident($to:ident)) => {$(
+    ($($method:ident)* => $to:ident) => {$(
         fn $method<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
-            $reader(self.0).$to(visitor)
+            self.$to(visitor)
         }
     )*};
 }
@@ -174,48 +444,33 @@ impl<'de> Deserializer<'de> for Reader<'de> {
     type Error = Fault;
 
     fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
-        match self.0 {
-            Value::Null => visitor.visit_unit(),
-            Value::Bool(value) => visitor.visit_bool(*value),
-            Value::Number(number) => {
-                if let Some(value) = number.as_u64() {
-                    visitor.visit_u64(value)
-                } else if let Some(value) = number.as_i64() {
-                    visitor.visit_i64(value)
-                } else {
-                    match number.as_f64() {
-                        Some(value) if value.is_finite() => visitor.visit_f64(value),
-                        _ => Err(QuantityError::NotFinite { text: number.to_string() }.into()),
-                    }
-                }
-            }
-            Value::String(text) => visitor.visit_borrowed_str(text),
-            Value::Sequence(_) => self.sequence(visitor),
-            Value::Mapping(_) => self.map(visitor),
-            Value::Tagged(_) => Err(self.mismatch(&visitor)),
+        match &self.node.content {
+            Content::Scalar(scalar, text) => visit(*scalar, text, visitor),
+            Content::Sequence(_) => self.sequence(visitor),
+            Content::Map(_) => self.map(visitor),
         }
     }
 
     forward! {
         deserialize_i8 deserialize_i16 deserialize_i32 deserialize_i64 deserialize_i128
         deserialize_u8 deserialize_u16 deserialize_u32 deserialize_u64 deserialize_u128
-        deserialize_f32 deserialize_f64 => Reader(number)
+        deserialize_f32 deserialize_f64 => number
     }
 
     fn deserialize_str<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
-        match self.0 {
-            Value::String(text) => visitor.visit_borrowed_str(text),
-            Value::Number(_) | Value::Bool(_) => {
-                let quoted = words::scalar(self.0).map(|text| format!("{text:?}, in quotes"));
-                Err(wrong_type(words::found_value(self.0), &visitor, quoted))
+        match &self.node.content {
+            Content::Scalar(Scalar::Text, text) => visitor.visit_borrowed_str(text),
+            Content::Scalar(scalar, text) if *scalar != Scalar::Null => {
+                let quoted = format!("{:?}, in quotes", words::scalar(*scalar, text));
+                Err(wrong_type(words::found_node(self.node), &visitor, Some(quoted)))
             }
             _ => Err(self.mismatch(&visitor)),
         }
     }
 
-    forward! { deserialize_string deserialize_char => Reader(deserialize_str) }
-    forward! { deserialize_seq => Reader(sequence) }
-    forward! { deserialize_map => Reader(map) }
+    forward! { deserialize_string deserialize_char => deserialize_str }
+    forward! { deserialize_seq => sequence }
+    forward! { deserialize_map => map }
 
     fn deserialize_tuple<V: Visitor<'de>>(self, _len: usize, visitor: V) -> Result<V::Value, Fault> {
         self.sequence(visitor)
@@ -230,7 +485,7 @@ impl<'de> Deserializer<'de> for Reader<'de> {
         self.sequence(visitor)
     }
 
-    // A derived type would take a sequence for its fields in order: not what anyone means to write.
+    // A derived type would also read a sequence of its fields in order, which nobody means to write.
     fn deserialize_struct<V: Visitor<'de>>(
         self,
         _name: &'static str,
@@ -241,10 +496,7 @@ impl<'de> Deserializer<'de> for Reader<'de> {
     }
 
     fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
-        match self.0 {
-            Value::Null => visitor.visit_none(),
-            _ => visitor.visit_some(self),
-        }
+        if self.node.is_null() { visitor.visit_none() } else { visitor.visit_some(self) }
     }
 
     fn deserialize_newtype_struct<V: Visitor<'de>>(
@@ -252,9 +504,10 @@ impl<'de> Deserializer<'de> for Reader<'de> {
         name: &'static str,
         visitor: V,
     ) -> Result<V::Value, Fault> {
-        match quantity::token_dimension(name) {
-            Some(dimension) => self.quantity(dimension, visitor),
-            None => visitor.visit_newtype_struct(self),
+        match (quantity::token_dimension(name), &self.node.content) {
+            (Some(dimension), Content::Scalar(scalar, text)) => quantity(*scalar, text, dimension, visitor),
+            (Some(_), _) => Err(self.mismatch(&visitor)),
+            (None, _) => visitor.visit_newtype_struct(self),
         }
     }
 
@@ -264,16 +517,13 @@ impl<'de> Deserializer<'de> for Reader<'de> {
         _variants: &'static [&'static str],
         visitor: V,
     ) -> Result<V::Value, Fault> {
-        match self.0 {
-            Value::String(name) => visitor.visit_enum(BorrowedStrDeserializer::new(name)),
-            // A name such as `1`, for which YAML reads a number: a name all the same.
-            Value::Number(_) | Value::Bool(_) => {
-                let name = words::scalar(self.0).unwrap_or_default();
-                visitor.visit_enum(StrDeserializer::<Fault>::new(&name))
+        match &self.node.content {
+            // YAML reads a name such as `1` as a number.
+            Content::Scalar(scalar, text) if *scalar != Scalar::Null => {
+                visitor.visit_enum(StrDeserializer::<Fault>::new(&words::scalar(*scalar, text)))
             }
-            Value::Mapping(map) if map.len() == 1 => {
-                let entries = map.iter().map(|(key, value)| (KeyReader(key), Reader(value)));
-                visitor.visit_enum(MapAccessDeserializer::new(MapDeserializer::new(entries)))
+            Content::Map(map) if map.entries().len() == 1 => {
+                visitor.visit_enum(NameOf { reader: self, entry: &map.entries()[0] })
             }
             _ => Err(self.mismatch(&"a name, or a map with one name as its key")),
         }
@@ -288,21 +538,13 @@ impl<'de> Deserializer<'de> for Reader<'de> {
     }
 }
 
-/// The key of a map: always text, whatever YAML took it for.
+/// Reader of the key of an entry. A key is a text, whatever YAML reads it as.
 #[derive(Clone, Copy)]
-struct KeyReader<'de>(&'de Value);
+struct KeyReader<'de>(&'de Entry);
 
-impl<'de> IntoDeserializer<'de, Fault> for KeyReader<'de> {
-    type Deserializer = Self;
-
-    fn into_deserializer(self) -> Self {
-        self
-    }
-}
-
-impl KeyReader<'_> {
-    fn text(self) -> Result<String, Fault> {
-        words::scalar(self.0).ok_or_else(|| Problem::ComplexKey.into())
+impl<'de> KeyReader<'de> {
+    fn number<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+        number(self.0.key_is, &self.0.key, visitor)
     }
 }
 
@@ -310,17 +552,14 @@ impl<'de> Deserializer<'de> for KeyReader<'de> {
     type Error = Fault;
 
     fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
-        match self.0 {
-            Value::String(text) => visitor.visit_borrowed_str(text),
-            _ => visitor.visit_string(self.text()?),
-        }
+        visitor.visit_borrowed_str(&self.0.key)
     }
 
     // A map from numbers: `7: sun`.
     forward! {
         deserialize_i8 deserialize_i16 deserialize_i32 deserialize_i64 deserialize_i128
         deserialize_u8 deserialize_u16 deserialize_u32 deserialize_u64 deserialize_u128
-        deserialize_f32 deserialize_f64 => Reader(number)
+        deserialize_f32 deserialize_f64 => number
     }
 
     fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
@@ -333,7 +572,7 @@ impl<'de> Deserializer<'de> for KeyReader<'de> {
         visitor: V,
     ) -> Result<V::Value, Fault> {
         match quantity::token_dimension(name) {
-            Some(dimension) => Reader(self.0).quantity(dimension, visitor),
+            Some(dimension) => quantity(self.0.key_is, &self.0.key, dimension, visitor),
             None => visitor.visit_newtype_struct(self),
         }
     }
@@ -344,7 +583,7 @@ impl<'de> Deserializer<'de> for KeyReader<'de> {
         _variants: &'static [&'static str],
         visitor: V,
     ) -> Result<V::Value, Fault> {
-        visitor.visit_enum(StrDeserializer::<Fault>::new(&self.text()?))
+        visitor.visit_enum(StrDeserializer::<Fault>::new(&self.0.key))
     }
 
     fn deserialize_ignored_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {

@@ -1,14 +1,16 @@
-//! Another number in a document that was read, without reading all of it again.
+//! Change of a number in a document without parsing all of the document again.
+
+use std::sync::OnceLock;
 
 use super::Document;
-use super::index::{Content, Node};
 use super::path::{Path, Segment};
 use super::position::Position;
-use crate::yaml::Value;
+use super::tree::{Content, Node, Scalar};
 
 impl Document {
-    /// The document of the same text with another number at a place, where that is all that changes: a plain
-    /// number in decimals, before and after. Otherwise nothing changes, and the text is to be read anew.
+    /// Replaces a plain decimal number at a place by another one and shifts the places behind it. Returns
+    /// `false` and changes nothing where the old or the new text is no such number; the caller then parses
+    /// the text again.
     ///
     /// ```
     /// use epicyclic_formats::{Document, Path, Position};
@@ -27,49 +29,45 @@ impl Document {
         if !find(&self.root, at, &mut path) {
             return false;
         }
-        let Some(value) =
-            path.segments().iter().try_fold(&mut self.value, |value, segment| step(value, segment))
-        else {
-            return false;
-        };
         let Some(node) =
             path.segments().iter().try_fold(&mut self.root, |node, segment| node.step_mut(segment))
         else {
             return false;
         };
-        let Content::Scalar(text) = &mut node.content else { return false };
-        // In quotes it would be a text.
-        if !value.is_number() || self::number(text).as_ref() != Some(value) {
+        let Content::Scalar(scalar, text) = &mut node.content else { return false };
+        // A number in quotes is a text.
+        if *scalar == Scalar::Text || self::number(text).as_ref() != Some(scalar) {
             return false;
         }
         let by = to.len() as isize - text.len() as isize;
         to.clone_into(text);
-        *value = number;
+        *scalar = number;
         let behind = |position: &mut Position| {
             if position.line == at.line && position.column > at.column {
                 position.column = position.column.saturating_add_signed(by);
             }
         };
+        self.value = OnceLock::new();
         self.root.each_position(&behind);
         true
     }
 }
 
-/// A number as every reader of YAML takes it: digits, with a decimal point or without.
-fn number(text: &str) -> Option<Value> {
+/// Number in plain digits, with a decimal point or without.
+fn number(text: &str) -> Option<Scalar> {
     let are_digits =
         |text: &str| !text.is_empty() && text.len() <= 9 && text.bytes().all(|byte| byte.is_ascii_digit());
     let is_whole = |text: &str| are_digits(text) && (text == "0" || !text.starts_with('0'));
     match text.split_once('.') {
-        None if is_whole(text) => text.parse::<u64>().ok().map(Value::from),
+        None if is_whole(text) => text.parse::<u64>().ok().map(Scalar::Whole),
         Some((whole, part)) if is_whole(whole) && are_digits(part) => {
-            text.parse::<f64>().ok().map(Value::from)
+            text.parse::<f64>().ok().map(Scalar::Number)
         }
         _ => None,
     }
 }
 
-/// The path of the scalar at a position.
+/// Finds the scalar at a position and completes the path to it.
 fn find(node: &Node, at: Position, path: &mut Path) -> bool {
     let mut into = |segment: Segment, node: &Node| {
         path.push(segment);
@@ -80,20 +78,12 @@ fn find(node: &Node, at: Position, path: &mut Path) -> bool {
         is_found
     };
     match &node.content {
-        Content::Scalar(_) => node.at == at,
+        Content::Scalar(..) => node.at == at,
         Content::Sequence(items) => {
             items.iter().enumerate().any(|(index, item)| into(Segment::Index(index), item))
         }
         Content::Map(map) => {
             map.entries().iter().any(|entry| into(Segment::Key(entry.key.clone()), &entry.value))
         }
-    }
-}
-
-fn step<'a>(value: &'a mut Value, segment: &Segment) -> Option<&'a mut Value> {
-    match (value, segment) {
-        (Value::Mapping(map), Segment::Key(key)) => map.get_mut(key.as_str()),
-        (Value::Sequence(items), Segment::Index(index)) => items.get_mut(*index),
-        _ => None,
     }
 }

@@ -324,7 +324,7 @@ fn a_file_that_is_no_document_is_named() {
         ("a: 1\nb: [1\nc: 2\n", "syntax | c.yaml:3:2: b[0]: not YAML: illegal placement of ':' indicator"),
         (
             "a: 99999999999999999999\n",
-            "syntax | c.yaml:1:4: not YAML: a whole number of more than 64 bits; write it with a decimal point",
+            "syntax | c.yaml:1:4: a: not YAML: a whole number of more than 64 bits; write it with a decimal point",
         ),
         ("a: b: c\n", "syntax | c.yaml:1:5: not YAML: mapping values are not allowed in this context"),
         ("é: 1\nb: \u{7}\n", "control-character | c.yaml:2:4: an invisible character, U+0007; remove it"),
@@ -389,7 +389,9 @@ fn a_part_is_read_with_the_positions_of_the_whole() {
     value["power"] = Value::from(75);
     value["added"] = Value::from(1);
     let error = document.read_value::<Given>(&value, &given).unwrap_err();
-    assert_eq!((error.name(), error.at().to_string().as_str()), ("missing-unit", "c.yaml:2:10: given.power"));
+    let faults: Vec<_> =
+        error.faults().map(|fault| format!("{} {}", fault.at, fault.problem.name())).collect();
+    assert_eq!(faults, ["c.yaml:2:3: given.added unknown-key", "c.yaml:2:10: given.power missing-unit"]);
     value["power"] = Value::from("75 kW");
     let error = document.read_value::<Given>(&value, &given).unwrap_err();
     assert_eq!((error.name(), error.at().to_string().as_str()), ("unknown-key", "c.yaml:2:3: given.added"));
@@ -414,8 +416,6 @@ proptest! {
         let text = parts.concat();
         match Document::parse_all("c.yaml", text.as_bytes()) {
             Ok(documents) => {
-                let values = yaml::parse_stream(text.strip_prefix('\u{feff}').unwrap_or(&text));
-                prop_assert_eq!(values.map(|values| values.len()).ok(), Some(documents.len()));
                 for document in documents {
                     let _ = document.read::<Case>();
                     let _ = document.read::<Value>();
@@ -444,7 +444,7 @@ fn a_file_beyond_the_limit_is_refused_unread() {
 
 #[test]
 fn a_file_of_too_many_values_is_refused_where_they_become_too_many() {
-    let limit = super::index::VALUE_LIMIT;
+    let limit = super::tree::VALUE_LIMIT;
     // The sequence is a value too.
     let of = |count: usize| format!("a:\n{}", "- x\n".repeat(count));
     assert!(Document::parse_one("c.yaml", of(limit - 2).as_bytes()).is_ok());

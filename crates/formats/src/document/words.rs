@@ -1,29 +1,41 @@
-//! What was found and what is due, in the words of an engineer rather than of a program.
+//! Found and expected values in the words of an engineer.
 
 use serde::de::Unexpected;
 
-use crate::yaml::Value;
+use super::tree::{Content, Node, Scalar};
+use crate::yaml::Number;
 
-/// The text of a scalar; nothing for maps and sequences.
-pub(super) fn scalar(value: &Value) -> Option<String> {
-    match value {
-        Value::Null => Some("null".to_owned()),
-        Value::Bool(value) => Some(value.to_string()),
-        Value::Number(number) => Some(number.to_string()),
-        Value::String(text) => Some(text.clone()),
-        Value::Sequence(_) | Value::Mapping(_) | Value::Tagged(_) => None,
+/// A number in the form of YAML.
+pub(super) fn number(value: f64) -> String {
+    Number::from(value).to_string()
+}
+
+/// The value of a scalar as text.
+pub(super) fn scalar(scalar: Scalar, text: &str) -> String {
+    match scalar {
+        Scalar::Null => "null".to_owned(),
+        Scalar::Bool(value) => value.to_string(),
+        Scalar::Whole(value) => value.to_string(),
+        Scalar::Negative(value) => value.to_string(),
+        Scalar::Number(value) => number(value),
+        Scalar::Text => text.to_owned(),
     }
 }
 
-pub(super) fn found_value(value: &Value) -> String {
-    match value {
-        Value::Null => "nothing".to_owned(),
-        Value::Bool(value) => format!("the truth value {value}"),
-        Value::Number(number) => format!("the number {number}"),
-        Value::String(text) => found_text(text),
-        Value::Sequence(_) => "a sequence".to_owned(),
-        Value::Mapping(_) => "a map".to_owned(),
-        Value::Tagged(tagged) => format!("the tag {}", tagged.tag),
+pub(super) fn found_scalar(scalar: Scalar, text: &str) -> String {
+    match scalar {
+        Scalar::Null => "nothing".to_owned(),
+        Scalar::Bool(value) => format!("the truth value {value}"),
+        Scalar::Text => found_text(text),
+        _ => format!("the number {}", self::scalar(scalar, text)),
+    }
+}
+
+pub(super) fn found_node(node: &Node) -> String {
+    match &node.content {
+        Content::Scalar(scalar, text) => found_scalar(*scalar, text),
+        Content::Sequence(_) => "a sequence".to_owned(),
+        Content::Map(_) => "a map".to_owned(),
     }
 }
 
@@ -52,14 +64,14 @@ fn found_text(text: &str) -> String {
     }
 }
 
-/// How many entries a visitor expects: it says `an array of length 3`, `a tuple of size 3`,
+/// Number of entries that a visitor expects. A visitor says `an array of length 3`, `a tuple of size 3`,
 /// `3 elements in sequence`.
 pub(super) fn expected_count(expected: &str) -> String {
     let count = expected.split(' ').find(|word| word.parse::<usize>().is_ok());
     count.map_or_else(|| self::expected(expected), |count| format!("exactly {count}"))
 }
 
-/// What a visitor says it expects, in plain words.
+/// Expectation of a visitor in plain words.
 pub(super) fn expected(expected: &str) -> String {
     let whole = |least: &str, most: &str| format!("a whole number from {least} to {most}");
     match expected {
