@@ -6,11 +6,12 @@ use epicyclic_commands::analyze::answer as analyze;
 use epicyclic_commands::answer::to_json;
 use epicyclic_commands::error::Error;
 use epicyclic_commands::size::answer as size;
-use epicyclic_commands::size::answer::records::{HeldKey, Minimise, Requirement};
+use epicyclic_commands::size::answer::records::HeldKey;
 use epicyclic_commands::size::answer::{Size, Wanted};
 use epicyclic_commands::strength::answer as strength;
 use epicyclic_commands::strength::answer::records::Reason;
 use epicyclic_formats::Document;
+use epicyclic_strength::sizing::{Objective, Requirement};
 use uom::si::f64::Length;
 use uom::si::length::millimeter;
 
@@ -81,7 +82,7 @@ fn safeties(text: &str) -> Vec<[f64; 2]> {
 
 #[test]
 fn the_saved_file_has_the_safeties_that_were_found() {
-    for minimise in [Minimise::Mass, Minimise::Ring] {
+    for minimise in [Objective::Mass, Objective::Ring] {
         let size = sized(&hoist(), &Wanted { minimise, ..wanted() }).unwrap();
         assert_eq!(size.sets.len(), 2);
         assert_eq!((size.not_sized[0].set.as_str(), size.not_sized[0].reason), ("C", Reason::NotSimple));

@@ -4,11 +4,12 @@
 
 use epicyclic_commands::synthesize::answer::teeth::TeethWanted;
 use epicyclic_commands::synthesize::answer::{Set, Solution, Wanted, answer, saved, solve};
-use epicyclic_commands::teeth::answer::shifted::{ShiftAim, WantedShifts};
+use epicyclic_commands::teeth::answer::shifted::WantedShifts;
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::wanted_ratio::Wanted as Ratio;
 use epicyclic_formats::{Document, WantedRatio};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::involute::family::Aim as ShiftAim;
 use epicyclic_gears::involute::set::Limits as TeethLimits;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::synthesis::Bounds;

@@ -7,6 +7,8 @@ use std::fmt;
 /// In a set of two suns or two rings (stepped planets, meshing suns) and in a bevel set, `Sun` is
 /// the first central gear and `Ring` the second.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "Member"))]
 pub enum Member {
     /// Central gear `a`, the sun.
     Sun,

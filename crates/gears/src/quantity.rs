@@ -72,6 +72,8 @@ words! {
 
 /// A gear of a simple set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "ToothedGear"))]
 pub enum SimpleGear {
     /// The sun.
     Sun,

@@ -24,6 +24,8 @@ use crate::ranges::{finite_angle, finite_modules};
 
 /// A wheel of the motor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "Wheel"))]
 pub enum Wheel {
     /// The outer wheel 3.
     Stator,
@@ -31,6 +33,18 @@ pub enum Wheel {
     Rotor,
     /// A satellite, about its own centre.
     Satellite,
+}
+
+impl Wheel {
+    /// Name of the wheel in words.
+    #[must_use]
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Stator => "stator",
+            Self::Rotor => "rotor",
+            Self::Satellite => "satellite",
+        }
+    }
 }
 
 /// A point of a centrode.

@@ -40,7 +40,10 @@ impl Default for ToothHeights {
 }
 
 /// Object of a check.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "Subject"))]
 pub enum Subject {
     /// The stator's least curvature radius where it bulges inward.
     StatorBulge,
@@ -54,6 +57,27 @@ pub enum Subject {
     RotorLeastRadius,
     /// The least distance of neighbouring satellites' centres.
     Neighbours,
+}
+
+impl Subject {
+    /// Name of the quantity in words.
+    #[must_use]
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::StatorBulge => "stator, radius of inward bulges",
+            Self::StatorHollow => "stator, radius of hollows",
+            Self::RotorBulge => "rotor, radius of bulges",
+            Self::RotorHollow => "rotor, radius of hollows",
+            Self::RotorLeastRadius => "rotor, least distance from the axis",
+            Self::Neighbours => "satellites' centres, distance",
+        }
+    }
+
+    /// Name of the check, which is also that of its warning.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
 }
 
 /// A check.

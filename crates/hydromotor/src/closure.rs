@@ -234,6 +234,8 @@ pub fn is_smooth(numbers: MotorNumbers, arcs: &StatorArcs) -> bool {
 
 /// Limit that ends an interval of a family.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "FamilyLimit"))]
 pub enum Limit {
     /// Arc 1 shrinks to a corner, `R₁ = 0`.
     NoTroughArc,

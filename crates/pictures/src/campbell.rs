@@ -2,6 +2,7 @@
 
 use crate::plot::{Axis, LETTERS_MM};
 use epicyclic_drawing::{Align, Bounds, Color, Dash, Error, Scene, Shape, Style, Text};
+pub use epicyclic_vibration::Kind;
 
 /// Width and height of the field where no other is given.
 pub const SIZE_MM: [f64; 2] = [150.0, 110.0];
@@ -17,19 +18,6 @@ const KINDS: [(&str, Color, Dash); 4] = [
     ("planet", Color::new(20, 120, 50), Dash::DashDot),
     ("mixed", Color::new(120, 60, 140), Dash::Solid),
 ];
-
-/// Kind of a branch, by its mode.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
-    /// Branch of a rotational mode.
-    Rotational,
-    /// Branch of a translational mode.
-    Translational,
-    /// Branch of a planet mode.
-    Planet,
-    /// Branch of a mode of no single kind.
-    Mixed,
-}
 
 /// A natural frequency over the speed.
 #[derive(Debug, Clone, PartialEq)]

@@ -14,6 +14,8 @@ const LARGEST: f64 = 0.22;
 
 /// Part that a body represents.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "Member"))]
 pub enum Part {
     /// The sun.
     Sun,

@@ -29,12 +29,14 @@ use uom::si::f64::Velocity;
 
 /// Regime of a gearbox: whether it gives the other speeds by slowing down, by speeding up, or both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "Regime"))]
 pub enum Regime {
     /// Direct drive is the fastest: all ratios at least 1.
     Reduction,
     /// Direct drive is the slowest: all ratios at most 1.
     Overdrive,
-    /// Direct drive is between; undesirable.
+    /// Direct drive is between the other speeds; undesirable.
     Combined,
 }
 

@@ -9,24 +9,28 @@ use std::ops::RangeInclusive;
 
 /// Orders of two ratios: the gears that may have each of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema, clap::ValueEnum))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "Brakes"))]
 pub enum Orders {
+    /// Either brake gives either ratio.
+    #[default]
+    Either,
     /// The first brake gives the first ratio.
     AsGiven,
-    /// Either brake gives either.
-    #[default]
-    Both,
 }
 
 /// Signs that the ratios may have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema, clap::ValueEnum))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "RatioSigns"))]
 pub enum Signs {
-    /// Given signs.
-    AsGiven,
-    /// Equal signs: all positive, or all negative.
+    /// All positive, or all negative.
     #[default]
     Alike,
-    /// Any sign for each ratio.
+    /// Each by itself.
     Any,
+    /// Those of --ratios.
+    AsGiven,
 }
 
 /// Circulating power over the power that enters, from which on it is an objection if no limit is given. Half
@@ -116,7 +120,7 @@ impl Requirements {
     pub fn targets(&self) -> Vec<Vec<f64>> {
         let given = self.series.braked();
         let mut orders = vec![given.clone()];
-        if self.orders == Orders::Both && given.len() == 2 {
+        if self.orders == Orders::Either && given.len() == 2 {
             orders.push(vec![given[1], given[0]]);
         }
         let signs: &[[f64; 2]] = match self.signs {

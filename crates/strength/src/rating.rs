@@ -140,11 +140,22 @@ pub struct Governing {
 
 /// Place where a tooth fails.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "Place"))]
 pub enum Place {
     /// The flank, by pitting.
     Flank,
     /// The root, by bending.
     Root,
+}
+
+impl std::fmt::Display for Place {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(match self {
+            Self::Flank => "flank",
+            Self::Root => "root",
+        })
+    }
 }
 
 impl Governing {

@@ -49,6 +49,8 @@ impl fmt::Display for Named {
 
 /// Where power enters or leaves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "Terminal"))]
 pub enum Terminal {
     /// Link where power enters.
     Input,

@@ -32,7 +32,8 @@ pub struct Modes {
 
 /// Kind of a mode by the motion of the central members.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "ModeKind"))]
 pub enum Kind {
     /// Central members rotate and do not translate.
     Rotational,

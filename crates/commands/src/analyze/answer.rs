@@ -166,6 +166,7 @@ mod tests {
     use crate::answer::to_json;
     use crate::shared::gearbox::{Choice, one};
     use epicyclic_formats::Document;
+    use epicyclic_train::error::Terminal;
     use std::path::Path;
     use uom::si::angular_velocity::revolution_per_minute;
     use uom::si::f64::Torque;
@@ -195,7 +196,7 @@ mod tests {
         let subject = one(&document, &Choice::default()).unwrap();
         let alone = gear::answer(&subject, "back", Input::default()).unwrap();
         let forward = alone.powers.unwrap();
-        assert_eq!(forward.enters_at, gear::Terminal::Input);
+        assert_eq!(forward.enters_at, Terminal::Input);
         assert!(forward.at_load.is_none());
         let forward = forward.of_entering.unwrap();
         assert!(forward.leaving.is_none() && forward.helping.unwrap() > 1.0);
@@ -205,7 +206,7 @@ mod tests {
         };
         let braked = gear::answer(&subject, "back", braked).unwrap();
         let backward = braked.powers.unwrap();
-        assert_eq!(backward.enters_at, gear::Terminal::Output);
+        assert_eq!(backward.enters_at, Terminal::Output);
         let of_entering = backward.of_entering.unwrap();
         assert!(of_entering.helping.is_none());
         assert_eq!(of_entering.leaving, braked.gear.back_driving_efficiency);

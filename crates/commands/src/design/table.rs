@@ -6,7 +6,7 @@ use crate::design::answer::ways_out::{Limit, RelaxedLimit, WayOut};
 use crate::select::answer::reached::largest_deviation;
 use crate::select::answer::required::Objective;
 use crate::select::table::{percent, speeds_reached};
-use crate::size::answer::records::{Requirement, SizedDesign, SizedSet};
+use crate::size::answer::records::{SizedDesign, SizedSet};
 use crate::size::table::{designs, left_out};
 use crate::strength::table::{Worn, over_duty};
 use crate::table::columns::Table;
@@ -14,6 +14,7 @@ use crate::table::figure::text;
 use crate::table::quantities::words;
 use crate::table::report::AsReport;
 use crate::table::report::{Part, Records, Report, Text, warned};
+use epicyclic_strength::sizing::Requirement;
 use epicyclic_units::Dimension;
 use epicyclic_units::format::trimmed;
 

@@ -85,40 +85,40 @@ pub struct Set {
 }
 
 /// Views of a drawing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema, clap::ValueEnum)]
 #[serde(rename_all = "snake_case")]
 pub enum View {
-    /// Kinematic scheme of a gearbox.
+    /// The kinematic scheme.
     Scheme,
-    /// Speed diagram of a gear.
+    /// The speed diagram of a gear (Kutzbach).
     Speeds,
-    /// Lever diagram of a gearbox.
+    /// The lever diagram: each set as a lever, with the speeds of a gear.
     Levers,
-    /// Ratios of all gears on a logarithmic scale.
+    /// The ratios of all gears on a logarithmic scale.
     Ladder,
-    /// Efficiency of a gear over input speed and torque, with all losses.
+    /// The efficiency of a gear over --speeds and --torques of its input, as `losses` calculates it.
     Map,
-    /// Centrodes of a motor.
+    /// Of a motor: its centrodes, and how the arcs are constructed.
     Centrodes,
-    /// Construction of a motor's arcs and of the point where the rotor's arcs meet.
+    /// Of a motor: half a lobe with the construction of its arcs, (1)-(8).
     Construction,
-    /// Teeth in mesh, of a motor or of the simple sets of a gearbox.
+    /// Every tooth in mesh: of a motor, and of the simple sets of a gearbox, with their profile shifts.
     Teeth,
-    /// Motor in its housing with its ports.
+    /// Of a motor: the motor in its housing with its ports.
     Motor,
-    /// Chambers of a motor by pressure.
+    /// Of a motor: its chambers coloured by pressure.
     Chambers,
-    /// Dimensions of a motor with a table of gear data.
+    /// Of a motor: its dimensions and a table of wheel data, for a drawing office.
     Dimensions,
-    /// Forces on the satellites and on the bearing of a motor.
+    /// Of a motor: forces on its satellites and on the rotor's bearing.
     Forces,
-    /// Ports of a motor as manufactured.
+    /// Of a motor: its ports as made.
     Ports,
-    /// Pressure in a chamber of a motor over its cycle.
+    /// Of a motor: pressure in a chamber over its cycle.
     Pressure,
-    /// Contact stress of a satellite of a motor over its cycle.
+    /// Of a motor: contact stress of a satellite over its cycle.
     Stress,
-    /// Total efficiency of a motor over speed and pressure.
+    /// Of a motor: total efficiency over speed and pressure.
     Efficiency,
 }
 

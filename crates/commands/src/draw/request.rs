@@ -1,10 +1,11 @@
 //! The command `draw`: pictures of gearboxes and hydromotors as SVG, DXF, PDF and PNG.
 
 use crate::desk::Call;
+use crate::motor::table::View as MotorView;
 mod subject;
 
 use crate::answer::to_json;
-use crate::draw::answer::{self as answers, Drawing, FileFormat, Sheet};
+use crate::draw::answer::{self as answers, Drawing, FileFormat, Sheet, View};
 use crate::draw::table as draw;
 use crate::drawing_file;
 use crate::failure::Failure;
@@ -125,81 +126,21 @@ enum Format {
     Json,
 }
 
-/// What is drawn of a gearbox.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum View {
-    /// The kinematic scheme.
-    Scheme,
-    /// The speed diagram of a gear (Kutzbach).
-    Speeds,
-    /// The lever diagram: each set as a lever, with the speeds of a gear.
-    Levers,
-    /// The ratios of all gears on a logarithmic scale.
-    Ladder,
-    /// The efficiency of a gear over --speeds and --torques of its input, as `losses` calculates it.
-    Map,
-    /// Of a motor: its centrodes, and how the arcs are constructed.
-    Centrodes,
-    /// Of a motor: half a lobe with the construction of its arcs, (1)-(8).
-    Construction,
-    /// Every tooth in mesh: of a motor, and of the simple sets of a gearbox, with their profile shifts.
-    Teeth,
-    /// Of a motor: the motor in its housing with its ports.
-    Motor,
-    /// Of a motor: its chambers coloured by pressure.
-    Chambers,
-    /// Of a motor: its dimensions and a table of wheel data, for a drawing office.
-    Dimensions,
-    /// Of a motor: forces on its satellites and on the rotor's bearing.
-    Forces,
-    /// Of a motor: its ports as made.
-    Ports,
-    /// Of a motor: pressure in a chamber over its cycle.
-    Pressure,
-    /// Of a motor: contact stress of a satellite over its cycle.
-    Stress,
-    /// Of a motor: total efficiency over speed and pressure.
-    Efficiency,
-}
-
-impl View {
-    /// The view of a motor; `None` for those of gearboxes.
-    fn of_motor(self) -> Option<motor::View> {
-        match self {
-            Self::Scheme | Self::Speeds | Self::Levers | Self::Ladder | Self::Map => None,
-            Self::Centrodes => Some(motor::View::Centrodes),
-            Self::Construction => Some(motor::View::Construction),
-            Self::Teeth => Some(motor::View::Teeth),
-            Self::Motor => Some(motor::View::Motor),
-            Self::Chambers => Some(motor::View::Chambers),
-            Self::Dimensions => Some(motor::View::Dimensions),
-            Self::Forces => Some(motor::View::Forces),
-            Self::Ports => Some(motor::View::Ports),
-            Self::Pressure => Some(motor::View::Pressure),
-            Self::Stress => Some(motor::View::Stress),
-            Self::Efficiency => Some(motor::View::Efficiency),
-        }
-    }
-
-    fn record(self) -> answers::View {
-        match self {
-            Self::Scheme => answers::View::Scheme,
-            Self::Speeds => answers::View::Speeds,
-            Self::Levers => answers::View::Levers,
-            Self::Ladder => answers::View::Ladder,
-            Self::Map => answers::View::Map,
-            Self::Centrodes => answers::View::Centrodes,
-            Self::Construction => answers::View::Construction,
-            Self::Teeth => answers::View::Teeth,
-            Self::Motor => answers::View::Motor,
-            Self::Chambers => answers::View::Chambers,
-            Self::Dimensions => answers::View::Dimensions,
-            Self::Forces => answers::View::Forces,
-            Self::Ports => answers::View::Ports,
-            Self::Pressure => answers::View::Pressure,
-            Self::Stress => answers::View::Stress,
-            Self::Efficiency => answers::View::Efficiency,
-        }
+/// The view of a motor; `None` for those of gearboxes.
+fn of_motor_view(view: View) -> Option<MotorView> {
+    match view {
+        View::Scheme | View::Speeds | View::Levers | View::Ladder | View::Map => None,
+        View::Centrodes => Some(MotorView::Centrodes),
+        View::Construction => Some(MotorView::Construction),
+        View::Teeth => Some(MotorView::Teeth),
+        View::Motor => Some(MotorView::Motor),
+        View::Chambers => Some(MotorView::Chambers),
+        View::Dimensions => Some(MotorView::Dimensions),
+        View::Forces => Some(MotorView::Forces),
+        View::Ports => Some(MotorView::Ports),
+        View::Pressure => Some(MotorView::Pressure),
+        View::Stress => Some(MotorView::Stress),
+        View::Efficiency => Some(MotorView::Efficiency),
     }
 }
 
@@ -264,7 +205,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
 fn drawing(args: &Args, subject: answers::Subject, view: View, gear: Option<&str>) -> Drawing {
     Drawing {
         subject,
-        view: view.record(),
+        view,
         gear: gear.map(str::to_owned),
         power: args.power,
         whole: args.whole,
@@ -298,7 +239,7 @@ fn of_motor(args: &Args, document: &Document) -> Result<Picture, Failure> {
         return Err(Failure::conflict(option, "it is for gearboxes; this is a motor"));
     }
     let view = args.view.unwrap_or(View::Motor);
-    let Some(of_motor) = view.of_motor() else {
+    let Some(of_motor) = of_motor_view(view) else {
         let message =
             "a motor has the views centrodes, construction, teeth, motor, chambers, dimensions".to_owned();
         return Err(Failure::invalid("--view", message));
@@ -341,7 +282,7 @@ fn consistent(args: &Args) -> Result<(), Failure> {
     }
     match view {
         View::Scheme => Ok(()),
-        view if view != View::Teeth && view.of_motor().is_some() => {
+        view if view != View::Teeth && of_motor_view(view).is_some() => {
             refuse("--view", "a gearbox has the views scheme, speeds, levers, ladder, teeth, map")
         }
         _ if args.power => refuse("--power", schemes_alone),

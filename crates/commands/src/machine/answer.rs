@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::tolerance::SAME;
 use epicyclic_schemes::cutting::{chain_speed, drum_speed, matching_feed, speed_at_force};
 use epicyclic_schemes::machines::{self as tables, recommended_speeds};
-use epicyclic_schemes::ratio_series::{self, PrintedSeries, RatioSeries, step};
+use epicyclic_schemes::ratio_series::{PrintedSeries, RatioSeries, Regime, step};
 use epicyclic_schemes::rotor::{
     discharge, greatest_speed, least_speed, optimal_speed, speed_range, standard_gravity,
 };
@@ -152,18 +152,6 @@ pub struct Series {
     pub printed: Option<Printed>,
 }
 
-/// Regimes of a gearbox: reduction, overdrive or both.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Regime {
-    /// Direct drive is the fastest speed: all ratios are at least 1.
-    Reduction,
-    /// Direct drive is the slowest speed: all ratios are at most 1.
-    Overdrive,
-    /// Direct drive lies between the other speeds.
-    Combined,
-}
-
 /// Series of ratios as the source prints it, for speeds in geometric progression.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
@@ -219,11 +207,7 @@ impl Series {
             });
         Ok(Self {
             direct,
-            regime: match series.regime() {
-                ratio_series::Regime::Reduction => Regime::Reduction,
-                ratio_series::Regime::Overdrive => Regime::Overdrive,
-                ratio_series::Regime::Combined => Regime::Combined,
-            },
+            regime: series.regime(),
             ratios: series.ratios().to_vec(),
             printed: printed.transpose()?,
         })

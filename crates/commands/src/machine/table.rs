@@ -1,13 +1,14 @@
 //! Speeds of mining machines, as tables.
 
 use crate::machine::answer::{
-    ChainCutter, Cutting, Drum, Machine, MachineSpeeds, Machines, Regime, Rock, Rotor, Series, SpeedRange,
+    ChainCutter, Cutting, Drum, Machine, MachineSpeeds, Machines, Rock, Rotor, Series, SpeedRange,
 };
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, text};
 use crate::table::quantities::quantity;
 use crate::table::report::AsReport;
 use crate::table::report::{Part, Records, Report, Row, Section, Text};
+use epicyclic_schemes::ratio_series::Regime;
 use epicyclic_units::Dimension;
 use epicyclic_units::format::trimmed;
 

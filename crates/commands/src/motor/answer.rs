@@ -20,21 +20,19 @@ pub use flanks::{
     AllowedPressure, ContactStresses, FlankForces, Flanks, ForceAt, GoverningLimit, RootStresses,
 };
 pub use made::losses::{Efficiency, EfficiencyMap, Friction, Gap, Leakage, Losses};
-pub use made::ports::{
-    ChamberExtreme, ClosedStretch, Extreme, MadePorts, OpenTo, Port, PortState, Throttling,
-};
+pub use made::ports::{ChamberExtreme, ClosedStretch, MadePorts, OpenTo, Port, PortState, Throttling};
 pub use made::{Groups, Made};
 pub(crate) use made::{Point, steel};
 pub use moving::{Moving, MovingChamber, MovingFrame, MovingSatellite, moving};
 pub use over_angle::{OverAngle, OverCycle, over_angle, over_cycle};
-pub use shape::{Arcs, CosineLaw, FamilyLimit, HarmonicRange, Interval, Rotor};
-pub use teeth::{Between, Clearance, LimitKind, Side, ToothLimit, ToothPart, Wheel};
+pub use shape::{Arcs, CosineLaw, HarmonicRange, Interval, Rotor};
+pub use teeth::{Between, Clearance, ToothLimit};
 
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::number::{maybe_si, plain, si};
 use bodies::{chambers, satellites};
-use epicyclic_hydromotor::checks::{self, ToothHeights};
+use epicyclic_hydromotor::checks::{Subject, ToothHeights};
 use epicyclic_hydromotor::ports::{IDEAL_PART, PortPlate};
 use epicyclic_hydromotor::{self as hydromotor, MotorNumbers};
 use epicyclic_units::Physical as _;
@@ -211,63 +209,6 @@ pub struct Check {
     pub limit_m: f64,
     /// Result of the check.
     pub verdict: Verdict,
-}
-
-/// Quantities of the centrodes that are checked.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Subject {
-    /// Least curvature radius of the stator where it bulges inwards.
-    StatorBulge,
-    /// Least curvature radius of the stator where it curves around the axis.
-    StatorHollow,
-    /// Least curvature radius of the rotor where it curves around the axis.
-    RotorBulge,
-    /// Least curvature radius of the rotor where it is hollow.
-    RotorHollow,
-    /// Least radius of the rotor.
-    RotorLeastRadius,
-    /// Least distance between the centres of neighbouring satellites.
-    Neighbours,
-}
-
-impl Subject {
-    /// Converts the quantity into its record.
-    #[must_use]
-    pub const fn of(subject: checks::Subject) -> Self {
-        match subject {
-            checks::Subject::StatorBulge => Self::StatorBulge,
-            checks::Subject::StatorHollow => Self::StatorHollow,
-            checks::Subject::RotorBulge => Self::RotorBulge,
-            checks::Subject::RotorHollow => Self::RotorHollow,
-            checks::Subject::RotorLeastRadius => Self::RotorLeastRadius,
-            checks::Subject::Neighbours => Self::Neighbours,
-        }
-    }
-
-    /// Name of the quantity in words.
-    #[must_use]
-    pub const fn words(self) -> &'static str {
-        match self {
-            Self::StatorBulge => "stator, radius of inward bulges",
-            Self::StatorHollow => "stator, radius of hollows",
-            Self::RotorBulge => "rotor, radius of bulges",
-            Self::RotorHollow => "rotor, radius of hollows",
-            Self::RotorLeastRadius => "rotor, least distance from the axis",
-            Self::Neighbours => "satellites' centres, distance",
-        }
-    }
-
-    const fn warning(self) -> &'static str {
-        match self {
-            Self::StatorBulge => "stator-bulge",
-            Self::StatorHollow => "stator-hollow",
-            Self::RotorBulge => "rotor-bulge",
-            Self::RotorHollow => "rotor-hollow",
-            Self::RotorLeastRadius => "rotor-least-radius",
-            Self::Neighbours => "neighbours",
-        }
-    }
 }
 
 /// Results of the comparison of a value with its limit.
@@ -480,11 +421,11 @@ fn checks(designed: &Designed, warnings: &mut Vec<Warning>) -> Result<Vec<Check>
     let heights = ToothHeights { addendum, dedendum: addendum + designed.form.clearance };
     let mut found = vec![];
     for check in designed.motor.checks(heights)? {
-        let subject = Subject::of(check.subject);
+        let subject = check.subject;
         if !check.holds() {
             let [value, limit] = [check.value, check.limit].map(|length| format::quantity(length, 4));
             let message = format!("{}: {value}, and it must exceed {limit}", subject.words());
-            warnings.push(Warning { name: subject.warning(), message });
+            warnings.push(Warning { name: subject.name(), message });
         }
         found.push(Check {
             check: subject,

@@ -7,6 +7,7 @@ pub(crate) mod steps;
 
 use crate::failure::Failure;
 use crate::motor::forms::answer::Crest;
+use crate::motor::table::View;
 use crate::output::OutputArgs;
 use crate::shared::page_options::PageArgs;
 use epicyclic_hydromotor::profile::ToothForm;
@@ -172,33 +173,6 @@ pub(crate) struct Files {
     /// Points of each half-lobe in that file.
     #[arg(long, value_name = "NUMBER", requires = "csv", default_value_t = 100)]
     pub(crate) points: u32,
-}
-
-/// What is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub(crate) enum View {
-    /// Stator, rotor, satellites, and how the arcs are constructed.
-    Centrodes,
-    /// Half a lobe of stator and rotor with the construction of the arcs, (1)-(8).
-    Construction,
-    /// Every tooth in mesh.
-    Teeth,
-    /// The motor in its housing with its ports.
-    Motor,
-    /// The chambers coloured by pressure.
-    Chambers,
-    /// Dimensions and a table of wheel data, for a drawing office.
-    Dimensions,
-    /// Forces on the satellites and on the rotor's bearing, with --width and --pressure.
-    Forces,
-    /// The ports as made, with --ports.
-    Ports,
-    /// Pressure in a chamber over its cycle, with --ports and the bulk modulus of --oil.
-    Pressure,
-    /// Contact stress of a satellite over its cycle, with --pressure.
-    Stress,
-    /// Total efficiency over speed and pressure, with --gaps, --oil and --friction.
-    Efficiency,
 }
 
 impl Design {

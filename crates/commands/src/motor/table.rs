@@ -7,7 +7,7 @@ pub(crate) mod plots;
 pub(crate) use lists::subject;
 
 use crate::motor::answer::{
-    self as motor, Arcs, Centrodes, Chosen, CosineLaw, Designed, FamilyLimit, Interval, Motor, Numbers, Wheel,
+    self as motor, Arcs, Centrodes, Chosen, CosineLaw, Designed, Interval, Motor, Numbers,
 };
 use crate::motor::construction::answer::Constructed;
 use crate::table::figure::Figure;
@@ -16,6 +16,8 @@ use crate::table::report::AsReport;
 use crate::table::report::{Part, Report, Row, Section, Text, headline, warned};
 use crate::table::text::{self, Error};
 use epicyclic_drawing::Scene;
+use epicyclic_hydromotor::centrode::Wheel;
+use epicyclic_hydromotor::closure::Limit;
 use epicyclic_pictures::motor as pictures;
 use epicyclic_units::Dimension::{
     self, Angle, AngularSpeed, Area, Force, Length, Power, Pressure, Torque, Volume, VolumeRate,
@@ -192,12 +194,12 @@ pub(crate) fn family(family: &[Interval]) -> Vec<Row> {
     rows
 }
 
-fn limit(limit: FamilyLimit) -> &'static str {
+fn limit(limit: Limit) -> &'static str {
     match limit {
-        FamilyLimit::NoTroughArc => "R₁ vanishes",
-        FamilyLimit::RotorCusp => "the rotor gets cusps",
-        FamilyLimit::RadialFlank => "flanks become radial",
-        FamilyLimit::GreatestRadius => "100 × the stator's radius",
+        Limit::NoTroughArc => "R₁ vanishes",
+        Limit::RotorCusp => "the rotor gets cusps",
+        Limit::RadialFlank => "flanks become radial",
+        Limit::GreatestRadius => "100 × the stator's radius",
     }
 }
 
@@ -331,11 +333,11 @@ fn size(motor: &Motor) -> Vec<Row> {
 }
 
 /// What is drawn of a motor.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum View {
     /// Stator, rotor, satellites, and how the arcs are constructed.
     Centrodes,
-    /// Half a lobe of stator and rotor, with the construction of their arcs.
+    /// Half a lobe of stator and rotor with the construction of the arcs, (1)-(8).
     Construction,
     /// Every tooth in mesh.
     Teeth,
@@ -343,17 +345,17 @@ pub enum View {
     Motor,
     /// The chambers coloured by pressure.
     Chambers,
-    /// Dimensions and a table of wheel data.
+    /// Dimensions and a table of wheel data, for a drawing office.
     Dimensions,
-    /// Forces on satellites and bearing.
+    /// Forces on the satellites and on the rotor's bearing, with --width and --pressure.
     Forces,
-    /// The ports as made.
+    /// The ports as made, with --ports.
     Ports,
-    /// Pressure in a chamber over its cycle.
+    /// Pressure in a chamber over its cycle, with --ports and the bulk modulus of --oil.
     Pressure,
-    /// Contact stress of a satellite over its cycle.
+    /// Contact stress of a satellite over its cycle, with --pressure.
     Stress,
-    /// Total efficiency over speed and pressure.
+    /// Total efficiency over speed and pressure, with --gaps, --oil and --friction.
     Efficiency,
 }
 

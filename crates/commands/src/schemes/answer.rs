@@ -5,12 +5,14 @@ mod formulas;
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 pub use crate::refusal::{SizeName, SizeProblem};
-use crate::shared::catalogue::{GearName, KRange, Link, SetLinks, SetSpeeds, ShiftElement};
+use crate::shared::catalogue::{KRange, SetLinks, SetSpeeds};
 use crate::shared::number::plain;
 use crate::shared::records::Motion;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::RingToSunRatio;
 use epicyclic_schemes::catalogue::{RingToSunRange, Scheme as CatalogueScheme};
+use epicyclic_schemes::catalogue::{SchemeElement, SchemeGear};
+use epicyclic_schemes::structures::Role;
 use epicyclic_train::{Analysis, Gearbox};
 use epicyclic_units::format::trimmed;
 use schemars::JsonSchema;
@@ -161,7 +163,7 @@ pub struct Scheme {
 #[schemars(deny_unknown_fields)]
 pub struct Connection {
     /// Shaft to which the second set ties T1.
-    pub shaft: Link,
+    pub shaft: Role,
     /// Members of set 2 on T1 (input), on the shaft (output) and on T2 (fixed).
     pub motion: Motion,
 }
@@ -171,9 +173,9 @@ pub struct Connection {
 #[schemars(deny_unknown_fields)]
 pub struct GearFormulas {
     /// Name of the gear.
-    pub gear: GearName,
+    pub gear: SchemeGear,
     /// Link that is braked in the gear; null for direct drive.
-    pub braked: Option<Link>,
+    pub braked: Option<Role>,
     /// Formula of the ratio in k₁ and k₂.
     pub ratio_formula: String,
     /// Formula of the efficiency in k₁, k₂ and η₀.
@@ -201,7 +203,7 @@ pub struct Parameters {
 #[schemars(deny_unknown_fields)]
 pub struct Gear {
     /// Name of the gear.
-    pub gear: GearName,
+    pub gear: SchemeGear,
     /// Ratio, input speed over output speed; null if none exists.
     pub ratio: Option<f64>,
     /// Efficiency when driven from the input; null if the gear is self-locking.
@@ -211,7 +213,7 @@ pub struct Gear {
     /// Torque on the output with losses, relative to the input torque; null if it cannot be computed.
     pub output_torque_of_input: Option<f64>,
     /// Engaged shift element.
-    pub engaged: ShiftElement,
+    pub engaged: SchemeElement,
     /// Torque of the shift element on its first link with losses, relative to the input torque; null if it
     /// cannot be computed.
     pub engaged_torque_of_input: Option<f64>,
@@ -242,7 +244,7 @@ pub fn one(
         connection: match scheme {
             CatalogueScheme::Two(_) => None,
             CatalogueScheme::Three(three) => Some(Connection {
-                shaft: Link::of(three.connection().shaft().role()),
+                shaft: three.connection().shaft().role(),
                 motion: Motion::of(three.connection().mode()),
             }),
         },
@@ -278,12 +280,12 @@ fn gear_formulas(scheme: CatalogueScheme, range: RingToSunRange) -> Vec<GearForm
         }
     };
     // Gear 1 of every scheme is that of its first set alone, with T1 braked.
-    let mut all = vec![of(GearName::First, Link::T1, CatalogueScheme::Two(scheme.first_stage()))];
+    let mut all = vec![of(SchemeGear::First, Role::T1, CatalogueScheme::Two(scheme.first_stage()))];
     if matches!(scheme, CatalogueScheme::Three(_)) {
-        all.push(of(GearName::Second, Link::T2, scheme));
+        all.push(of(SchemeGear::Second, Role::T2, scheme));
     }
     all.push(GearFormulas {
-        gear: GearName::Direct,
+        gear: SchemeGear::Direct,
         braked: None,
         ratio_formula: "1".to_owned(),
         efficiency_formula: "1".to_owned(),
@@ -297,7 +299,7 @@ fn gears(gearbox: &Gearbox) -> Result<Vec<Gear>, Error> {
     let mut found = vec![];
     for gear in gearbox.gears() {
         // A gearbox of the catalogue has no other gears; the name only has to become a record.
-        let Some(name) = GearName::named(gear.name()) else { continue };
+        let Some(name) = SchemeGear::named(gear.name()) else { continue };
         let analysis = gearbox.analyze(gear.name())?;
         let driving = analysis.driving();
         let engaged = name.engaged();

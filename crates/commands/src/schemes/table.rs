@@ -1,11 +1,13 @@
 //! The catalogue of schemes, as tables.
 
 use crate::schemes::answer::{Connection, Gear, Parameters, Scheme, SchemeFormulas, Schemes};
-use crate::shared::catalogue::{GearName, KRange, Link, SetLinks, SetSpeeds};
+use crate::shared::catalogue::{KRange, SetLinks, SetSpeeds};
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, text};
 use crate::table::report::AsReport;
 use crate::table::report::{Part, Records, Report, Row, Section, warned};
+use epicyclic_schemes::catalogue::SchemeGear;
+use epicyclic_schemes::structures::Role;
 use epicyclic_units::format::trimmed;
 
 fn span(k: KRange) -> String {
@@ -14,7 +16,7 @@ fn span(k: KRange) -> String {
 
 /// The links of sun, ring and carrier of a set that may be missing.
 fn in_a_row(set: Option<&SetLinks>) -> Option<String> {
-    Some(set?.links().map(Link::name).join(" "))
+    Some(set?.links().map(Role::symbol).join(" "))
 }
 
 impl AsReport for Schemes {
@@ -23,7 +25,7 @@ impl AsReport for Schemes {
                     of gear 1 of I, II, III, of gear 2 of the others, whose gear 1 is that of I, II or III. Gear 3 is \
                     direct drive.";
         let link =
-            |of: &SchemeFormulas, set: usize, member: usize| Some(of.sets.get(set)?.links()[member].name());
+            |of: &SchemeFormulas, set: usize, member: usize| Some(of.sets.get(set)?.links()[member].symbol());
         let records = Table::new("schemes", &self.schemes)
             .text("scheme", "scheme", |of| of.scheme)
             .words("set_1", "a₁ b₁ H₁", |of| in_a_row(of.sets.first()))
@@ -86,7 +88,7 @@ fn structure(sets: &[SetLinks], connection: Option<Connection>) -> Section {
 fn formulas(scheme: &Scheme) -> Records {
     Table::new("formulas", scheme.formulas.iter())
         .words("gear", "gear", |gear| gear.gear.name())
-        .words("braked", "braked", |gear| gear.braked.map_or("-", |link| link.name()))
+        .words("braked", "braked", |gear| gear.braked.map_or("-", |link| link.symbol()))
         .text("ratio_formula", "i", |gear| &gear.ratio_formula)
         .text("efficiency_formula", "η", |gear| &gear.efficiency_formula)
         .multiple("least_ratio", "from", |gear| gear.least_ratio)
@@ -137,7 +139,7 @@ pub(crate) type SpeedLine = (String, Option<&'static str>, fn(&SetSpeeds) -> Opt
 
 /// The lines of the table of speeds of a set, as the source's tables 3.1 and 3.2 have them.
 pub(crate) fn speed_lines(set: usize, links: &SetLinks) -> [SpeedLine; 5] {
-    let link = |place: usize| Some(links.links()[place].name());
+    let link = |place: usize| Some(links.links()[place].symbol());
     [
         (format!("a{set}"), link(0), |speeds| speeds.sun_of_input),
         (format!("b{set}"), link(1), |speeds| speeds.ring_of_input),
@@ -156,9 +158,9 @@ fn speeds(sets: &[SetLinks], gears: &[Gear]) -> Records {
         .text("link", "link", |(_, _, link, _)| link.unwrap_or_default())
         .each(gears, |table, gear| {
             let (key, heading) = match gear.gear {
-                GearName::First => ("gear_1", "gear 1"),
-                GearName::Second => ("gear_2", "gear 2"),
-                GearName::Direct => ("direct", "direct"),
+                SchemeGear::First => ("gear_1", "gear 1"),
+                SchemeGear::Second => ("gear_2", "gear 2"),
+                SchemeGear::Direct => ("direct", "direct"),
             };
             table.multiple(key, heading, |(place, .., of)| gear.sets.get(*place).and_then(of))
         })

@@ -14,10 +14,10 @@ pub use words::ways_out;
 use crate::select::answer::candidate::{Candidate, Criterion, DirectDriveClutch, GearOperation, Verdict};
 use crate::select::answer::required::Required;
 use crate::select::answer::{Select, Unreachable};
-use crate::shared::catalogue::GearName;
 use crate::table::columns::Table;
 use crate::table::report::AsReport;
 use crate::table::report::{Part, Records, Report, View};
+use epicyclic_schemes::catalogue::SchemeGear;
 use epicyclic_units::Dimension::{AngularSpeed, Length, Torque};
 use epicyclic_units::format::trimmed;
 
@@ -196,7 +196,7 @@ fn size_column(all: &[Candidate]) -> &'static str {
 
 /// The columns that a list has of each candidate: name, ratios, ring-to-sun ratios, efficiencies, objectives.
 fn of_candidate<Row>(table: Table<Row>, of: impl Fn(&Row) -> &Candidate) -> Table<Row> {
-    let direct = |gear: &&GearOperation| gear.gear == GearName::Direct;
+    let direct = |gear: &&GearOperation| gear.gear == SchemeGear::Direct;
     table
         .number("no", "no", |row| of(row).no)
         .words("scheme", "scheme", |row| name(of(row)))
@@ -267,8 +267,8 @@ fn candidates(all: &[Candidate], views: Vec<View>) -> Records {
         .multiple("brake_torque_2", "T of K2", |one| one.gears.get(1)?.brake_torque_of_input)
         .words("clutch", "clutch", |one| chosen(one).map(joined))
         .for_people()
-        .words("clutch_link_1", "clutch", |one| Some(chosen(one)?.links[0].name()))
-        .words("clutch_link_2", "clutch", |one| Some(chosen(one)?.links[1].name()))
+        .words("clutch_link_1", "clutch", |one| Some(chosen(one)?.links[0].symbol()))
+        .words("clutch_link_2", "clutch", |one| Some(chosen(one)?.links[1].symbol()))
         .multiple("clutch_torque", "its T", |one| Some(chosen(one)?.torque_of_input))
         .words("meets_ratio", "ratio", |one| met(one, Criterion::RatioError))
         .words("meets_k", "k", |one| met(one, Criterion::RingToSunRatio))

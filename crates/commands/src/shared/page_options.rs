@@ -27,16 +27,7 @@ pub(crate) struct PageArgs {
 
     /// Paper to print it on. Default: the printer's.
     #[arg(long, value_enum)]
-    paper: Option<PaperSize>,
-}
-
-/// A size of paper.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum PaperSize {
-    /// 210 × 297 mm.
-    A4,
-    /// 8.5 × 11 in.
-    Letter,
+    paper: Option<Paper>,
 }
 
 impl PageArgs {
@@ -47,10 +38,7 @@ impl PageArgs {
             customer: self.customer.clone(),
             author: self.author.clone(),
             date: self.date.clone(),
-            paper: self.paper.map(|paper| match paper {
-                PaperSize::A4 => Paper::A4,
-                PaperSize::Letter => Paper::Letter,
-            }),
+            paper: self.paper,
         }
     }
 

@@ -2,7 +2,8 @@
 
 use crate::failure::Failure;
 use crate::shared::options::of_teeth;
-use crate::teeth::answer::shifted::{ShiftAim, WantedShifts};
+use crate::teeth::answer::shifted::WantedShifts;
+use epicyclic_gears::involute::family::Aim;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_units::Number;
 use std::ops::RangeInclusive;
@@ -16,7 +17,7 @@ pub struct ShiftOptions {
     ring_offset: Option<RangeInclusive<i32>>,
 
     /// With --ring-offset: what picks the shifts, of which the sums are fixed.
-    #[arg(long, value_enum, requires = "ring_offset", default_value_t = Aim::Sliding)]
+    #[arg(long, value_enum, requires = "ring_offset", default_value_t = Aim::BalancedSliding)]
     aim: Aim,
 
     /// With --ring-offset: least thickness of the tips, in modules; 0.4 is usual of case-hardened teeth.
@@ -30,29 +31,11 @@ pub struct ShiftOptions {
     tip_thickness: Number,
 }
 
-/// What picks the shifts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub(crate) enum Aim {
-    /// Equal specific sliding at the roots of sun and planets.
-    Sliding,
-    /// Least tip alteration.
-    TipAlteration,
-}
-
-impl From<Aim> for ShiftAim {
-    fn from(aim: Aim) -> Self {
-        match aim {
-            Aim::Sliding => Self::BalancedSliding,
-            Aim::TipAlteration => Self::LeastTipAlteration,
-        }
-    }
-}
-
 impl ShiftOptions {
     /// Requirements on the profile shifts; `None` for sets without profile shift.
     pub(crate) fn wanted(&self) -> Option<WantedShifts> {
         let offsets = self.ring_offset.clone()?;
-        Some(WantedShifts { offsets, aim: self.aim.into(), tip_thickness: self.tip_thickness.get() })
+        Some(WantedShifts { offsets, aim: self.aim, tip_thickness: self.tip_thickness.get() })
     }
 
     /// Refuses offsets and limits that cannot be.

@@ -1,6 +1,6 @@
 //! Small records that several answers share.
 
-use epicyclic_gears::simple_set;
+use epicyclic_gears::simple_set::{self, Member};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -32,18 +32,6 @@ impl std::fmt::Display for Fraction {
     }
 }
 
-/// A member of a simple set.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Member {
-    /// The sun, a.
-    Sun,
-    /// The ring, b.
-    Ring,
-    /// The carrier, H.
-    Carrier,
-}
-
 /// How a simple set of two shafts works.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
@@ -60,40 +48,13 @@ impl Motion {
     /// The mode as a record.
     #[must_use]
     pub fn of(mode: simple_set::Mode) -> Self {
-        let member = |member| match member {
-            simple_set::Member::Sun => Member::Sun,
-            simple_set::Member::Ring => Member::Ring,
-            simple_set::Member::Carrier => Member::Carrier,
-        };
-        Self { input: member(mode.input()), output: member(mode.output()), fixed: member(mode.fixed()) }
-    }
-}
-
-impl Member {
-    /// Letter of the member in the sources.
-    #[must_use]
-    pub fn letter(self) -> char {
-        match self {
-            Self::Sun => 'a',
-            Self::Ring => 'b',
-            Self::Carrier => 'H',
-        }
-    }
-}
-
-impl std::fmt::Display for Member {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Self::Sun => "sun",
-            Self::Ring => "ring",
-            Self::Carrier => "carrier",
-        })
+        Self { input: mode.input(), output: mode.output(), fixed: mode.fixed() }
     }
 }
 
 impl std::fmt::Display for Motion {
     /// `aH^b`: input, output, and above them the member at rest.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}{}^{}", self.input.letter(), self.output.letter(), self.fixed.letter())
+        write!(f, "{}{}^{}", self.input.symbol(), self.output.symbol(), self.fixed.symbol())
     }
 }

@@ -35,33 +35,13 @@ pub struct Speeds {
 #[command(next_help_heading = "Ratios")]
 pub struct RatioOptions {
     /// Which brake gives which ratio.
-    #[arg(long, value_enum, default_value_t = Brakes::Either)]
-    pub brakes: Brakes,
+    #[arg(long, value_enum, default_value_t = Orders::Either)]
+    pub brakes: Orders,
 
     /// Which signs the ratios may have; direct drive is positive. Default: as-given where a ratio has a
     /// minus, otherwise alike.
     #[arg(long, value_enum)]
-    pub signs: Option<SignChoice>,
-}
-
-/// Which brake gives which ratio.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub enum Brakes {
-    /// Either brake gives either ratio.
-    Either,
-    /// The first brake gives the first ratio.
-    AsGiven,
-}
-
-/// Which signs the ratios may have.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub enum SignChoice {
-    /// All positive, or all negative.
-    Alike,
-    /// Each by itself.
-    Any,
-    /// Those of --ratios.
-    AsGiven,
+    pub signs: Option<Signs>,
 }
 
 /// What a design has to meet.
@@ -130,9 +110,7 @@ impl RatioOptions {
     pub(crate) fn signs(&self, wanted: &Speeds) -> Signs {
         let mut ratios = wanted.ratios.iter().flat_map(|ratios| &ratios.0);
         match self.signs {
-            Some(SignChoice::AsGiven) => Signs::AsGiven,
-            Some(SignChoice::Any) => Signs::Any,
-            Some(SignChoice::Alike) => Signs::Alike,
+            Some(signs) => signs,
             None if ratios.any(|ratio| ratio.get() < 0.0) => Signs::AsGiven,
             None => Signs::Alike,
         }
@@ -163,10 +141,7 @@ pub(crate) fn requirements(
         .map_err(|error| Failure::of_option("--efficiency", &error))?;
     Ok(Requirements {
         tolerance: tolerance.0.si(),
-        orders: match taken.brakes {
-            Brakes::Either => Orders::Both,
-            Brakes::AsGiven => Orders::AsGiven,
-        },
+        orders: taken.brakes,
         signs: taken.signs(wanted),
         limits: Limits {
             ring_to_sun: range("--k", criteria.k, usual.ring_to_sun)?,

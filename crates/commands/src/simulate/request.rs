@@ -46,7 +46,7 @@ pub struct Args {
 
     /// What a drawing shows, with --output. Default: speeds.
     #[arg(long, value_enum)]
-    view: Option<View>,
+    view: Option<PlotView>,
 
     /// Pixels to an inch of a PNG image, 20 to 2400. Default: 300.
     #[arg(long, value_name = "NUMBER", requires = "output")]
@@ -54,19 +54,6 @@ pub struct Args {
 
     #[command(flatten)]
     output: OutputArgs,
-}
-
-/// What a drawing shows over time.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum View {
-    /// Speeds of all links, with the events.
-    Speeds,
-    /// Torques of shift elements and of the output.
-    Torques,
-    /// Capacities of brakes and clutches.
-    Capacities,
-    /// Temperatures of brakes and clutches over the oil.
-    Temperatures,
 }
 
 /// Runs the command. The first Ctrl-C ends the motion and shows the part that is calculated.
@@ -164,12 +151,12 @@ impl FromStr for Range {
     }
 }
 
-fn plot(simulation: &Simulation, view: Option<View>) -> Result<epicyclic_drawing::Scene, Failure> {
-    let (view, lacks) = match view {
-        None | Some(View::Speeds) => (PlotView::Speeds, ""),
-        Some(View::Torques) => (PlotView::Torques, ""),
-        Some(View::Capacities) => (PlotView::Capacities, "no brake or clutch has a capacity"),
-        Some(View::Temperatures) => (PlotView::Temperatures, "no element has a heat_capacity"),
+fn plot(simulation: &Simulation, view: Option<PlotView>) -> Result<epicyclic_drawing::Scene, Failure> {
+    let view = view.unwrap_or(PlotView::Speeds);
+    let lacks = match view {
+        PlotView::Speeds | PlotView::Torques => "",
+        PlotView::Capacities => "no brake or clutch has a capacity",
+        PlotView::Temperatures => "no element has a heat_capacity",
     };
     let plot = picture(simulation, view);
     let plot = plot.ok_or_else(|| Failure::invalid("--view", lacks))?;

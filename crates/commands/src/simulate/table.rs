@@ -18,15 +18,15 @@ use epicyclic_units::Dimension::{
 pub use plots::{capacities, picture, speeds, temperatures, torques};
 
 /// A quantity of a picture over time.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum PlotView {
-    /// Speeds of all links.
+    /// Speeds of all links, with the events.
     Speeds,
-    /// Torques of the elements and of the output.
+    /// Torques of shift elements and of the output.
     Torques,
     /// Capacities of brakes and clutches.
     Capacities,
-    /// Temperatures over the oil.
+    /// Temperatures of brakes and clutches over the oil.
     Temperatures,
 }
 

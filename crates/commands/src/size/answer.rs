@@ -20,12 +20,13 @@ use crate::strength::answer::overload::peaks;
 use crate::strength::answer::place::{Fault, refused};
 use crate::strength::answer::prepared::{SetToSize, sets_to_size};
 use crate::strength::answer::records::{NotRated, Reason, Required};
-use crate::teeth::answer::shifted::ShiftAim;
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::{Document, Path};
+use epicyclic_gears::involute::family::Aim;
 use epicyclic_gears::involute::set::Limits;
 use epicyclic_gears::mesh::USUAL_PLANET_GAP;
 use epicyclic_strength::factor::Edition;
+use epicyclic_strength::sizing::Objective;
 pub use epicyclic_strength::sizing::bearing::Bearing;
 use epicyclic_strength::sizing::bearing::parse;
 pub use epicyclic_strength::sizing::bearing::{listed, listed_rollers};
@@ -34,7 +35,7 @@ use epicyclic_strength::sizing::{
 };
 use epicyclic_strength::{self as strength, Quantity};
 use epicyclic_units::Physical;
-use records::{HeldKey, Minimise, NotSized, SizedSet, Sought};
+use records::{HeldKey, NotSized, SizedSet, Sought};
 pub use saved::saved;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -61,7 +62,7 @@ pub struct Wanted {
     /// Maximum face width over the sun's reference diameter; `None` without limit.
     pub width_ratio: Option<f64>,
     /// Aim of the profile shifts.
-    pub aim: ShiftAim,
+    pub aim: Aim,
     /// Minimum normal tip thickness in modules.
     pub tip_thickness: f64,
     /// Minimum rim of the planets between root circle and bearing, in modules.
@@ -73,7 +74,7 @@ pub struct Wanted {
     /// Maximum number of bearings side by side in a planet: 1 or 2.
     pub bearing_rows: u32,
     /// Quantity to be minimized.
-    pub minimise: Minimise,
+    pub minimise: Objective,
     /// Maximum number of designs listed for each set.
     pub most: usize,
 }
@@ -90,13 +91,13 @@ impl Default for Wanted {
             planets: 3..=6,
             centre_distance_step: mm(0.5),
             width_ratio: None,
-            aim: ShiftAim::BalancedSliding,
+            aim: Aim::BalancedSliding,
             tip_thickness: 0.2,
             planet_rim: 3.0,
             ring_rim: 3.5,
             bearings: listed().to_vec(),
             bearing_rows: 2,
-            minimise: Minimise::Mass,
+            minimise: Objective::Mass,
             most: 3,
         }
     }
@@ -159,9 +160,9 @@ pub struct Size {
     /// Required safeties.
     pub required: Required,
     /// Quantity that is minimized.
-    pub minimise: Minimise,
+    pub minimise: Objective,
     /// Aim of the profile shifts.
-    pub aim: ShiftAim,
+    pub aim: Aim,
     /// Search space of each set, except for values that the file gives.
     pub sought: Sought,
     /// Number of designs of all sets together.
@@ -345,7 +346,7 @@ fn task(
     let task = Sizing {
         teeth: set.teeth,
         profiles: set.profiles,
-        aim: wanted.aim.into(),
+        aim: wanted.aim,
         held_shifts: set.shifts.map(|shifts| HeldShifts { profile: shifts.profile, tips: shifts.tips }),
         limits: wanted.limits(),
         gears: set.gears,
@@ -362,7 +363,7 @@ fn task(
         held_ring_rim,
         planet_bore: bore,
         least_planet_angle: set.least_planet_angle,
-        objective: wanted.minimise.into(),
+        objective: wanted.minimise,
         space,
     };
     (task, held)

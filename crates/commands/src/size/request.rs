@@ -8,11 +8,11 @@ use crate::output::OutputArgs;
 use crate::shared::gearbox_choice as analyze;
 use crate::shared::lists::Quantities;
 use crate::shared::options;
-use crate::shared::profile_shift::Aim;
-use crate::size::answer::records::Minimise;
 use crate::size::answer::{Wanted, answer, bearings, listed, listed_rollers, saved, subject};
 use epicyclic_formats::Span;
+use epicyclic_gears::involute::family::Aim;
 use epicyclic_strength::Quantity as Of;
+use epicyclic_strength::sizing::Objective;
 use epicyclic_units::{Number, Quantity};
 use std::path::PathBuf;
 use uom::si::f64::Length;
@@ -66,7 +66,7 @@ pub(crate) struct Options {
     width_ratio: Option<Number>,
 
     /// What picks the shifts, of which the sums are fixed.
-    #[arg(long, value_enum, default_value_t = Aim::Sliding)]
+    #[arg(long, value_enum, default_value_t = Aim::BalancedSliding)]
     aim: Aim,
 
     /// Least thickness of the tips, in modules; 0.4 is usual of case-hardened teeth.
@@ -101,8 +101,8 @@ pub(crate) struct Options {
     no_bearings: bool,
 
     /// What is least: the mass of the gears, or the outside diameter of the rings.
-    #[arg(long, value_enum, default_value_t = Least::Mass)]
-    minimise: Least,
+    #[arg(long, value_enum, default_value_t = Objective::Mass)]
+    minimise: Objective,
 
     /// How many designs of each set are shown.
     #[arg(long, value_name = "N", default_value = "3")]
@@ -118,15 +118,6 @@ enum BearingType {
     Rollers,
     /// Both.
     Any,
-}
-
-/// What is least.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum Least {
-    /// The mass of all gears.
-    Mass,
-    /// The outside diameter of each ring.
-    Ring,
 }
 
 /// Runs the command.
@@ -170,16 +161,13 @@ impl Options {
             planets,
             centre_distance_step: self.centre_distance_step.0,
             width_ratio: self.width_ratio.map(Number::get),
-            aim: self.aim.into(),
+            aim: self.aim,
             tip_thickness: self.tip_thickness.get(),
             planet_rim: self.planet_rim.get(),
             ring_rim: self.ring_rim.get(),
             bearings,
             bearing_rows: self.bearing_rows,
-            minimise: match self.minimise {
-                Least::Mass => Minimise::Mass,
-                Least::Ring => Minimise::Ring,
-            },
+            minimise: self.minimise,
             most: self.most,
         })
     }

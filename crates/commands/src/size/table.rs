@@ -2,14 +2,13 @@
 
 use crate::shared::tooth_checks::table as tooth_checks;
 use crate::size::answer::Size;
-use crate::size::answer::records::{
-    Minimise, NotSized, Requirement, SizedDesign, SizedGear, SizedSet, Sought,
-};
+use crate::size::answer::records::{NotSized, SizedDesign, SizedGear, SizedSet, Sought};
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, hours, text};
 use crate::table::quantities::{quantity, words};
 use crate::table::report::AsReport;
 use crate::table::report::{Part, Records, Report, Row, Section, warned};
+use epicyclic_strength::sizing::{Objective, Requirement};
 use epicyclic_units::Dimension;
 
 impl AsReport for Size {
@@ -30,14 +29,14 @@ impl AsReport for Size {
         ];
         let what = match (self.mass_kg, self.minimise) {
             (None, _) => "not every set has a size that meets the requirements.".to_owned(),
-            (Some(mass), Minimise::Mass) => {
+            (Some(mass), Objective::Mass) => {
                 format!(
                     "gears of {}, the lightest of {} designs.",
                     words(Dimension::Mass, mass, 4),
                     self.designs
                 )
             }
-            (Some(mass), Minimise::Ring) => format!(
+            (Some(mass), Objective::Ring) => format!(
                 "the smallest rings of {} designs, gears of {}.",
                 self.designs,
                 words(Dimension::Mass, mass, 4)

@@ -43,14 +43,15 @@ use crate::tolerance::rounded;
 use branches::Branches;
 use epicyclic_formats::Document;
 use epicyclic_formats::gearbox::GearboxFile;
+use epicyclic_pictures::modes::Part;
 use epicyclic_train::{self as train, Gear, LinkId, PlanetSet};
 use epicyclic_units::Physical;
 use epicyclic_vibration::{Group, Model, SetParts, SpringId};
 use links::{Train, TrainSet};
 use prepared::{Of, Prepared};
 use records::{
-    Campbell, KineticShares, Member, Mode, ModeKind, NotCalculated, Order, Reason, Resonance, Response,
-    SetModes, StrainShares, What,
+    Campbell, KineticShares, Mode, NotCalculated, Order, Reason, Resonance, Response, SetModes, StrainShares,
+    What,
 };
 use response::Excited;
 use schemars::JsonSchema;
@@ -400,7 +401,7 @@ struct Found {
 impl Found {
     /// Base radius of the sun in m.
     fn sun_radius_m(&self) -> f64 {
-        let sun = self.built.bodies.iter().find(|body| body.body == Member::Sun);
+        let sun = self.built.bodies.iter().find(|body| body.body == Part::Sun);
         sun.map_or(0.0, |sun| sun.radius_m)
     }
 
@@ -436,7 +437,7 @@ impl Found {
             };
             Ok(Mode {
                 mode: number(index),
-                kind: ModeKind::of(group.kind),
+                kind: group.kind,
                 multiplicity: group.multiplicity() as u32,
                 frequency_hz: group.frequency.si(),
                 kinetic: KineticShares {
@@ -450,7 +451,7 @@ impl Found {
             })
         };
         let modes: Result<Vec<Mode>, Error> = self.groups.iter().enumerate().map(mode).collect();
-        let names = [Member::Sun, Member::Ring, Member::Carrier];
+        let names = [Part::Sun, Part::Ring, Part::Carrier];
         Ok(SetModes {
             set: of.entry.id.clone(),
             gears,

@@ -9,14 +9,15 @@ use crate::table::report::AsReport;
 use crate::table::report::{Column, Part, Records, Report, warned};
 use crate::vibrate::answer::Vibration;
 use crate::vibrate::answer::records::{
-    self, BodyMotion, KineticShares, Member, Mode, ModeKind, NotCalculated, Order, Resonance, Response,
-    SetModes, Source, StiffnessOrigin, StrainShares, What,
+    self, BodyMotion, KineticShares, Mode, NotCalculated, Order, Resonance, Response, SetModes, Source,
+    StiffnessOrigin, StrainShares, What,
 };
 use epicyclic_pictures::campbell::{self, Branch, Ray};
 use epicyclic_pictures::modes;
 use epicyclic_pictures::plot::{Curve, Plot};
 use epicyclic_units::Dimension::{AngularSpeed, Force, Frequency, Inertia, Length, Mass, Stiffness, Torque};
 use epicyclic_units::format::in_unit;
+use epicyclic_vibration::Kind;
 pub use train::torsional_campbell;
 
 /// By this a turn a minute becomes hertz.
@@ -28,10 +29,8 @@ const SECONDS_A_MINUTE: f64 = 60.0;
 pub fn campbell(all: &Vibration, place: usize) -> Option<campbell::Campbell> {
     let one = all.campbell.get(place)?;
     let is_own = |set: &str, gear: &str| set == one.set && gear == one.gear;
-    let branch = |branch: &records::Branch| Branch {
-        kind: branch_kind(branch.kind),
-        frequencies: branch.frequencies_hz.clone(),
-    };
+    let branch =
+        |branch: &records::Branch| Branch { kind: branch.kind, frequencies: branch.frequencies_hz.clone() };
     let ray = |order: &Order| Ray {
         name: ray_name(order.source, order.harmonic),
         slope: order.of_input / SECONDS_A_MINUTE,
@@ -49,15 +48,6 @@ pub fn campbell(all: &Vibration, place: usize) -> Option<campbell::Campbell> {
         size_mm: campbell::SIZE_MM,
         is_untitled: false,
     })
-}
-
-const fn branch_kind(kind: ModeKind) -> campbell::Kind {
-    match kind {
-        ModeKind::Rotational => campbell::Kind::Rotational,
-        ModeKind::Translational => campbell::Kind::Translational,
-        ModeKind::Planet => campbell::Kind::Planet,
-        ModeKind::Mixed => campbell::Kind::Mixed,
-    }
 }
 
 /// A short name of an order.
@@ -100,20 +90,14 @@ pub fn response(all: &Vibration, place: usize) -> Option<Plot> {
 #[must_use]
 pub fn shapes(all: &Vibration, place: usize) -> Option<(String, Vec<modes::Mode>)> {
     let set = all.sets.get(place)?;
-    let circle = set.bodies.iter().find(|body| body.body == Member::Carrier)?.radius_m;
+    let circle = set.bodies.iter().find(|body| body.body == modes::Part::Carrier)?.radius_m;
     let body = |motion: &BodyMotion| {
         let radius = set.bodies.iter().find(|body| body.body == motion.body)?.radius_m;
-        let part = match motion.body {
-            Member::Sun => modes::Part::Sun,
-            Member::Ring => modes::Part::Ring,
-            Member::Carrier => modes::Part::Carrier,
-            Member::Planet => modes::Part::Planet,
-        };
         let centre = motion.planet.map_or([0.0; 2], |number| {
             let angle = set.planet_angles_rad.get(number as usize - 1).copied().unwrap_or_default();
             [circle * libm::cos(angle), circle * libm::sin(angle)]
         });
-        Some(modes::Body { part, centre, radius, motion: [motion.x, motion.y, motion.u] })
+        Some(modes::Body { part: motion.body, centre, radius, motion: [motion.x, motion.y, motion.u] })
     };
     let mode = |mode: &Mode| modes::Mode {
         name: format!(
@@ -184,21 +168,21 @@ fn share(of: f64) -> Figure {
     Figure::Printed(100.0 * of, 1)
 }
 
-const fn kind(kind: ModeKind) -> &'static str {
+const fn kind(kind: Kind) -> &'static str {
     match kind {
-        ModeKind::Rotational => "rotational",
-        ModeKind::Translational => "translational",
-        ModeKind::Planet => "planet",
-        ModeKind::Mixed => "mixed",
+        Kind::Rotational => "rotational",
+        Kind::Translational => "translational",
+        Kind::Planet => "planet",
+        Kind::Mixed => "mixed",
     }
 }
 
-const fn member(of: Member) -> &'static str {
+const fn member(of: modes::Part) -> &'static str {
     match of {
-        Member::Sun => "sun",
-        Member::Ring => "ring",
-        Member::Carrier => "carrier",
-        Member::Planet => "planet",
+        modes::Part::Sun => "sun",
+        modes::Part::Ring => "ring",
+        modes::Part::Carrier => "carrier",
+        modes::Part::Planet => "planet",
     }
 }
 

@@ -6,6 +6,8 @@ use std::fmt;
 
 /// A mesh of a simple set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "MeshName"))]
 pub enum SetMesh {
     /// Mesh of sun and planets.
     SunPlanet,
@@ -14,6 +16,9 @@ pub enum SetMesh {
 }
 
 impl SetMesh {
+    /// Both meshes, in the order of the calculation.
+    pub const BOTH: [Self; 2] = [Self::SunPlanet, Self::PlanetRing];
+
     /// Gears of the mesh, the first one first.
     #[must_use]
     pub const fn gears(self) -> [SimpleGear; 2] {
@@ -35,12 +40,14 @@ impl fmt::Display for SetMesh {
 
 /// Severity of a check that does not hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "Severity"))]
 pub enum Severity {
-    /// Worth knowing.
+    /// Remark that is worth knowing.
     Remark,
-    /// A design that an experienced engineer would send back, or give a reason for.
+    /// Warning: an engineer would return the design or justify the value.
     Warning,
-    /// Gears that cannot be cut, put together or turned.
+    /// Error: the gears cannot be cut, assembled or turned.
     Error,
 }
 

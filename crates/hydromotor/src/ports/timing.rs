@@ -42,6 +42,8 @@ pub struct Stretch {
 
 /// Extreme of a chamber's area.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "Extreme"))]
 pub enum AtExtreme {
     /// The greatest area.
     Greatest,

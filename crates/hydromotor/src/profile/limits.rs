@@ -46,7 +46,10 @@ use epicyclic_numerics::extremes::golden;
 use std::f64::consts::PI;
 
 /// Kind of a limit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "LimitKind"))]
 pub enum LimitKind {
     /// The cutter's tip removes a part of the flank.
     Undercut,
@@ -70,13 +73,51 @@ pub enum LimitKind {
     Wheels,
 }
 
+impl LimitKind {
+    /// Name of the limit in words.
+    #[must_use]
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Undercut => "undercut: path to its start",
+            Self::TipCusp => "cusp at the tip: path to it",
+            Self::SatelliteRoot => "reach into the satellite: path",
+            Self::WheelRoot => "reach of the satellite: path",
+            Self::TipThickness => "thickness of the thinnest tip",
+            Self::ContactPath => "shortest path of contact",
+            Self::RootCurve => "root curve without cusps",
+            Self::TipCurve => "tip curve without cusps",
+            Self::Neighbours => "satellites' centres, distance",
+            Self::Wheels => "stator above the rotor",
+        }
+    }
+
+    /// Name of the limit, which is also that of its warning.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+}
+
 /// Side of its bound on which a value is allowed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "Side"))]
 pub enum Bound {
     /// The value is not below the bound.
     AtLeast,
     /// The value is not above the bound.
     AtMost,
+}
+
+impl Bound {
+    /// Side in words.
+    #[must_use]
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::AtLeast => "at least",
+            Self::AtMost => "at most",
+        }
+    }
 }
 
 /// A limit of a wheel's teeth where it is nearest to failing.

@@ -84,6 +84,8 @@ pub const MOST_POINTS: u32 = 10_000_000;
 
 /// A part of a tooth's outline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "ToothPart"))]
 pub enum Part {
     /// The land at the tip.
     Tip,

@@ -2,18 +2,29 @@
 
 /// A gear of a scheme.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", schemars(rename = "GearName"))]
 pub enum SchemeGear {
     /// T₁ is braked.
+    #[cfg_attr(feature = "names", serde(rename = "1"))]
     First,
     /// T₂ is braked.
+    #[cfg_attr(feature = "names", serde(rename = "2"))]
     Second,
     /// Direct drive.
+    #[cfg_attr(feature = "names", serde(rename = "direct"))]
     Direct,
 }
 
 impl SchemeGear {
     /// The braked gears.
     pub const BRAKED: [Self; 2] = [Self::First, Self::Second];
+
+    /// The gear of this name in a scheme's gearbox.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        [Self::First, Self::Second, Self::Direct].into_iter().find(|gear| gear.name() == name)
+    }
 
     /// Name of the gear in a scheme's gearbox.
     #[must_use]
@@ -36,14 +47,25 @@ impl SchemeGear {
     }
 }
 
+impl std::fmt::Display for SchemeGear {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(self.name())
+    }
+}
+
 /// A shift element of a scheme.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", schemars(rename = "ShiftElement"))]
 pub enum SchemeElement {
-    /// The brake of T₁.
+    /// The brake of T₁, engaged in gear 1.
+    #[cfg_attr(feature = "names", serde(rename = "K1"))]
     FirstBrake,
-    /// The brake of T₂.
+    /// The brake of T₂, engaged in gear 2.
+    #[cfg_attr(feature = "names", serde(rename = "K2"))]
     SecondBrake,
     /// The direct-drive clutch.
+    #[cfg_attr(feature = "names", serde(rename = "L"))]
     DirectClutch,
 }
 

@@ -69,6 +69,8 @@ fn is_name(of_scheme: &str, name: &str) -> bool {
 
 /// Role of a link in a scheme.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", schemars(rename = "Link"))]
 pub enum Role {
     /// `D`, the driving shaft.
     D,
@@ -105,7 +107,7 @@ impl Role {
 
 impl fmt::Display for Role {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.symbol())
+        f.pad(self.symbol())
     }
 }
 

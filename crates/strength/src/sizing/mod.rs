@@ -113,11 +113,13 @@ pub const STANDARD_MODULES_MM: [f64; 18] =
 
 /// Objective that is minimized.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema, clap::ValueEnum))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "Minimise"))]
 pub enum Objective {
-    /// The mass of all gears of the set.
+    /// The mass of all gears.
     #[default]
     Mass,
-    /// The outside diameter of the ring.
+    /// The outside diameter of each ring.
     Ring,
 }
 
@@ -204,6 +206,8 @@ pub struct Sizing {
 
 /// A requirement that is a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "Requirement"))]
 pub enum Requirement {
     /// Safety of a flank.
     Flank,
@@ -215,6 +219,14 @@ pub enum Requirement {
     OverloadRoot,
     /// Life of the planet bearings.
     BearingLife,
+}
+
+impl Requirement {
+    /// Whether the requirement concerns an overload.
+    #[must_use]
+    pub const fn is_against_overload(self) -> bool {
+        matches!(self, Self::OverloadFlank | Self::OverloadRoot)
+    }
 }
 
 /// The requirement that is met least.

@@ -11,6 +11,7 @@ use crate::error::Error;
 use crate::shared::gearbox::Gearbox;
 use crate::shared::records::Fraction;
 use crate::tolerance::ROUNDED;
+use epicyclic_train::error::Terminal;
 use epicyclic_train::power_flow::SetPower;
 use epicyclic_train::{self as train, LoadCase, Operation, PlanetSet};
 use epicyclic_units::Physical;
@@ -262,16 +263,6 @@ pub struct Powers {
     pub of_entering: Option<PowersOfEntering>,
     /// Powers at the given speed and load; null unless both are given.
     pub at_load: Option<PowersAtLoad>,
-}
-
-/// Ends of a gear.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Terminal {
-    /// Input of the gear.
-    Input,
-    /// Output of the gear.
-    Output,
 }
 
 /// Powers relative to the entering power.

@@ -4,14 +4,15 @@ use super::overview::printed;
 use super::planet_bearings;
 use super::shared::{engaged, exact, joins, kind, kind_in_words, one_way_clutches, self_locking, state};
 use crate::analyze::answer::gear::{
-    Link, Mesh, OneGear, Pattern, Powers, PowersOfEntering, RollingPower, Set, Terminal, Torques,
-    TorquesAtLoad, TorquesOfInput,
+    Link, Mesh, OneGear, Pattern, Powers, PowersOfEntering, RollingPower, Set, Torques, TorquesAtLoad,
+    TorquesOfInput,
 };
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, multiple, text};
 use crate::table::quantities::quantity;
 use crate::table::report::AsReport;
 use crate::table::report::{Part, Records, Report, Row, Section, warned};
+use epicyclic_train::error::Terminal;
 use epicyclic_units::Dimension;
 
 const CASES: &[(&str, &str)] =

@@ -9,7 +9,6 @@ use crate::select::answer::reached::{ReachedSpeed, largest_deviation};
 use crate::select::answer::saved::Saved;
 use crate::select::answer::teeth::{self, Searches, SizeLimits, Watch};
 use crate::shared::gearbox::{Choice, one};
-use crate::size::answer::records::Minimise;
 use crate::size::answer::{self as size, Size};
 use crate::strength::answer::duty::steps;
 use crate::teeth::answer::shifted::WantedShifts;
@@ -18,6 +17,7 @@ use epicyclic_formats::Document;
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::yaml::{Mapping, Value, to_string};
 use epicyclic_selection::{Mechanism, Space};
+use epicyclic_strength::sizing::Objective;
 use epicyclic_train::Gear;
 use epicyclic_units::Physical;
 use epicyclic_units::format::trimmed;
@@ -183,8 +183,8 @@ impl Tried {
     fn objective(&self) -> f64 {
         let rings = self.size.sets.iter().filter_map(|set| Some(set.found.first()?.ring_diameter_m));
         let objective = match self.size.minimise {
-            Minimise::Mass => self.size.mass_kg,
-            Minimise::Ring => rings.reduce(f64::max),
+            Objective::Mass => self.size.mass_kg,
+            Objective::Ring => rings.reduce(f64::max),
         };
         objective.filter(|_| self.is_whole()).unwrap_or(f64::INFINITY)
     }

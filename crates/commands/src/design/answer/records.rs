@@ -2,12 +2,13 @@
 
 use crate::select::answer::Select;
 use crate::select::answer::candidate::Candidate;
-use crate::select::answer::required::{Brakes, Objective, RatioSigns, Required};
+use crate::select::answer::required::{Objective, Required};
 use crate::select::answer::teeth;
 use crate::shared::catalogue::KRange;
 use crate::size::answer::Size;
 use crate::size::answer::records::{Governing, SizedSet};
 use epicyclic_selection::Mechanism;
+use epicyclic_selection::{Orders, Signs};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -30,9 +31,9 @@ pub struct Criteria {
     /// Allowed relative deviation of a ratio.
     pub tolerance: f64,
     /// Assignment of brakes to ratios.
-    pub brakes: Brakes,
+    pub brakes: Orders,
     /// Allowed signs of the ratios.
-    pub signs: RatioSigns,
+    pub signs: Signs,
     /// Objectives in the order in which they decide.
     pub order: Vec<Objective>,
     /// Allowed range of ring-to-sun ratios.

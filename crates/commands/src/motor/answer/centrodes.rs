@@ -1,9 +1,9 @@
 //! Points of the centrodes.
 
-use super::teeth::Wheel;
 use crate::error::Error;
 use crate::shared::number::si;
-use epicyclic_hydromotor::{Motor, centrode};
+use epicyclic_hydromotor::Motor;
+use epicyclic_hydromotor::centrode::Wheel;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -50,8 +50,7 @@ pub fn centrodes(motor: &Motor, points: u32) -> Result<Centrodes, Error> {
         return Err(Error::CentrodePoints { points, most: MOST_POINTS });
     }
     let numbers = motor.numbers();
-    let wheels =
-        [(centrode::Wheel::Stator, numbers.stator_lobes()), (centrode::Wheel::Rotor, numbers.rotor_lobes())];
+    let wheels = [(Wheel::Stator, numbers.stator_lobes()), (Wheel::Rotor, numbers.rotor_lobes())];
     let mut found = vec![];
     for (wheel, lobes) in wheels {
         let curve = motor.centrode(wheel);
@@ -60,7 +59,7 @@ pub fn centrodes(motor: &Motor, points: u32) -> Result<Centrodes, Error> {
             #[allow(clippy::cast_precision_loss, reason = "far below 2⁵³")]
             let point = curve.at(curve.length() * (i as f64 / count as f64))?;
             found.push(CentrodePoint {
-                wheel: Wheel::of(wheel),
+                wheel,
                 arc_length_m: si(point.arc_length),
                 x_m: si(point.x),
                 y_m: si(point.y),

@@ -1,10 +1,10 @@
 //! Flanks of a motor under load: sealing, forces, stresses.
 
-use super::teeth::Wheel;
 use super::{Designed, Push};
 use crate::error::Error;
 use crate::shared::number::{maybe_si, plain, si};
 use crate::tolerance::{beside_zero, rounded};
+use epicyclic_hydromotor::centrode::Wheel;
 use epicyclic_hydromotor::flanks::{
     self, ContactStress, ForceBound, Governing, LoadedPath, MaterialLimits, PeakPressure, RootStress,
     SealingContact,
@@ -145,11 +145,9 @@ impl GoverningLimit {
     pub(crate) fn of(governing: Governing) -> Self {
         match governing {
             Governing::Contact => Self::Contact,
-            Governing::Root(wheel) => match Wheel::of(wheel) {
-                Wheel::Stator => Self::StatorRoot,
-                Wheel::Rotor => Self::RotorRoot,
-                Wheel::Satellite => Self::SatelliteRoot,
-            },
+            Governing::Root(Wheel::Stator) => Self::StatorRoot,
+            Governing::Root(Wheel::Rotor) => Self::RotorRoot,
+            Governing::Root(Wheel::Satellite) => Self::SatelliteRoot,
         }
     }
 }
@@ -251,7 +249,7 @@ pub(crate) fn contact_stresses(
 fn roots(profile: &Profile, drop: Pressure) -> Result<Vec<RootStresses>, Error> {
     let alone = profile.root_stresses(LoadedPath::SingleContact, drop)?;
     let whole = profile.root_stresses(LoadedPath::Whole, drop)?;
-    let of = |all: &[RootStress], wheel: Wheel| all.iter().find(|one| Wheel::of(one.wheel) == wheel).copied();
+    let of = |all: &[RootStress], wheel: Wheel| all.iter().find(|one| one.wheel == wheel).copied();
     let record = |wheel: Wheel| {
         let (alone, whole) = (of(&alone, wheel), of(&whole, wheel));
         RootStresses {

@@ -44,26 +44,11 @@ pub struct Interval {
     /// Least `l` of the interval, in m.
     pub from_m: f64,
     /// Limit at the least `l`.
-    pub from_limit: FamilyLimit,
+    pub from_limit: closure::Limit,
     /// Greatest `l` of the interval in m; null if rounding leaves none at a cusp.
     pub to_m: Option<f64>,
     /// Limit at the greatest `l`.
-    pub to_limit: FamilyLimit,
-}
-
-/// Limits of an interval of a family.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum FamilyLimit {
-    /// The arcs at the troughs vanish.
-    NoTroughArc,
-    /// The rotor gets cusps.
-    RotorCusp,
-    /// The stator's flanks become radial.
-    RadialFlank,
-    /// The arcs at the troughs reach 100 times the stator's nominal radius, the greatest that a machine can
-    /// have.
-    GreatestRadius,
+    pub to_limit: closure::Limit,
 }
 
 /// Rotor by the cosine law.
@@ -155,21 +140,10 @@ impl Interval {
         let at = |end: &closure::End| end.arcs().map(StatorArcs::trough_distance);
         Some(Self {
             from_m: si(at(&interval.lower)?),
-            from_limit: FamilyLimit::of(interval.lower.limit),
+            from_limit: interval.lower.limit,
             to_m: maybe_si(at(&interval.upper)),
-            to_limit: FamilyLimit::of(interval.upper.limit),
+            to_limit: interval.upper.limit,
         })
-    }
-}
-
-impl FamilyLimit {
-    const fn of(limit: closure::Limit) -> Self {
-        match limit {
-            closure::Limit::NoTroughArc => Self::NoTroughArc,
-            closure::Limit::RotorCusp => Self::RotorCusp,
-            closure::Limit::RadialFlank => Self::RadialFlank,
-            closure::Limit::GreatestRadius => Self::GreatestRadius,
-        }
     }
 }
 

@@ -5,10 +5,11 @@ use crate::failure::Failure;
 use crate::motor::answer::Designed;
 use crate::motor::construction::answer::Constructed;
 use crate::motor::construction::answer::construction;
+use crate::motor::options::Design;
 use crate::motor::options::design::{numbers, place, refuse};
 use crate::motor::options::files::Wanted;
-use crate::motor::options::{Design, View};
 use crate::motor::table as motor;
+use crate::motor::table::View;
 
 const NOT_OF_ARCS: &str =
     "the construction (1)-(8) is of the arcs alone and does not take this option; leave it out";

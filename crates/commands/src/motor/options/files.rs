@@ -1,6 +1,6 @@
 //! Contents of the files: drawings as SVG, DXF, PDF and PNG, centrodes as points.
 
-use super::{Files, View};
+use super::Files;
 use crate::desk::Content;
 use crate::draw::answer::FileFormat;
 use crate::drawing_file;
@@ -8,6 +8,7 @@ use crate::error::Error;
 use crate::failure::Failure;
 use crate::motor::answer::{Designed, centrodes};
 use crate::motor::table as motor;
+use crate::motor::table::View;
 use crate::output::OutputArgs;
 use epicyclic_drawing::Scene;
 use std::path::PathBuf;
@@ -79,19 +80,6 @@ pub(crate) fn content(
 }
 
 pub(crate) fn scene(view: View, designed: &Designed) -> Result<Scene, Failure> {
-    let view = match view {
-        View::Centrodes => motor::View::Centrodes,
-        View::Construction => motor::View::Construction,
-        View::Teeth => motor::View::Teeth,
-        View::Motor => motor::View::Motor,
-        View::Chambers => motor::View::Chambers,
-        View::Dimensions => motor::View::Dimensions,
-        View::Forces => motor::View::Forces,
-        View::Ports => motor::View::Ports,
-        View::Pressure => motor::View::Pressure,
-        View::Stress => motor::View::Stress,
-        View::Efficiency => motor::View::Efficiency,
-    };
     motor::scene(view, designed).map_err(|error| match error {
         crate::table::text::Error::NoTeeth(_) => {
             Failure::named("no-teeth", "--view teeth", error.to_string())

@@ -11,10 +11,11 @@ pub use teeth::{AtFlanks, TeethLimits};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::motor::answer::practice::{self, Borne};
-use crate::motor::answer::{Designed, Groups, Subject};
+use crate::motor::answer::{Designed, Groups};
 use crate::motor::designs::answer::{Drawn, Listed, Origin, nearest_half, nth};
 use crate::motor::forms::answer::Form;
 use crate::shared::number::{maybe_si, plain, si};
+use epicyclic_hydromotor::checks::Subject;
 use epicyclic_hydromotor::search::{self, Found, MotorSearch as Search};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -283,7 +284,7 @@ impl Searched {
             least_radius_in_modules: plain(design.least_radius),
             teeth_limits: teeth.limits,
             contact_stress_pa: teeth.contact_stress_pa,
-            nearest_check: Subject::of(design.nearest_check),
+            nearest_check: design.nearest_check,
             nearest_margin: plain(design.nearest_margin),
             spacing_error: self.error(design.spacing_error),
             modules_m: design.dimensions.iter().map(|size| si(size.module)).collect(),

@@ -1,6 +1,5 @@
 //! The designs of a search for hydromotors, as tables.
 
-use crate::motor::answer::Subject;
 use crate::motor::designs::table::{
     Duty, Numbers, found_and_shown, hidden, numbered, of_set, size_columns, with_duty,
 };
@@ -10,6 +9,7 @@ use crate::table::figure::{Figure, count as many};
 use crate::table::quantities::words;
 use crate::table::report::AsReport;
 use crate::table::report::{Part, Records, Report, Row, Section, View, headline, warned};
+use epicyclic_hydromotor::checks::Subject;
 use epicyclic_units::Dimension::{Length, Pressure, Volume};
 
 /// The objectives, of which the error is stated.

@@ -1,11 +1,15 @@
 //! Lists of a motor: its checks, limits and clearances of its teeth, its chambers and satellites.
 
-use crate::motor::answer::{Between, LimitKind, Wheel};
-use crate::motor::answer::{ChamberState, Clearance, Motor, Side, Subject, ToothLimit, ToothPart, Verdict};
+use crate::motor::answer::Between;
+use crate::motor::answer::{ChamberState, Clearance, Motor, ToothLimit, Verdict};
 use crate::table::columns::Table;
 use crate::table::figure::Figure;
 use crate::table::quantities::words;
 use crate::table::report::Records;
+use epicyclic_hydromotor::centrode::Wheel;
+use epicyclic_hydromotor::checks::Subject;
+use epicyclic_hydromotor::profile::Part;
+use epicyclic_hydromotor::profile::limits::{Bound, LimitKind};
 use epicyclic_units::Dimension::{Angle, Area, Force, Length, Pressure};
 
 fn verdict(verdict: Verdict) -> Figure {
@@ -57,8 +61,8 @@ pub(crate) fn limits(limits: &[ToothLimit]) -> Records {
         Wheel::Satellite => "satellite",
     };
     let side = |side| match side {
-        Side::AtLeast => "at_least",
-        Side::AtMost => "at_most",
+        Bound::AtLeast => "at_least",
+        Bound::AtMost => "at_most",
     };
     Table::new("tooth_limits", limits.iter())
         .words("wheel", "teeth of", |limit| Figure::answer(wheel(limit.wheel), limit.wheel.words()))
@@ -81,10 +85,10 @@ pub(crate) fn clearances(clearances: &[Clearance]) -> Records {
     };
     let part = |part| match part {
         None => Figure::None,
-        Some(ToothPart::Tip) => Figure::answer("tip", "tip"),
-        Some(ToothPart::Flank) => Figure::answer("flank", "flank"),
-        Some(ToothPart::Fillet) => Figure::answer("fillet", "fillet"),
-        Some(ToothPart::Root) => Figure::answer("root", "root"),
+        Some(Part::Tip) => Figure::answer("tip", "tip"),
+        Some(Part::Flank) => Figure::answer("flank", "flank"),
+        Some(Part::Fillet) => Figure::answer("fillet", "fillet"),
+        Some(Part::Root) => Figure::answer("root", "root"),
     };
     Table::new("clearances", clearances.iter())
         .words("between", "between", |clearance| {

@@ -2,13 +2,14 @@
 
 use super::{count, maybe, one};
 use crate::motor::answer::{
-    AllowedPressure, Efficiency, Extreme, Flanks, ForceAt, GoverningLimit, Losses, MadePorts, OpenTo, Port,
-    PortState, Push,
+    AllowedPressure, Efficiency, Flanks, ForceAt, GoverningLimit, Losses, MadePorts, OpenTo, Port, PortState,
+    Push,
 };
 use crate::table::columns::Table;
 use crate::table::figure::Figure;
 use crate::table::quantities::remarked;
 use crate::table::report::{Part, Records, Row, Section, Text};
+use epicyclic_hydromotor::ports::timing::AtExtreme;
 use epicyclic_units::Dimension::{
     Angle, AngularSpeed, Area, Force, Length, Power, Pressure, Torque, Volume, VolumeRate,
 };
@@ -209,8 +210,8 @@ fn cycle(ports: &MadePorts) -> Records {
         })
         .words("extreme", "about the", |state| {
             closed(state).and_then(|one| one.extreme).map_or(Figure::None, |extreme| match extreme {
-                Extreme::Greatest => Figure::answer("greatest", "greatest"),
-                Extreme::Least => Figure::answer("least", "least"),
+                AtExtreme::Greatest => Figure::answer("greatest", "greatest"),
+                AtExtreme::Least => Figure::answer("least", "least"),
             })
         })
         .headed("before", "before", Angle, |state| closed(state).map(|one| one.before_rad))

@@ -3,12 +3,14 @@
 use super::duty::Duty;
 use super::required::{Objective, finite};
 use crate::error::Error;
-use crate::shared::catalogue::{GearName, Link, SetLinks, SetSpeeds, ShiftElement};
+use crate::shared::catalogue::{SetLinks, SetSpeeds};
 use crate::shared::number::{plain, si};
 use crate::tolerance::ROUNDED;
 use epicyclic_schemes::catalogue::{Reach as RatioReach, Scheme};
+use epicyclic_schemes::catalogue::{SchemeElement, SchemeGear};
 use epicyclic_schemes::standing::Standing;
 use epicyclic_schemes::structures::Family;
+use epicyclic_schemes::structures::Role;
 use epicyclic_selection::drawing::{DRAWN_K, drawable_direct_clutches};
 use epicyclic_selection::{self as selection, Evidence, Mechanism, NotDrawable, Requirements};
 use epicyclic_train::{Gearbox, InputLoad, Operation};
@@ -146,7 +148,7 @@ pub struct Objectives {
 #[schemars(deny_unknown_fields)]
 pub struct BrakedGear {
     /// Name of the gear.
-    pub gear: GearName,
+    pub gear: SchemeGear,
     /// Required ratio.
     pub wanted_ratio: f64,
     /// Ratio of the gear, input speed over output speed.
@@ -167,7 +169,7 @@ pub struct BrakedGear {
 #[schemars(deny_unknown_fields)]
 pub struct DirectDriveClutch {
     /// Names of the two links that the clutch joins.
-    pub links: [Link; 2],
+    pub links: [Role; 2],
     /// Torque on the first link in direct drive, relative to the input torque.
     pub torque_of_input: f64,
     /// Slip of the open clutch in each braked gear relative to the input speed: first link minus second.
@@ -183,11 +185,11 @@ pub struct DirectDriveClutch {
 #[schemars(deny_unknown_fields)]
 pub struct Engagement {
     /// Name of the gear.
-    pub gear: GearName,
+    pub gear: SchemeGear,
     /// Ratio of the gear, input speed over output speed.
     pub ratio: f64,
     /// Shift element that is engaged in the gear.
-    pub engaged: ShiftElement,
+    pub engaged: SchemeElement,
     /// Whether the output turns backward.
     pub reverses: bool,
 }
@@ -209,11 +211,11 @@ pub struct Verdict {
     /// Greatest value that meets the criterion; null if there is no limit.
     pub greatest: Option<f64>,
     /// Gear with the worst value; null if the value is not one of a gear.
-    pub gear: Option<GearName>,
+    pub gear: Option<SchemeGear>,
     /// Number of the set with the worst value; null if the value is not one of a set or its planets.
     pub set: Option<u32>,
     /// Link with the worst value; null if the value is not one of a link.
-    pub link: Option<Link>,
+    pub link: Option<Role>,
     /// Explanation of the elements that cannot be drawn together; null if the scheme is drawable, and for
     /// other criteria.
     pub crossing: Option<String>,
@@ -248,7 +250,7 @@ pub enum Criterion {
 #[schemars(deny_unknown_fields)]
 pub struct GearOperation {
     /// Name of the gear.
-    pub gear: GearName,
+    pub gear: SchemeGear,
     /// Output speed in rad/s; null without the input speed.
     pub output_speed_rad_s: Option<f64>,
     /// Torque on the input in N·m; null without a load.
@@ -375,7 +377,7 @@ impl BrakedGear {
         let speed = |role| gear.links.iter().find(|(link, _)| *link == role).map(|(_, speed)| *speed);
         let sets = mechanism.sets().into_iter().enumerate();
         Self {
-            gear: GearName::of(gear.gear),
+            gear: gear.gear,
             wanted_ratio: gear.wanted,
             ratio: gear.ratio,
             efficiency: gear.efficiency,
@@ -392,7 +394,7 @@ fn direct_drive_clutches(one: &selection::Candidate) -> Vec<DirectDriveClutch> {
     let drawable = drawable_direct_clutches(one.mechanism).unwrap_or_default();
     let clutch =
         |(place, clutch): (usize, &epicyclic_schemes::direct_drive::DirectClutch)| DirectDriveClutch {
-            links: clutch.pair.map(Link::of),
+            links: clutch.pair,
             torque_of_input: plain(clutch.torque),
             slips_of_input: clutch.slip.iter().take(one.gears.len()).copied().map(plain).collect(),
             drawable: drawable.contains(&clutch.pair),
@@ -403,7 +405,7 @@ fn direct_drive_clutches(one: &selection::Candidate) -> Vec<DirectDriveClutch> {
 
 fn engagement_table(one: &selection::Candidate) -> Vec<Engagement> {
     let line = |line: selection::Engagement| {
-        let gear = GearName::of(line.gear);
+        let gear = line.gear;
         Engagement { gear, ratio: line.ratio, engaged: gear.engaged(), reverses: line.reverses }
     };
     one.engagement_table().into_iter().map(line).collect()
@@ -447,25 +449,20 @@ impl Criterion {
 /// Place of the worst value of a criterion.
 #[derive(Default)]
 struct Place {
-    gear: Option<GearName>,
+    gear: Option<SchemeGear>,
     set: Option<u32>,
-    link: Option<Link>,
+    link: Option<Role>,
     crossing: Option<String>,
 }
 
 impl Place {
     fn of(mechanism: Mechanism, evidence: &Evidence) -> Self {
-        let gear_of = |gear| Some(GearName::of(gear));
         let set_of = |set: usize| u32::try_from(set + 1).ok();
         match *evidence {
-            Evidence::Gear(gear) => Self { gear: gear_of(gear), ..Self::default() },
+            Evidence::Gear(gear) => Self { gear: Some(gear), ..Self::default() },
             Evidence::Set(set) => Self { set: set_of(set), ..Self::default() },
-            Evidence::Link { role, gear } => {
-                Self { gear: gear_of(gear), link: Some(Link::of(role)), ..Self::default() }
-            }
-            Evidence::Planet { set, gear } => {
-                Self { gear: gear_of(gear), set: set_of(set), ..Self::default() }
-            }
+            Evidence::Link { role, gear } => Self { gear: Some(gear), link: Some(role), ..Self::default() },
+            Evidence::Planet { set, gear } => Self { gear: Some(gear), set: set_of(set), ..Self::default() },
             Evidence::NotDrawable(ref why) => {
                 Self { crossing: Some(crossing(mechanism, why)), ..Self::default() }
             }
@@ -502,7 +499,7 @@ fn operation(
     let gearbox = one.gearbox(requirements)?;
     let mut found = vec![];
     for line in one.engagement_table() {
-        let gear = GearName::of(line.gear);
+        let gear = line.gear;
         let analysis = gearbox.analyze(gear.name())?;
         // Torques do not depend on the speed; powers are given only if it is known.
         let turning = speed.unwrap_or(AngularVelocity::from_si(1.0));
@@ -519,9 +516,9 @@ fn operation(
             output_speed_rad_s: speed.map(|speed| (speed / line.ratio).si()),
             input_torque_n_m: at.map(|at| si(at.input)),
             output_torque_n_m: at.map(|at| si(at.output)),
-            k1_torque_n_m: element(ShiftElement::K1),
-            k2_torque_n_m: element(ShiftElement::K2),
-            direct_drive_clutch_torque_n_m: element(ShiftElement::L),
+            k1_torque_n_m: element(SchemeElement::FirstBrake),
+            k2_torque_n_m: element(SchemeElement::SecondBrake),
+            direct_drive_clutch_torque_n_m: element(SchemeElement::DirectClutch),
             entering_w: powered.map(|at| si(at.entering)),
             leaving_w: powered.map(|at| si(at.entering - at.loss)),
             loss_w: powered.map(|at| if at.loss.abs() < at.entering * ROUNDED { 0.0 } else { si(at.loss) }),
@@ -533,7 +530,7 @@ fn operation(
 }
 
 /// Torque of a shift element; `None` if the mechanism lacks it or there is no load.
-fn shift_element(gearbox: &Gearbox, at: Option<&Operation>, element: ShiftElement) -> Option<Torque> {
+fn shift_element(gearbox: &Gearbox, at: Option<&Operation>, element: SchemeElement) -> Option<Torque> {
     let place = gearbox.shift_elements().iter().position(|one| one.id() == element.name())?;
     at?.shift_elements[place]
 }

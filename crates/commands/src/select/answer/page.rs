@@ -2,7 +2,6 @@
 
 use super::candidate::Candidate;
 use crate::error::Error;
-use crate::shared::catalogue::Link;
 use crate::synthesize::answer::page::Drawn;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_layout::{Options, Verdict, draw};
@@ -17,10 +16,10 @@ pub fn drawn(candidate: &Candidate, eta0: MeshEfficiency) -> Result<Drawn, Error
     let sets: Vec<(SetRoles, f64)> = candidate
         .sets
         .iter()
-        .map(|set| ([set.links.sun, set.links.ring, set.links.carrier].map(Link::role), set.k))
+        .map(|set| ([set.links.sun, set.links.ring, set.links.carrier], set.k))
         .collect();
     let clutch = candidate.direct_drive_clutches.iter().find(|clutch| clutch.chosen);
-    let clutch: Option<[Role; 2]> = clutch.map(|clutch| clutch.links.map(Link::role));
+    let clutch: Option<[Role; 2]> = clutch.map(|clutch| clutch.links);
     let name = candidate.scheme.unwrap_or(&candidate.structure);
     let gearbox = gearbox(name, &sets, eta0, clutch)?;
     let layout = match draw(&gearbox, Options::default()) {

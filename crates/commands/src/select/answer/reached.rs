@@ -1,7 +1,7 @@
 //! Speeds required and reached, gear by gear.
 
 use super::candidate::BrakedGear;
-use crate::shared::catalogue::GearName;
+use epicyclic_schemes::catalogue::SchemeGear;
 use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -12,7 +12,7 @@ use uom::si::f64::{AngularVelocity, Velocity};
 #[schemars(deny_unknown_fields)]
 pub struct ReachedSpeed {
     /// Name of the gear.
-    pub gear: GearName,
+    pub gear: SchemeGear,
     /// Required speed of the machine in m/s; null if ratios are required.
     pub asked_speed_m_s: Option<f64>,
     /// Speed of the machine in m/s, negative for backward; null if ratios are required.
@@ -52,19 +52,19 @@ impl Asked<'_> {
 
     /// Speeds in direct drive and in braked gears with the required and reached ratios, the slowest required
     /// speed first.
-    pub(crate) fn reached(&self, braked: impl Iterator<Item = (GearName, f64, f64)>) -> Vec<ReachedSpeed> {
+    pub(crate) fn reached(&self, braked: impl Iterator<Item = (SchemeGear, f64, f64)>) -> Vec<ReachedSpeed> {
         // A scheme may be tried with signs other than those given.
         let asked = |wanted: f64| nearest(&self.ratios, wanted).unwrap_or(wanted);
         let mut found: Vec<ReachedSpeed> = braked
             .map(|(gear, wanted, ratio)| (gear, asked(wanted), ratio))
-            .chain([(GearName::Direct, 1.0, 1.0)])
+            .chain([(SchemeGear::Direct, 1.0, 1.0)])
             .map(|(gear, asked, ratio)| self.of(gear, asked, ratio))
             .collect();
         found.sort_by(|one, other| other.asked_ratio.abs().total_cmp(&one.asked_ratio.abs()));
         found
     }
 
-    fn of(&self, gear: GearName, asked_ratio: f64, ratio: f64) -> ReachedSpeed {
+    fn of(&self, gear: SchemeGear, asked_ratio: f64, ratio: f64) -> ReachedSpeed {
         // The greatest speed belongs to direct drive.
         let speeds: Vec<f64> = self.speeds.iter().map(|speed| speed.si()).collect();
         let direct = speeds.last().copied();
@@ -103,7 +103,7 @@ mod tests {
     use uom::si::angular_velocity::revolution_per_minute;
     use uom::si::velocity::meter_per_second;
 
-    fn gear(gear: GearName, wanted_ratio: f64, ratio: f64) -> BrakedGear {
+    fn gear(gear: SchemeGear, wanted_ratio: f64, ratio: f64) -> BrakedGear {
         BrakedGear {
             gear,
             wanted_ratio,
@@ -122,7 +122,7 @@ mod tests {
         let ratios = [1.6, 1.6 / 0.63];
         let input = Some(AngularVelocity::new::<revolution_per_minute>(1500.0));
         let asked = Asked { speeds: &speeds, ratios: ratios.to_vec(), input };
-        let gears = [gear(GearName::First, -1.6, -1.6), gear(GearName::Second, 1.6 / 0.63, 2.5)];
+        let gears = [gear(SchemeGear::First, -1.6, -1.6), gear(SchemeGear::Second, 1.6 / 0.63, 2.5)];
         let found = asked.reached_by(&gears);
         let asked: Vec<f64> = found.iter().filter_map(|one| one.asked_speed_m_s).collect();
         assert_eq!(asked, [0.63, 1.0, 1.6]);

@@ -17,9 +17,9 @@ pub struct Required {
     /// Allowed relative deviation of a ratio.
     pub tolerance: f64,
     /// Assignment of brakes to ratios.
-    pub brakes: Brakes,
+    pub brakes: Orders,
     /// Allowed signs of the ratios.
-    pub signs: RatioSigns,
+    pub signs: Signs,
     /// Objectives in the order in which they decide.
     pub order: Vec<Objective>,
     /// Allowed range of ring-to-sun ratios.
@@ -55,28 +55,6 @@ pub struct Required {
     pub input_speed_rad_s: Option<f64>,
     /// Torque on the input in N·m; null if not given.
     pub input_torque_n_m: Option<f64>,
-}
-
-/// Assignments of brakes to ratios.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Brakes {
-    /// Either brake may give either ratio.
-    Either,
-    /// The first brake gives the first ratio.
-    AsGiven,
-}
-
-/// Allowed signs of the ratios; direct drive is positive.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum RatioSigns {
-    /// Ratios of equal sign: positive or negative.
-    Alike,
-    /// Ratios of any sign, independent of each other.
-    Any,
-    /// Signs as given.
-    AsGiven,
 }
 
 /// Objectives by which designs are compared.
@@ -127,15 +105,8 @@ impl Required {
         Ok(Self {
             ratios: requirements.series.braked(),
             tolerance: requirements.tolerance,
-            brakes: match requirements.orders {
-                Orders::Both => Brakes::Either,
-                Orders::AsGiven => Brakes::AsGiven,
-            },
-            signs: match requirements.signs {
-                Signs::Alike => RatioSigns::Alike,
-                Signs::Any => RatioSigns::Any,
-                Signs::AsGiven => RatioSigns::AsGiven,
-            },
+            brakes: requirements.orders,
+            signs: requirements.signs,
             order: order.objectives().into_iter().map(Objective::of).collect(),
             k: range(&limits.ring_to_sun),
             preferred_k: range(&limits.preferred),

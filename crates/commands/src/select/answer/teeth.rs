@@ -12,7 +12,6 @@ use super::saved::Saved;
 use crate::answer::Answer;
 use crate::error::Error;
 use crate::finite;
-use crate::shared::catalogue::GearName;
 use crate::teeth::answer::shifted::{RequiredShifts, SetShifts, WantedShifts};
 use crate::tolerance::LEAST_MODULE_M;
 use epicyclic_formats::gearbox::WrittenSize;
@@ -319,7 +318,7 @@ impl<'a> Searches<'a> {
     pub(crate) fn speeds(&self, place: usize) -> Vec<ReachedSpeed> {
         let first = &self.found[place];
         let k: Vec<f64> = first.teeth.iter().map(ToothNumbers::ring_to_sun_ratio).collect();
-        let gears = SchemeGear::BRAKED.into_iter().map(GearName::of);
+        let gears = SchemeGear::BRAKED.into_iter();
         let ratios = first.wanted.iter().copied().zip(first.mechanism.ratios(&k));
         self.wanted.asked().reached(gears.zip(ratios).map(|(gear, (wanted, ratio))| (gear, wanted, ratio)))
     }

@@ -3,10 +3,10 @@
 use super::{joined, name, words};
 use crate::schemes::table::speed_lines;
 use crate::select::answer::candidate::{Candidate, Engagement};
-use crate::shared::catalogue::ShiftElement;
 use crate::table::columns::Table;
 use crate::table::figure::Figure;
 use crate::table::report::{Part, Records, Report, Text, View};
+use epicyclic_schemes::catalogue::SchemeElement;
 use epicyclic_units::Dimension;
 
 /// The parts that show a candidate in full.
@@ -96,9 +96,11 @@ fn engagement_table(one: &Candidate) -> Records {
     Table::new("engagement_table", &one.engagement_table)
         .text("gear", "gear", |line| line.gear.name())
         .multiple("ratio", "i", |line| line.ratio)
-        .words("k1", "K1", |line| engages(line, ShiftElement::K1))
-        .words("k2", "K2", |line| engages(line, ShiftElement::K2))
-        .words("direct_drive_clutch", "direct-drive clutch", |line| engages(line, ShiftElement::L))
+        .words("k1", "K1", |line| engages(line, SchemeElement::FirstBrake))
+        .words("k2", "K2", |line| engages(line, SchemeElement::SecondBrake))
+        .words("direct_drive_clutch", "direct-drive clutch", |line| {
+            engages(line, SchemeElement::DirectClutch)
+        })
         .words("output", "output", |line| if line.reverses { "backward" } else { "forward" })
         .view_of(
             heading("engagement table, the slowest output first", one),

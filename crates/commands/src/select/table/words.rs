@@ -223,7 +223,7 @@ fn objection(one: &Candidate, verdict: &Verdict) -> String {
         Criterion::RingToSunRatio => format!("k = {value} of set {set} outside {least} to {greatest}"),
         Criterion::Efficiency => format!("efficiency {value} in {gear}, least {least}"),
         Criterion::LinkSpeed => {
-            let link = verdict.link.map_or("a link", |link| link.name());
+            let link = verdict.link.map_or("a link", |link| link.symbol());
             format!("speed {value} of {link} in {gear}, greatest {greatest}")
         }
         Criterion::PlanetSpeed => {

@@ -1,7 +1,7 @@
 //! Tooth checks of a gearbox: the results, and the keys missing for checks that could not be made.
 
 use crate::answer::Warning;
-use epicyclic_gears::involute::check::Severity as CheckSeverity;
+use epicyclic_gears::involute::check::Severity;
 use epicyclic_gears::involute::left_out::LeftOut;
 use epicyclic_train::tooth_checks::{SetCheck, SetChecks, Subject as CheckSubject};
 use schemars::JsonSchema;
@@ -46,18 +46,6 @@ pub struct ToothCheck {
     pub remedy: Option<&'static str>,
 }
 
-/// Severities of a failed check.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Severity {
-    /// Remark that is worth knowing.
-    Remark,
-    /// Warning: an engineer would return the design or justify the value.
-    Warning,
-    /// Error: the gears cannot be cut, assembled or turned.
-    Error,
-}
-
 /// Set for which some checks could not be made.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
@@ -88,16 +76,6 @@ impl TeethLeftOut {
     }
 }
 
-impl From<CheckSeverity> for Severity {
-    fn from(severity: CheckSeverity) -> Self {
-        match severity {
-            CheckSeverity::Remark => Self::Remark,
-            CheckSeverity::Warning => Self::Warning,
-            CheckSeverity::Error => Self::Error,
-        }
-    }
-}
-
 impl ToothCheck {
     fn of(check: SetCheck) -> Self {
         let gears = match check.subject {
@@ -112,7 +90,7 @@ impl ToothCheck {
             value: Some(check.value).filter(|value| value.is_finite()),
             limit: check.limit,
             unit: check.unit,
-            severity: check.severity.into(),
+            severity: check.severity,
             holds: check.miss.is_none(),
             remedy: check.miss.is_some().then_some(check.remedy),
             message: check.miss,

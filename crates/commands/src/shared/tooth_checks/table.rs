@@ -1,9 +1,10 @@
 //! The checks of the teeth that do not hold, as a table.
 
-use crate::shared::tooth_checks::answer::{NotChecked, Severity, ToothChecks};
+use crate::shared::tooth_checks::answer::{NotChecked, ToothChecks};
 use crate::table::columns::Table;
 use crate::table::figure::Figure;
 use crate::table::report::Records;
+use epicyclic_gears::involute::check::Severity;
 
 /// Decimals of a value and its limit.
 const DECIMALS: usize = 4;

@@ -1,11 +1,12 @@
 //! Records of data sheets: gears, meshes, sets.
 
 use crate::shared::tool::{CuttingTool, ToolKind};
-use crate::strength::answer::records::{MeshName, ToothedGear};
 use epicyclic_formats::gearbox::SetEntry;
 use epicyclic_gears::Error;
+use epicyclic_gears::involute::check::SetMesh;
 use epicyclic_gears::involute::play::Deviation;
 use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet};
+use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -99,10 +100,10 @@ pub enum Hand {
 
 impl Hand {
     /// External gears in mesh have opposite hands; a ring has the hand of its planets.
-    const fn of(gear: ToothedGear) -> Self {
+    const fn of(gear: SimpleGear) -> Self {
         match gear {
-            ToothedGear::Sun => Self::OfSun,
-            ToothedGear::Planet | ToothedGear::Ring => Self::Opposite,
+            SimpleGear::Sun => Self::OfSun,
+            SimpleGear::Planet | SimpleGear::Ring => Self::Opposite,
         }
     }
 }
@@ -112,7 +113,7 @@ impl Hand {
 #[schemars(deny_unknown_fields)]
 pub struct GearSheet {
     /// Kind of the gear: sun, planet or ring.
-    pub toothed_gear: ToothedGear,
+    pub toothed_gear: SimpleGear,
     /// Tooth number `z`.
     pub teeth: u32,
     /// Hand of the helix; null for spur teeth.
@@ -179,7 +180,7 @@ pub struct GearSheet {
 #[schemars(deny_unknown_fields)]
 pub struct GearInMesh {
     /// Kind of the gear: sun, planet or ring.
-    pub toothed_gear: ToothedGear,
+    pub toothed_gear: SimpleGear,
     /// Working diameter `d_w`, in m.
     pub working_diameter_m: f64,
     /// Active root diameter `d_Nf` in m, where contact with the mate ends at the root.
@@ -198,7 +199,7 @@ pub struct GearInMesh {
 #[schemars(deny_unknown_fields)]
 pub struct MeshSheet {
     /// Name of the mesh.
-    pub mesh: MeshName,
+    pub mesh: SetMesh,
     /// Working transverse pressure angle `α_wt`, in rad.
     pub working_angle_rad: f64,
     /// Transverse contact ratio `ε_α`.
@@ -229,7 +230,7 @@ impl SetSheet {
     ) -> Result<Self, Error> {
         let profile = set.gears()[0].profile();
         let face_width_m = entry.face_width.map(|width| width.0.si());
-        let named = [ToothedGear::Sun, ToothedGear::Planet, ToothedGear::Ring];
+        let named = [SimpleGear::Sun, SimpleGear::Planet, SimpleGear::Ring];
         let thickness = allowed.map(|allowed| allowed.thickness);
         let gears = named.into_iter().enumerate().map(|(place, name)| {
             let allowance = thickness.map(|all| all[place]);
@@ -238,7 +239,7 @@ impl SetSheet {
         });
         let meshes = [set.sun_mesh(), set.ring_mesh()].into_iter().enumerate().map(|(place, pair)| {
             MeshSheet::of(
-                MeshName::BOTH[place],
+                SetMesh::BOTH[place],
                 pair,
                 module_m,
                 face_width_m,
@@ -271,7 +272,7 @@ impl SetSheet {
 
 impl GearSheet {
     fn of(
-        toothed_gear: ToothedGear,
+        toothed_gear: SimpleGear,
         gear: &InvoluteGear,
         module_m: f64,
         ball_m: f64,
@@ -284,7 +285,7 @@ impl GearSheet {
         let lead = std::f64::consts::PI * gear.reference_diameter() / libm::tan(helix_angle);
         let base_helix = gear.profile().base_helix_rad();
         // Only a helical external gear needs a minimum width for the measurement of its span.
-        let has_span_width = is_helical && toothed_gear != ToothedGear::Ring;
+        let has_span_width = is_helical && toothed_gear != SimpleGear::Ring;
         let thinner = |allowance: f64| gear.with_thickness_allowance(allowance);
         let both = match allowance {
             Some(Deviation { lower, upper }) => Some([thinner(lower)?, thinner(upper)?]),
@@ -340,7 +341,7 @@ fn sorted([one, other]: [f64; 2]) -> Limits {
 
 impl MeshSheet {
     fn of(
-        mesh: MeshName,
+        mesh: SetMesh,
         pair: &Pair,
         module_m: f64,
         face_width_m: Option<f64>,

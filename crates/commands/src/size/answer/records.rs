@@ -4,37 +4,19 @@ use super::Wanted;
 use crate::answer::Warning;
 use crate::shared::tool::CuttingTool;
 use crate::strength::answer::prepared::SetToSize;
-use crate::strength::answer::records::{MeshName, NotRated, Reason, ToothedGear, Wear};
+use crate::strength::answer::records::{NotRated, Reason, Wear};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::involute::InvoluteGear;
+use epicyclic_gears::involute::check::SetMesh;
 use epicyclic_gears::life::Rolling;
 use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_strength::factor::Side;
-use epicyclic_strength::sizing::{self, Design, Found, Objective};
+use epicyclic_strength::sizing::{self, Design, Found, Requirement};
 use epicyclic_strength::spectrum::{GearDuty, Worn};
 use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::Length;
-
-/// Quantities to be minimized.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Minimise {
-    /// Mass of the gears of each set.
-    Mass,
-    /// Outside diameter of each ring.
-    Ring,
-}
-
-impl From<Minimise> for Objective {
-    fn from(minimise: Minimise) -> Self {
-        match minimise {
-            Minimise::Mass => Self::Mass,
-            Minimise::Ring => Self::Ring,
-        }
-    }
-}
 
 /// Search space of a set for which the file gives no values.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -148,30 +130,6 @@ pub struct LeftOut {
     pub bearing_life: u64,
 }
 
-/// Requirements with a numerical value.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Requirement {
-    /// Safety of a flank.
-    Flank,
-    /// Safety of a root.
-    Root,
-    /// Static safety of a flank against an overload.
-    OverloadFlank,
-    /// Static safety of a root against an overload.
-    OverloadRoot,
-    /// Life of the planet bearings.
-    BearingLife,
-}
-
-impl Requirement {
-    /// Whether the requirement concerns an overload.
-    #[must_use]
-    pub const fn is_against_overload(self) -> bool {
-        matches!(self, Self::OverloadFlank | Self::OverloadRoot)
-    }
-}
-
 /// Requirement with the least margin in a design.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
@@ -179,9 +137,9 @@ pub struct Governing {
     /// Name of the requirement.
     pub requirement: Requirement,
     /// Name of the mesh; null for a bearing.
-    pub mesh: Option<MeshName>,
+    pub mesh: Option<SetMesh>,
     /// Gear whose tooth or bearing governs.
-    pub toothed_gear: ToothedGear,
+    pub toothed_gear: SimpleGear,
     /// Safety; for a bearing the load that it carries for the required life over its load.
     pub value: f64,
     /// Required value.
@@ -190,20 +148,14 @@ pub struct Governing {
 
 impl Governing {
     fn of(governing: sizing::Governing) -> Self {
-        let requirement = match governing.requirement {
-            sizing::Requirement::Flank => Requirement::Flank,
-            sizing::Requirement::Root => Requirement::Root,
-            sizing::Requirement::OverloadFlank => Requirement::OverloadFlank,
-            sizing::Requirement::OverloadRoot => Requirement::OverloadRoot,
-            sizing::Requirement::BearingLife => Requirement::BearingLife,
-        };
-        let toothed_gear = match governing.gear {
-            SimpleGear::Sun => ToothedGear::Sun,
-            SimpleGear::Ring => ToothedGear::Ring,
-            _ => ToothedGear::Planet,
-        };
-        let mesh = (requirement != Requirement::BearingLife).then(|| MeshName::BOTH[governing.mesh]);
-        Self { requirement, mesh, toothed_gear, value: governing.value, required: governing.required }
+        let mesh = (governing.requirement != Requirement::BearingLife).then(|| SetMesh::BOTH[governing.mesh]);
+        Self {
+            requirement: governing.requirement,
+            mesh,
+            toothed_gear: governing.gear,
+            value: governing.value,
+            required: governing.required,
+        }
     }
 }
 
@@ -232,9 +184,9 @@ pub struct SizedBearing {
 #[schemars(deny_unknown_fields)]
 pub struct SizedGear {
     /// Name of the mesh.
-    pub mesh: MeshName,
+    pub mesh: SetMesh,
     /// Gear of the mesh.
-    pub toothed_gear: ToothedGear,
+    pub toothed_gear: SimpleGear,
     /// Name of the gear's material.
     pub material: String,
     /// Damage and safety of the flank.
@@ -244,8 +196,8 @@ pub struct SizedGear {
 }
 
 impl SizedGear {
-    fn both(mesh: MeshName, materials: &[String; 3], rating: &[GearDuty<Worn>; 2]) -> [Self; 2] {
-        let first = usize::from(mesh == MeshName::PlanetRing);
+    fn both(mesh: SetMesh, materials: &[String; 3], rating: &[GearDuty<Worn>; 2]) -> [Self; 2] {
+        let first = usize::from(mesh == SetMesh::PlanetRing);
         Side::BOTH.map(|side| {
             let own = &rating[side as usize];
             Self {
@@ -313,7 +265,7 @@ impl SizedDesign {
             life_s: design.bearing_life.map(Physical::si),
         });
         let gears = design.set.gears();
-        let both = MeshName::BOTH.into_iter().zip(&design.meshes);
+        let both = SetMesh::BOTH.into_iter().zip(&design.meshes);
         Self {
             module_m: design.module.si(),
             face_width_m: design.face_width.si(),

@@ -1,7 +1,10 @@
 //! Sets and teeth that are not rated, with the reasons.
 
-use super::names::{Against, MeshName, Place, ToothedGear};
+use super::names::{Against, mesh_name};
+use epicyclic_gears::involute::check::SetMesh;
+use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_strength as strength;
+use epicyclic_strength::rating::Place;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -36,9 +39,9 @@ pub struct NotRated {
     /// Selected gears in which the set is not rated; empty for all.
     pub gears: Vec<String>,
     /// Name of the mesh; null if no mesh of the set is rated.
-    pub mesh: Option<MeshName>,
+    pub mesh: Option<SetMesh>,
     /// Gear of the mesh; null if neither gear is rated.
-    pub toothed_gear: Option<ToothedGear>,
+    pub toothed_gear: Option<SimpleGear>,
     /// Flank or root of this gear; null if neither is rated.
     pub place: Option<Place>,
     /// Reason why the part is not rated.
@@ -90,14 +93,14 @@ impl NotRated {
     }
 
     /// Restricts the record to one mesh.
-    pub(crate) fn of_mesh(self, mesh: MeshName) -> Self {
+    pub(crate) fn of_mesh(self, mesh: SetMesh) -> Self {
         Self { mesh: Some(mesh), ..self }
     }
 
     /// Records of the flanks and roots of both gears of a mesh that have an error.
     pub(crate) fn parts(
         set: &str,
-        mesh: MeshName,
+        mesh: SetMesh,
         errors: [(Option<strength::Error>, Option<strength::Error>); 2],
     ) -> Vec<Self> {
         let of_gear = |(side, (flank, root)): (usize, (Option<strength::Error>, Option<strength::Error>))| {
@@ -143,7 +146,7 @@ impl NotRated {
     pub fn of(&self) -> String {
         let mut words = format!("set {}", self.set);
         if let Some(mesh) = self.mesh {
-            words += &format!(", mesh {mesh}");
+            words += &format!(", mesh {}", mesh_name(mesh));
         }
         if let (Some(gear), Some(place)) = (self.toothed_gear, self.place) {
             words += &format!(", {place} of the {gear}");

@@ -1,9 +1,10 @@
 //! Places in a gearbox file of faults of its strength.
 
-use super::records::{MeshName, NotRated, Reason};
+use super::records::{NotRated, Reason};
 use crate::error::Error;
 use crate::shared::fault::Fault as Refusal;
 use epicyclic_formats::{Document, Path};
+use epicyclic_gears::involute::check::SetMesh;
 use epicyclic_strength::{self as strength, Quantity};
 
 /// Reasons why a set cannot be rated.
@@ -36,10 +37,10 @@ impl<T> Partly<T> {
     /// # Errors
     /// [`Fault::Refused`], and [`Fault::Row`] if nothing is loaded.
     pub(crate) fn of_meshes(
-        mut mesh: impl FnMut(usize, MeshName) -> Result<(Vec<T>, Vec<NotRated>), Fault>,
+        mut mesh: impl FnMut(usize, SetMesh) -> Result<(Vec<T>, Vec<NotRated>), Fault>,
     ) -> Result<Self, Fault> {
         let mut all = Self { rated: vec![], not_rated: vec![] };
-        for (place, name) in MeshName::BOTH.into_iter().enumerate() {
+        for (place, name) in SetMesh::BOTH.into_iter().enumerate() {
             match mesh(place, name) {
                 Ok((rated, not_rated)) => {
                     all.rated.extend(rated);

@@ -1,14 +1,18 @@
 //! Records of the strength of teeth: meshes, gears, governing safeties, parts that are not rated.
 
 pub use super::bearing_records::{BearingOverDuty, BearingStepFigures, ModifiedLife};
-pub use super::names::{Against, MeshName, Place, ToothedGear};
+pub use super::names::Against;
+pub(crate) use super::names::mesh_name;
 pub use super::not_rated::{NotRated, Reason};
 pub use super::sharing::{LoadSharing, SharingBasis};
 use crate::answer::Warning;
 use epicyclic_formats::gearbox::{DutyEntry, RequiredEntry};
+use epicyclic_gears::involute::check::SetMesh;
+use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_strength::factor::{Origin, Side};
 use epicyclic_strength::mesh::Load;
 use epicyclic_strength::rating::MeshRating;
+use epicyclic_strength::rating::Place;
 use epicyclic_strength::spectrum::{DutyRating, Worn};
 use epicyclic_strength::{self as strength, factor, rating};
 use epicyclic_units::Physical;
@@ -78,9 +82,9 @@ pub struct Rated {
     /// Name of the set.
     pub set: String,
     /// Name of the mesh.
-    pub mesh: MeshName,
+    pub mesh: SetMesh,
     /// Gear of the mesh.
-    pub toothed_gear: ToothedGear,
+    pub toothed_gear: SimpleGear,
     /// Name of the gear's material.
     pub material: String,
     /// Absolute torque of one mesh on its first gear, in N·m.
@@ -109,7 +113,7 @@ pub struct Rated {
 
 /// Mesh at an operating point.
 pub(crate) struct MeshAtPoint {
-    pub(crate) name: MeshName,
+    pub(crate) name: SetMesh,
     /// Materials of the gears.
     pub(crate) materials: [String; 2],
     pub(crate) load: Load,
@@ -257,9 +261,9 @@ pub struct OverDuty {
     /// Name of the set.
     pub set: String,
     /// Name of the mesh.
-    pub mesh: MeshName,
+    pub mesh: SetMesh,
     /// Gear of the mesh.
-    pub toothed_gear: ToothedGear,
+    pub toothed_gear: SimpleGear,
     /// Name of the gear's material.
     pub material: String,
     /// Damage and safety of the flank; null for a flank in `not_rated`.
@@ -275,7 +279,7 @@ impl OverDuty {
     /// Records of both gears of a mesh; `steps` are the ratings whose factors are listed.
     pub(crate) fn both(
         set: &str,
-        mesh: MeshName,
+        mesh: SetMesh,
         materials: &[String],
         rating: &DutyRating,
         steps: &[MeshRating],
@@ -306,9 +310,9 @@ pub struct Overloaded {
     /// Name of the set.
     pub set: String,
     /// Name of the mesh.
-    pub mesh: MeshName,
+    pub mesh: SetMesh,
     /// Gear of the mesh.
-    pub toothed_gear: ToothedGear,
+    pub toothed_gear: SimpleGear,
     /// Static safety of the flank, `S_H`; null for a flank in `not_rated`.
     pub flank_safety: Option<f64>,
     /// Static safety of the root, `S_F`; null for a root in `not_rated`.
@@ -353,9 +357,9 @@ pub struct Governing {
     /// Name of the set.
     pub set: String,
     /// Name of the mesh.
-    pub mesh: MeshName,
+    pub mesh: SetMesh,
     /// Gear of the mesh.
-    pub toothed_gear: ToothedGear,
+    pub toothed_gear: SimpleGear,
     /// Place on the tooth: flank or root.
     pub place: Place,
     /// Value of the safety.
@@ -367,7 +371,7 @@ pub struct Governing {
 impl Governing {
     /// Safeties of flank and root of a gear, as far as they are rated.
     fn both(
-        (against, gear, set, mesh, toothed_gear): (Against, Option<&String>, &String, MeshName, ToothedGear),
+        (against, gear, set, mesh, toothed_gear): (Against, Option<&String>, &String, SetMesh, SimpleGear),
         safeties: [Option<f64>; 2],
         required: Required,
     ) -> impl Iterator<Item = Self> + use<> {
@@ -431,7 +435,11 @@ impl fmt::Display for Governing {
             Place::Root => "S_F",
         };
         let Self { set, mesh, toothed_gear, place, safety, .. } = self;
-        write!(f, "{symbol} = {safety:.3} of the {toothed_gear}'s {place} (set {set}, mesh {mesh}")?;
+        write!(
+            f,
+            "{symbol} = {safety:.3} of the {toothed_gear}'s {place} (set {set}, mesh {}",
+            mesh_name(*mesh)
+        )?;
         match (self.against, &self.gear) {
             (Against::Overload, Some(gear)) => write!(f, ", gear {gear}, against the overload)"),
             (_, Some(gear)) => write!(f, ", gear {gear})"),

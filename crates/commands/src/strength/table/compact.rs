@@ -2,9 +2,11 @@
 
 use super::words::{OF_STEPS, extent, from};
 use crate::strength::answer::Strength;
-use crate::strength::answer::records::{MeshName, OverDuty, Rated, ToothedGear};
+use crate::strength::answer::records::{OverDuty, Rated};
 use crate::table::columns::Table;
 use crate::table::report::Records;
+use epicyclic_gears::involute::check::SetMesh;
+use epicyclic_gears::quantity::SimpleGear;
 
 /// A factor of a gear in a mesh: symbol, value as it is shown, and formula.
 struct Told {
@@ -77,12 +79,12 @@ fn over_duty(all: &[OverDuty]) -> Vec<(String, Vec<InMesh>)> {
     all.chunk_by(|one, other| one.set == other.set).map(of_set).collect()
 }
 
-const fn heading(mesh: MeshName, gear: ToothedGear) -> &'static str {
+const fn heading(mesh: SetMesh, gear: SimpleGear) -> &'static str {
     match (mesh, gear) {
-        (_, ToothedGear::Sun) => "sun",
-        (_, ToothedGear::Ring) => "ring",
-        (MeshName::SunPlanet, ToothedGear::Planet) => "planet at sun",
-        (MeshName::PlanetRing, ToothedGear::Planet) => "planet at ring",
+        (_, SimpleGear::Sun) => "sun",
+        (_, SimpleGear::Ring) => "ring",
+        (SetMesh::SunPlanet, SimpleGear::Planet) => "planet at sun",
+        (SetMesh::PlanetRing, SimpleGear::Planet) => "planet at ring",
     }
 }
 

@@ -28,19 +28,9 @@ pub struct WantedShifts {
     /// Ring offsets, `z_r − z_s − 2·z_p`.
     pub offsets: RangeInclusive<i32>,
     /// Aim of the profile shifts.
-    pub aim: ShiftAim,
+    pub aim: Aim,
     /// Minimum normal tip thickness, in modules.
     pub tip_thickness: f64,
-}
-
-/// Aims of the profile shifts of a set whose sums of shifts are fixed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum ShiftAim {
-    /// Equal specific sliding at the roots of sun and planets.
-    BalancedSliding,
-    /// Least tip alteration.
-    LeastTipAlteration,
 }
 
 impl WantedShifts {
@@ -51,7 +41,7 @@ impl WantedShifts {
             Limits { tip_thickness: self.tip_thickness, planet_gap: bounds.tip_gap, ..Limits::default() };
         let closing = Closing {
             profiles: Profile::of_rack(bounds.rack).into(),
-            aim: self.aim.into(),
+            aim: self.aim,
             limits,
             ..Closing::default()
         };
@@ -66,7 +56,7 @@ pub struct RequiredShifts {
     /// Least and greatest ring offset, `z_r − z_s − 2·z_p`.
     pub ring_offsets: [i32; 2],
     /// Aim of the profile shifts.
-    pub aim: ShiftAim,
+    pub aim: Aim,
     /// Minimum normal tip thickness, in modules.
     pub least_tip_thickness_in_modules: f64,
 }
@@ -126,15 +116,6 @@ impl SetShifts {
     }
 }
 
-impl From<ShiftAim> for Aim {
-    fn from(aim: ShiftAim) -> Self {
-        match aim {
-            ShiftAim::BalancedSliding => Self::BalancedSliding,
-            ShiftAim::LeastTipAlteration => Self::LeastTipAlteration,
-        }
-    }
-}
-
 /// Sets with profile shift that give a ratio, the most exact first.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
@@ -146,7 +127,7 @@ pub struct ShiftedTeeth {
     /// Allowed relative deviation of the ratio.
     pub tolerance: f64,
     /// Aim of the profile shifts.
-    pub aim: ShiftAim,
+    pub aim: Aim,
     /// Minimum normal tip thickness, in modules.
     pub least_tip_thickness_in_modules: f64,
     /// Number of sets found.

@@ -4,7 +4,8 @@ use super::{count, left_out, near, parts, percent, title};
 use crate::table::columns::Table;
 use crate::table::report::AsReport;
 use crate::table::report::{Records, Report};
-use crate::teeth::answer::shifted::{ShiftAim, ShiftedTeeth};
+use crate::teeth::answer::shifted::ShiftedTeeth;
+use epicyclic_gears::involute::family::Aim;
 use epicyclic_units::Dimension;
 
 impl AsReport for ShiftedTeeth {
@@ -24,10 +25,10 @@ impl AsReport for ShiftedTeeth {
 }
 
 /// An aim in words.
-pub(crate) const fn aim(aim: ShiftAim) -> &'static str {
+pub(crate) const fn aim(aim: Aim) -> &'static str {
     match aim {
-        ShiftAim::BalancedSliding => "balanced specific sliding at the roots of sun and planets",
-        ShiftAim::LeastTipAlteration => "least tip alteration",
+        Aim::BalancedSliding => "balanced specific sliding at the roots of sun and planets",
+        Aim::LeastTipAlteration => "least tip alteration",
     }
 }
 

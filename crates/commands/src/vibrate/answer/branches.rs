@@ -5,10 +5,11 @@
 //! by their order. An intersection between two speeds is found by the false position method, with the modes
 //! solved at each step.
 
-use super::records::{Branch, Campbell, ModeKind, Order, Resonance};
+use super::records::{Branch, Campbell, Order, Resonance};
 use super::{Found, number};
 use crate::tolerance::MET;
 use epicyclic_units::Physical;
+use epicyclic_vibration::Kind;
 use epicyclic_vibration::{Centripetal, Error};
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
@@ -18,7 +19,7 @@ use uom::si::f64::AngularVelocity;
 const STEPS: u32 = 100;
 
 /// Label of a mode: its number at rest, from 1, and its kind.
-type Label = (u32, ModeKind);
+type Label = (u32, Kind);
 
 /// Frequencies over the speeds.
 pub(super) struct Branches<'a> {
@@ -41,7 +42,7 @@ impl<'a> Branches<'a> {
     ) -> Result<Self, Error> {
         let mut labels: Vec<Label> = vec![];
         for (index, group) in found.groups.iter().enumerate() {
-            labels.extend(group.shapes.iter().map(|_| (number(index), ModeKind::of(group.kind))));
+            labels.extend(group.shapes.iter().map(|_| (number(index), group.kind)));
         }
         let mut all = Self { goes_on, carrier, labels, places: vec![] };
         for &speed in speeds {
@@ -69,12 +70,12 @@ impl<'a> Branches<'a> {
         }
         let central = found.parts.central();
         let modes = found.model.whirl_modes(turning, Centripetal::WithBearingLoad, &central)?;
-        let of_kind = |kind: ModeKind| -> Vec<f64> {
-            let own = modes.iter().filter(|mode| ModeKind::of(mode.kind) == kind);
+        let of_kind = |kind: Kind| -> Vec<f64> {
+            let own = modes.iter().filter(|mode| mode.kind == kind);
             own.map(|mode| mode.frequency.si()).collect()
         };
         let mut frequencies = vec![0.0; self.labels.len()];
-        let kinds = [ModeKind::Rotational, ModeKind::Translational, ModeKind::Planet, ModeKind::Mixed];
+        let kinds = [Kind::Rotational, Kind::Translational, Kind::Planet, Kind::Mixed];
         let mut is_sorted_by_kind = true;
         for kind in kinds {
             let places: Vec<usize> =
@@ -101,7 +102,7 @@ impl<'a> Branches<'a> {
     pub(super) fn resonances(&self, found: &Found, order: &Order) -> Result<Vec<Resonance>, Error> {
         let mut all = vec![];
         for (place, &(mode, kind)) in self.labels.iter().enumerate() {
-            if order.excites.is_some_and(|excited| excited != kind) && kind != ModeKind::Mixed {
+            if order.excites.is_some_and(|excited| excited != kind) && kind != Kind::Mixed {
                 continue;
             }
             let above = |speed: f64, frequency: f64| frequency - order.of_input * speed.abs() / TAU;

@@ -6,7 +6,7 @@
 //! them by its lateral stiffness.
 
 use super::links::{LaidShaft, Train, TrainSet};
-use super::records::{Member, ModeKind, NotCalculated, Reason, What};
+use super::records::{NotCalculated, Reason, What};
 use super::train_records::{
     CentreBody, CentreMember, CoupledKinetic, CoupledMode, CoupledModes, KineticPart, SetInMode, StrainPart,
     TorsionalStrain,
@@ -14,13 +14,15 @@ use super::train_records::{
 use super::{Prepared, joined, number};
 use crate::error::Error;
 use crate::tolerance::rounded;
+use epicyclic_pictures::modes::Part;
 use epicyclic_train::{Gear, LinkId};
 use epicyclic_units::Physical;
+use epicyclic_vibration::Kind;
 use epicyclic_vibration::coupled::{Centre, CoupledParts, Placed, Shaft, planar};
 use epicyclic_vibration::{BodyId, Group, ModalEnergy, Model, SpringId};
 use uom::si::f64::Mass;
 
-const MEMBERS: [Member; 3] = [Member::Sun, Member::Ring, Member::Carrier];
+const MEMBERS: [Part; 3] = [Part::Sun, Part::Ring, Part::Carrier];
 const NAMES: [&str; 3] = ["sun", "ring", "carrier"];
 
 /// Modes of the whole gearbox in the plane in a gear, or the set that lacks data.
@@ -209,16 +211,16 @@ impl Whole<'_> {
             };
             let (turns, moves) = (once(placed.links, &parts.links), once(placed.centres, &parts.centres));
             let kind = match (moves > 0.0, turns > 0.0) {
-                (false, true) => Some(ModeKind::Rotational),
-                (true, false) => Some(ModeKind::Translational),
-                (true, true) => Some(ModeKind::Mixed),
-                (false, false) => (planets > 0.0).then_some(ModeKind::Planet),
+                (false, true) => Some(Kind::Rotational),
+                (true, false) => Some(Kind::Translational),
+                (true, true) => Some(Kind::Mixed),
+                (false, false) => (planets > 0.0).then_some(Kind::Planet),
             };
             SetInMode { set: self.sets[place].of.entry.id.clone(), kind }
         });
         Ok(CoupledMode {
             mode: number(index),
-            kind: ModeKind::of(group.kind),
+            kind: group.kind,
             multiplicity: group.multiplicity() as u32,
             frequency_hz: group.frequency.si(),
             sets: sets.collect(),

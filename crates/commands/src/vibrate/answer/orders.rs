@@ -13,7 +13,7 @@
 //! The modes that `p` excites are given by [`phasing`] for equally spaced planets; with other spacings it may
 //! excite all. A planet turns `z_s/z_p` times as fast on the carrier as the sun.
 
-use super::records::{ModeKind, Order, Source};
+use super::records::{Order, Source};
 use epicyclic_vibration::phasing;
 
 /// Lists the orders whose frequency is not 0, harmonics of the meshes last.
@@ -26,9 +26,7 @@ pub(super) fn all(
     [sun, ring, carrier]: [f64; 3],
     harmonics: u32,
 ) -> Vec<Order> {
-    let excited = |periods: u64| {
-        phasing::excited(periods, planets).ok().filter(|_| is_equally_spaced).map(ModeKind::of)
-    };
+    let excited = |periods: u64| phasing::excited(periods, planets).ok().filter(|_| is_equally_spaced);
     let [of_sun, of_ring] = [sun - carrier, ring - carrier].map(f64::abs);
     let of_teeth = f64::from(sun_teeth) * of_sun;
     let mut orders = vec![

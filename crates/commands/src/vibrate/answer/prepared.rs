@@ -1,6 +1,6 @@
 //! Set of a file as bodies and springs, as far as the file has enough data.
 
-use super::records::{Member, StiffnessOrigin, Stiffnesses, VibratingBody};
+use super::records::{StiffnessOrigin, Stiffnesses, VibratingBody};
 use super::spacing::Spacing;
 use crate::error::Error;
 use crate::shared::fault::{Fault, Named};
@@ -11,6 +11,7 @@ use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::{GearboxFile, SetEntry, Stiffness, VibrationEntry};
 use epicyclic_gears::involute::PlanetSet as ToothedSet;
 use epicyclic_gears::mass::{MassProperties, TOOTH_FILL, ring};
+use epicyclic_pictures::modes::Part;
 use epicyclic_strength::load::mesh_stiffness;
 use epicyclic_train::PlanetSet;
 use epicyclic_train::set::SetSpec;
@@ -44,7 +45,7 @@ pub(super) struct Prepared {
 
 /// Sun, ring or carrier with its inertia and support.
 struct MemberBody {
-    of: Member,
+    of: Part,
     radius: Length,
     mass: Option<Mass>,
     inertia: Option<MomentOfInertia>,
@@ -207,7 +208,7 @@ impl Of<'_> {
         let (ring_mass, ring_inertia) = with_shape((ring.mass.map(|mass| mass.0), of_ring), rim.transpose()?);
         Ok([
             MemberBody {
-                of: Member::Sun,
+                of: Part::Sun,
                 radius: sun_radius,
                 mass: sun_mass,
                 inertia: sun_inertia,
@@ -215,7 +216,7 @@ impl Of<'_> {
                 tangential: value(sun.tangential_support),
             },
             MemberBody {
-                of: Member::Ring,
+                of: Part::Ring,
                 radius: ring_radius,
                 mass: ring_mass,
                 inertia: ring_inertia,
@@ -223,7 +224,7 @@ impl Of<'_> {
                 tangential: value(ring.tangential_support),
             },
             MemberBody {
-                of: Member::Carrier,
+                of: Part::Carrier,
                 radius: circle,
                 mass: carrier.mass.map(|mass| mass.0),
                 inertia: of_carrier,
@@ -314,7 +315,7 @@ impl Prepared {
         }
         let [sun_mesh, ring_mesh] = self.meshes;
         let planet_body = VibratingBody {
-            body: Member::Planet,
+            body: Part::Planet,
             mass_kg: Some(self.planet.mass.si()),
             inertia_kg_m2: Some(self.planet.inertia.si()),
             radius_m: self.planet.radius.si(),
@@ -412,13 +413,13 @@ impl MemberBody {
     /// Name of the missing key, with the keys that can replace it.
     fn needed(&self, key: &str) -> String {
         match self.of {
-            Member::Sun => format!("vibration.sun.{key} (or face_width)"),
-            Member::Ring => format!("vibration.ring.{key} (or vibration.ring.outside_diameter)"),
+            Part::Sun => format!("vibration.sun.{key} (or face_width)"),
+            Part::Ring => format!("vibration.ring.{key} (or vibration.ring.outside_diameter)"),
             _ => format!("vibration.carrier.{key}"),
         }
     }
 
-    /// Member with its mobile parts; missing keys are added to the list.
+    /// Part with its mobile parts; missing keys are added to the list.
     fn built(&self, held: bool, missing: &mut Vec<String>) -> (Central, VibratingBody) {
         let translates = self.support.is_some();
         let rotates = !held || self.tangential.is_some();

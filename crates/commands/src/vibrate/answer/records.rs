@@ -1,5 +1,6 @@
 //! Records of vibration: modes of sets, orders of excitation, resonances, frequencies over the speed.
 
+use epicyclic_pictures::modes::Part;
 use epicyclic_vibration::Kind;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -13,7 +14,7 @@ pub struct SetModes {
     /// Names of the gears; empty for a gearbox without gears.
     pub gears: Vec<String>,
     /// Members whose links are held in these gears.
-    pub held: Vec<Member>,
+    pub held: Vec<Part>,
     /// Number of planets.
     pub planets: u32,
     /// Angles of the planets on the carrier from `x`, in rad.
@@ -38,7 +39,7 @@ pub struct SetModes {
 #[schemars(deny_unknown_fields)]
 pub struct VibratingBody {
     /// Name of the body.
-    pub body: Member,
+    pub body: Part,
     /// Mass in kg; null if the centre of the body is held.
     pub mass_kg: Option<f64>,
     /// Moment of inertia in kg·m²; null if the body cannot rotate.
@@ -86,20 +87,6 @@ pub enum StiffnessOrigin {
     Iso6336,
 }
 
-/// Bodies of a set.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Member {
-    /// The sun.
-    Sun,
-    /// The ring.
-    Ring,
-    /// The carrier.
-    Carrier,
-    /// A planet.
-    Planet,
-}
-
 /// Modes of one frequency and kind.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
@@ -107,7 +94,7 @@ pub struct Mode {
     /// Number of the mode, from 1.
     pub mode: u32,
     /// Motion of the central members.
-    pub kind: ModeKind,
+    pub kind: Kind,
     /// Number of modes with this frequency.
     pub multiplicity: u32,
     /// Natural frequency in Hz; 0 if all bodies turn by their ratios without deformation of a spring.
@@ -127,7 +114,7 @@ pub struct Mode {
 #[schemars(deny_unknown_fields)]
 pub struct BodyMotion {
     /// Name of the body.
-    pub body: Member,
+    pub body: Part,
     /// Number of the planet, from 1; null for other bodies.
     pub planet: Option<u32>,
     /// Displacement of the centre along `x`, towards the first planet, relative to the largest displacement
@@ -167,33 +154,6 @@ pub struct StrainShares {
     pub supports: f64,
 }
 
-/// Kinds of modes by the motion of the central members.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum ModeKind {
-    /// Rotation of the central members without translation.
-    Rotational,
-    /// Translation of the central members without rotation.
-    Translational,
-    /// Central members at rest; only planets move.
-    Planet,
-    /// Rotation and translation of the central members.
-    Mixed,
-}
-
-impl ModeKind {
-    /// Converts the kind; one that the library does not name yet counts as mixed.
-    pub(super) const fn of(kind: Kind) -> Self {
-        match kind {
-            Kind::Rotational => Self::Rotational,
-            Kind::Translational => Self::Translational,
-            Kind::Planet => Self::Planet,
-            // The enum is non-exhaustive in its crate, so a match needs this arm.
-            _ => Self::Mixed,
-        }
-    }
-}
-
 /// Sources of excitation with a frequency that follows from speeds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -229,7 +189,7 @@ pub struct Order {
     /// Frequency in coordinates on the carrier, relative to the input's rotational frequency.
     pub of_input: f64,
     /// Kind of modes that the order can excite; null if it can excite all.
-    pub excites: Option<ModeKind>,
+    pub excites: Option<Kind>,
 }
 
 /// Speed at which an order has the frequency of a mode that it can excite.
@@ -249,7 +209,7 @@ pub struct Resonance {
     /// Number of the mode at rest from which the excited mode develops.
     pub mode: u32,
     /// Kind of the mode.
-    pub kind: ModeKind,
+    pub kind: Kind,
     /// Frequency in Hz, in coordinates on the carrier.
     pub frequency_hz: f64,
 }
@@ -277,7 +237,7 @@ pub struct Branch {
     /// Number of the mode at rest from which the branch starts.
     pub mode: u32,
     /// Kind of the mode.
-    pub kind: ModeKind,
+    pub kind: Kind,
     /// Frequencies at the speeds in Hz, in coordinates on the carrier.
     pub frequencies_hz: Vec<f64>,
 }

@@ -5,20 +5,21 @@
 //! motion of the first planet.
 
 use super::Found;
-use super::records::{BodyMotion, Member};
+use super::records::BodyMotion;
 use crate::shared::number::plain;
 use crate::tolerance::STILL;
 use epicyclic_numerics::values::largest_absolute;
+use epicyclic_pictures::modes::Part;
 use epicyclic_vibration::{BodyId, Group};
 
 /// Motion of all bodies, relative to the largest displacement.
 pub(super) fn of(found: &Found, group: &Group) -> Vec<BodyMotion> {
     let parts = &found.parts;
     let central = [parts.sun, parts.ring, parts.carrier];
-    let names = [Member::Sun, Member::Ring, Member::Carrier];
+    let names = [Part::Sun, Part::Ring, Part::Carrier];
     let bodies = central.into_iter().zip(names.map(|name| (name, None)));
-    let planets = parts.planets.iter().zip(1..).map(|(body, number)| (*body, (Member::Planet, Some(number))));
-    let bodies: Vec<(BodyId, (Member, Option<u32>))> = bodies.chain(planets).collect();
+    let planets = parts.planets.iter().zip(1..).map(|(body, number)| (*body, (Part::Planet, Some(number))));
+    let bodies: Vec<(BodyId, (Part, Option<u32>))> = bodies.chain(planets).collect();
     let of = |shape: usize, body: BodyId| group.shapes[shape].of(body).unwrap_or_default();
     let all = || {
         (0..group.shapes.len()).flat_map(|shape| bodies.iter().flat_map(move |(body, _)| of(shape, *body)))

@@ -6,7 +6,7 @@
 //! those of the planets of this set. A link excites the modes in which it rotates.
 
 use super::links::{Bodies, Train, TrainSet};
-use super::records::{ModeKind, NotCalculated, Order, Source, What};
+use super::records::{NotCalculated, Order, Source, What};
 use super::train_records::{
     StrainPart, TorsionalKinetic, TorsionalMode, TorsionalModes, TorsionalOrder, TorsionalResonance,
     TorsionalStrain,
@@ -18,6 +18,7 @@ use crate::error::Error;
 use crate::tolerance::{ROUNDED, rounded};
 use epicyclic_train::{Analysis, Gear};
 use epicyclic_units::Physical;
+use epicyclic_vibration::Kind;
 use epicyclic_vibration::train::{Placed, Shaft, TrainParts, torsional};
 use epicyclic_vibration::{Group, Model, SpringId, phasing};
 use std::f64::consts::TAU;
@@ -81,7 +82,7 @@ fn of_links(analysis: &Analysis<'_>, bodies: &Bodies) -> Vec<TorsionalOrder> {
             source: Source::LinkTurn,
             harmonic: 1,
             of_input,
-            excites: Some(ModeKind::Rotational),
+            excites: Some(Kind::Rotational),
         })
     };
     bodies.of_root.iter().filter_map(order).collect()
@@ -113,7 +114,7 @@ fn of_set(analysis: &Analysis<'_>, place: usize, one: &TrainSet<'_>, harmonics: 
                 source: order.source,
                 harmonic: order.harmonic,
                 of_input: order.of_input,
-                excites: excites.map(ModeKind::of),
+                excites: excites,
             }
         })
         .collect()
@@ -196,7 +197,7 @@ fn mode(
     }
     Ok(TorsionalMode {
         mode: number(index),
-        kind: ModeKind::of(group.kind),
+        kind: group.kind,
         multiplicity: group.multiplicity() as u32,
         frequency_hz: group.frequency.si(),
         kinetic,

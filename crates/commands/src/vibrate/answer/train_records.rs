@@ -1,7 +1,9 @@
 //! Records of the vibration of a whole gearbox: torsional modes with their resonances, and coupled modes in
 //! the plane.
 
-use super::records::{Member, ModeKind, Source};
+use super::records::Source;
+use epicyclic_pictures::modes::Part;
+use epicyclic_vibration::Kind;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -37,7 +39,7 @@ pub struct TorsionalOrder {
     pub of_input: f64,
     /// Kind of modes that the order can excite by the phases of the planets of its set; null if it can excite
     /// all.
-    pub excites: Option<ModeKind>,
+    pub excites: Option<Kind>,
 }
 
 /// Speed at which an order has the frequency of a torsional mode that it can excite.
@@ -68,7 +70,7 @@ pub struct TorsionalMode {
     /// Number of the mode, from 1.
     pub mode: u32,
     /// Kind of the mode. Rotational: links rotate; planet: links are at rest.
-    pub kind: ModeKind,
+    pub kind: Kind,
     /// Number of modes with this frequency and kind.
     pub multiplicity: u32,
     /// Natural frequency in Hz.
@@ -150,14 +152,14 @@ pub struct CentreBody {
     pub support_n_m: Option<f64>,
 }
 
-/// Member of a set.
+/// Part of a set.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct CentreMember {
     /// Name of the set.
     pub set: String,
     /// Name of the member.
-    pub member: Member,
+    pub member: Part,
 }
 
 /// Modes of one frequency and kind.
@@ -167,7 +169,7 @@ pub struct CoupledMode {
     /// Number of the mode, from 1.
     pub mode: u32,
     /// Motion of links and centres.
-    pub kind: ModeKind,
+    pub kind: Kind,
     /// Number of modes with this frequency and kind.
     pub multiplicity: u32,
     /// Natural frequency in Hz.
@@ -187,7 +189,7 @@ pub struct SetInMode {
     /// Name of the set.
     pub set: String,
     /// Motion of sun, ring and carrier; null if the planets are at rest, too.
-    pub kind: Option<ModeKind>,
+    pub kind: Option<Kind>,
 }
 
 /// Part of a body in the kinetic energy.

@@ -1,6 +1,6 @@
 //! Modes of the whole gearbox as tables: torsional with what excites them, and coupled in the plane.
 
-use super::{SECONDS_A_MINUTE, branch_kind, kind, member, most, ray_name, share, source};
+use super::{SECONDS_A_MINUTE, kind, member, most, ray_name, share, source};
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, rpm, text};
 use crate::table::report::Records;
@@ -29,10 +29,8 @@ pub fn torsional_campbell(all: &Vibration, place: usize) -> Option<Campbell> {
         };
         Ray { name: of, slope: order.of_input / SECONDS_A_MINUTE }
     };
-    let branch = |mode: &TorsionalMode| Branch {
-        kind: branch_kind(mode.kind),
-        frequencies: vec![mode.frequency_hz; ends.len()],
-    };
+    let branch =
+        |mode: &TorsionalMode| Branch { kind: mode.kind, frequencies: vec![mode.frequency_hz; ends.len()] };
     Some(Campbell {
         title: format!("{}, gear {}: torsional", all.gearbox, one.gear),
         across: "speed of the input, rpm".to_owned(),

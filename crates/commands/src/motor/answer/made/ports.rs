@@ -103,7 +103,7 @@ pub struct ClosedStretch {
     /// Phase at which the chamber opens, in rad, 0 at the greatest area.
     pub to_rad: f64,
     /// Extreme of the chamber's area within this part; null if none exists.
-    pub extreme: Option<Extreme>,
+    pub extreme: Option<timing::AtExtreme>,
     /// Closed angle before the extreme, in rad.
     pub before_rad: f64,
     /// Closed angle after the extreme, in rad.
@@ -111,16 +111,6 @@ pub struct ClosedStretch {
     /// Greatest change of pressure since the chamber closed, in Pa, negative for a decrease; null without a
     /// bulk modulus.
     pub change_pa: Option<f64>,
-}
-
-/// Extremes of a chamber's area.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Extreme {
-    /// Greatest area.
-    Greatest,
-    /// Least area.
-    Least,
 }
 
 /// Chamber at an extreme of its area.
@@ -307,10 +297,7 @@ fn closed(timing: &Timing, trapped: Option<&[Trapped]>) -> Vec<ClosedStretch> {
     let record = |(place, one): (usize, &timing::Closed)| ClosedStretch {
         from_rad: si(one.stretch.from),
         to_rad: si(one.stretch.to),
-        extreme: one.extreme.map(|extreme| match extreme {
-            timing::AtExtreme::Greatest => Extreme::Greatest,
-            timing::AtExtreme::Least => Extreme::Least,
-        }),
+        extreme: one.extreme,
         before_rad: si(one.before),
         after_rad: si(one.after),
         change_pa: maybe_si(trapped.and_then(|all| all.get(place)).map(|one| one.change)),
