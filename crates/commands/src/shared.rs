@@ -1,6 +1,7 @@
 //! Parts that several commands share.
 
 pub mod catalogue;
+pub(crate) mod defaults;
 pub mod drawability;
 pub(crate) mod exciting;
 pub mod fault;
