@@ -12,6 +12,9 @@ mod tests {
     #[test]
     fn each_request_has_its_defaults() {
         let schemes = crate::schemes::request::Request::default();
+        let ratio = "6".parse().unwrap();
+        let teeth = crate::teeth::request::Request::new(ratio);
+        assert_eq!((teeth.ratio, teeth.limit, teeth.checked), (ratio, None, 1));
         assert_eq!((schemes.scheme, schemes.efficiency.0.value), (None, 0.9702));
     }
 }

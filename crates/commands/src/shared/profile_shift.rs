@@ -13,11 +13,11 @@ pub struct ShiftOptions {
     /// Simple sets with profile shift: teeth of the ring less those of the sun and twice those of a planet, a
     /// range from -9 to 9. Without it sets have no profile shift.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, value_parser = offsets)]
-    ring_offset: Option<RangeInclusive<i32>>,
+    pub ring_offset: Option<RangeInclusive<i32>>,
 
     /// With --ring-offset: what picks the shifts, of which the sums are fixed.
     #[arg(long, value_enum, requires = "ring_offset", default_value_t = Aim::Sliding)]
-    aim: Aim,
+    pub aim: Aim,
 
     /// With --ring-offset: least thickness of the tips, in modules; 0.4 is usual of case-hardened teeth.
     #[arg(
@@ -27,12 +27,12 @@ pub struct ShiftOptions {
         default_value = "0.2",
         allow_negative_numbers = true
     )]
-    tip_thickness: Number,
+    pub tip_thickness: Number,
 }
 
 /// What picks the shifts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub(crate) enum Aim {
+pub enum Aim {
     /// Equal specific sliding at the roots of sun and planets.
     Sliding,
     /// Least tip alteration.
