@@ -15,6 +15,10 @@ mod tests {
         let ratio = "6".parse().unwrap();
         let teeth = crate::teeth::request::Request::new(ratio);
         assert_eq!((teeth.ratio, teeth.limit, teeth.checked), (ratio, None, 1));
+        let displacement = "250 cm3".parse().unwrap();
+        let search = crate::motor::search::request::Request::new(displacement);
+        let forms = crate::motor::forms::request::Request::new(displacement);
+        assert_eq!((search.places, forms.places, search.goal.torque), (16, 16, None));
         assert_eq!((schemes.scheme, schemes.efficiency.0.value), (None, 0.9702));
     }
 }
