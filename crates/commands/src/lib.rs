@@ -54,10 +54,9 @@
 //!
 //! # Example
 //! ```
-//! use epicyclic_commands::{answer::to_json, shared::records::Fraction, teeth::request::Request};
-//! use epicyclic_units::Number;
+//! use epicyclic_commands::{answer::to_json, shared::records::Fraction, teeth::Request, words::request};
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! let request = Request { limit: Some(1), ..Request::new(Number::new(6.0)?) };
+//! let request = Request { limit: Some(1), ..request(["--ratio", "6"])? };
 //! let found = request.answer(|_| std::ops::ControlFlow::Continue(()))?;
 //! assert_eq!(found.tooth_numbers[0].exact_ratio, Fraction { numerator: 6, denominator: 1 });
 //! assert!(to_json(&found)?.starts_with("{\n  \"schema_version\": 1,\n  \"answer\": \"teeth\""));

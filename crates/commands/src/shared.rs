@@ -1,7 +1,6 @@
 //! Parts that several commands share.
 
 pub mod catalogue;
-pub(crate) mod defaults;
 pub mod drawability;
 pub(crate) mod exciting;
 pub mod fault;

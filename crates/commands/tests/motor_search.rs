@@ -7,8 +7,8 @@ use epicyclic_commands::motor::answer as motor;
 use epicyclic_commands::motor::answer::Motor;
 use epicyclic_commands::motor::designs::answer::{Listing, Searched as _};
 use epicyclic_commands::motor::designs::request::Goal;
+use epicyclic_commands::motor::search::Request;
 use epicyclic_commands::motor::search::answer::TeethLimits;
-use epicyclic_commands::motor::search::request::Request;
 use epicyclic_formats::Document;
 
 /// Limits of practice: no design is refused for them.
@@ -30,7 +30,7 @@ fn read(saved: &str, part: f64) -> Result<Motor, Error> {
 
 /// Search for 250 cm³ at 20 MPa, with few places and a coarse front.
 fn search(stator: &str, z3: &str, size: impl Fn(&mut Goal)) -> Request {
-    let mut request = Request::new("250 cm3".parse().unwrap());
+    let mut request: Request = epicyclic_commands::words::request(["--displacement", "250 cm3"]).unwrap();
     let mut goal = Goal {
         pressure: Some("20 MPa".parse().unwrap()),
         stator: stator.parse().unwrap(),

@@ -4,7 +4,6 @@ use crate::desk::Call;
 use crate::failure::Failure;
 use crate::output::OutputArgs;
 use crate::schemes::answer::{self as answers, Scheme, Schemes, Sizes};
-use crate::shared::defaults::defaults;
 use crate::shared::named_gearbox::refuse_size;
 use crate::shared::options::efficiency;
 use epicyclic_formats::Span;
@@ -65,12 +64,6 @@ pub struct Request {
     /// Ring-to-sun ratios over which ranges of ratios are taken.
     #[arg(long, value_name = "RANGE", default_value = "1.7..7")]
     pub k: Span<f64>,
-}
-
-impl Default for Request {
-    fn default() -> Self {
-        defaults(&[])
-    }
 }
 
 impl Request {

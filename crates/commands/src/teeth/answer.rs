@@ -290,14 +290,15 @@ impl ToothNumbers {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use epicyclic_units::Number;
+    use crate::words::request;
 
     #[test]
     fn several_sets_have_a_ratio_that_one_has_not() {
         let sun_to_carrier = [Member::Sun, Member::Carrier];
         let stages_within = |ratio: f64, [input, output]: [Member; 2], bounds: &Bounds| {
             let mode = Mode::new(input, output).unwrap();
-            stages(&Request { mode, ..Request::new(Number::new(ratio).unwrap()) }, bounds).unwrap()
+            let request = Request { mode, ..request(["--ratio", &ratio.to_string()]).unwrap() };
+            stages(&request, bounds).unwrap()
         };
         let found = |ratio: f64, mode| stages_within(ratio, mode, &Bounds::default()).unwrap();
         let two = found(24.0, sun_to_carrier);

@@ -4,7 +4,6 @@ use crate::desk::Call;
 use crate::failure::Failure;
 use crate::output::{Format, OutputArgs};
 use crate::progress::Progress;
-use crate::shared::defaults::defaults;
 use crate::shared::options;
 use crate::shared::profile_shift::ShiftOptions;
 use crate::table::report::AsReport;
@@ -155,12 +154,6 @@ fn mode(text: &str) -> Result<Mode, String> {
 }
 
 impl Request {
-    /// Simple sets for this ratio, with the default bounds of their teeth.
-    #[must_use]
-    pub fn new(ratio: Number) -> Self {
-        Self { ratio, ..defaults(&["--ratio", "1"]) }
-    }
-
     /// Finds the simple sets without profile shift. The closure `done` receives the finished part of the
     /// search, from 0 to 1, and may end it.
     ///

@@ -3,7 +3,7 @@
 use crate::desk::Call;
 use crate::failure::Failure;
 use crate::motor::designs::answer::{Listing, Searched as _};
-use crate::motor::designs::request::{Displacement, Goal, Shown};
+use crate::motor::designs::request::{Goal, Shown};
 use crate::motor::forms::answer::{
     self as answers, Crest, Family, MotorForms, Objective, SearchedForms, material,
 };
@@ -11,7 +11,6 @@ use crate::motor::options::FlankLimits;
 use crate::motor::options::design::refuse as refuse_motor;
 use crate::motor::options::steps::{Stepped, each_once};
 use crate::progress::Progress;
-use crate::shared::defaults::defaults;
 use crate::shared::lists::List;
 use epicyclic_formats::motor::MaterialGroup;
 use epicyclic_hydromotor as hydromotor;
@@ -191,14 +190,6 @@ pub(crate) fn run(call: &Call<'_>, Args { request, shown }: &Args) -> Result<(),
 }
 
 impl Request {
-    /// Search for motors of this displacement, with the defaults of the other options.
-    #[must_use]
-    pub fn new(displacement: Displacement) -> Self {
-        let mut request: Self = defaults(&["--displacement", "1 m3"]);
-        request.goal.displacement = Some(displacement);
-        request
-    }
-
     /// Searches for designs; `watch` receives the progress from any thread, and may end the search.
     ///
     /// # Errors

@@ -3,13 +3,12 @@
 use crate::desk::Call;
 use crate::failure::Failure;
 use crate::motor::designs::answer::{Listing, Searched as _};
-use crate::motor::designs::request::{Displacement, Goal, Shown};
+use crate::motor::designs::request::{Goal, Shown};
 use crate::motor::options::design::{form, refuse};
 use crate::motor::options::steps::each_once;
 use crate::motor::options::{FlankLimits, Teeth};
 use crate::motor::search::answer::{self as answers, MotorSearch, Objective, SearchedMotors};
 use crate::progress::Progress;
-use crate::shared::defaults::defaults;
 use crate::shared::lists::List;
 use epicyclic_hydromotor::checks::ToothHeights;
 use epicyclic_hydromotor::search::{FlankTerms, MotorSearch as Search, Watch};
@@ -80,14 +79,6 @@ pub struct Request {
 }
 
 impl Request {
-    /// Search for motors of this displacement, with the defaults of the other options.
-    #[must_use]
-    pub fn new(displacement: Displacement) -> Self {
-        let mut request: Self = defaults(&["--displacement", "1 m3"]);
-        request.goal.displacement = Some(displacement);
-        request
-    }
-
     /// Searches for designs; `watch` receives the progress from any thread, and may end the search.
     ///
     /// # Errors
