@@ -1,14 +1,13 @@
 //! Tooth numbers for a ratio, as a table.
 
 use epicyclic_commands::table::report::AsReport;
-use epicyclic_commands::teeth::answer as teeth;
-use epicyclic_gears::simple_set::{Member, Mode};
-use epicyclic_gears::synthesis::Bounds;
+use epicyclic_commands::teeth::Request;
+use epicyclic_commands::words::request;
+use std::ops::ControlFlow;
 
-fn main() -> Result<(), epicyclic_commands::error::Error> {
-    let mode = Mode::new(Member::Sun, Member::Carrier)?;
-    let wanted =
-        teeth::Wanted { ratio: 6.0, mode, tolerance: 0.01, bounds: Bounds::default(), most: 3, checked: 1 };
-    println!("{}", teeth::answer(&wanted, |_| std::ops::ControlFlow::Continue(()))?.report().table(80));
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let request = Request { limit: Some(3), ..request(["--ratio", "6"])? };
+    let found = request.answer(|_| ControlFlow::Continue(()))?;
+    println!("{}", found.report().table(80));
     Ok(())
 }

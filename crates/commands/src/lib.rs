@@ -54,16 +54,10 @@
 //!
 //! # Example
 //! ```
-//! use epicyclic_commands::{
-//!     answer::to_json, error::Error, shared::records::Fraction, teeth::answer as teeth,
-//! };
-//! use epicyclic_gears::{simple_set::{Member, Mode}, synthesis::Bounds};
-//! # fn main() -> Result<(), Error> {
-//! let mode = Mode::new(Member::Sun, Member::Carrier)?;
-//! let wanted = teeth::Wanted {
-//!     ratio: 6.0, mode, tolerance: 0.01, bounds: Bounds::default(), most: 1, checked: 1,
-//! };
-//! let found = teeth::answer(&wanted, |_| std::ops::ControlFlow::Continue(()))?;
+//! use epicyclic_commands::{answer::to_json, shared::records::Fraction, teeth::Request, words::request};
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let request = Request { limit: Some(1), ..request(["--ratio", "6"])? };
+//! let found = request.answer(|_| std::ops::ControlFlow::Continue(()))?;
 //! assert_eq!(found.tooth_numbers[0].exact_ratio, Fraction { numerator: 6, denominator: 1 });
 //! assert!(to_json(&found)?.starts_with("{\n  \"schema_version\": 1,\n  \"answer\": \"teeth\""));
 //! # Ok(())

@@ -4,7 +4,7 @@ pub mod answer;
 pub mod construction;
 pub mod designs;
 pub mod forms;
-pub(crate) mod options;
+pub mod options;
 pub mod page;
 pub mod request;
 pub mod satellites;

@@ -33,6 +33,17 @@ pub struct OutputArgs {
     target: Target,
 }
 
+// A request of a command without a file, and where its answer goes. A doc comment would become the help text of
+// the command in place of the request's.
+#[derive(Debug, clap::Args)]
+pub(crate) struct WithOutput<Request: clap::Args> {
+    #[command(flatten)]
+    pub(crate) request: Request,
+
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
+}
+
 /// Where something is written.
 #[derive(Debug, clap::Args)]
 pub struct Target {

@@ -3,3 +3,6 @@
 pub mod answer;
 pub mod request;
 pub mod table;
+
+pub use answer::{Scheme, Schemes};
+pub use request::Request;

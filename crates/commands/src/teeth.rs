@@ -3,3 +3,8 @@
 pub mod answer;
 pub mod request;
 pub mod table;
+
+pub use answer::double_planet::DoublePlanetTeeth;
+pub use answer::shifted::ShiftedTeeth;
+pub use answer::{Teeth, ToothNumbers};
+pub use request::Request;

@@ -5,12 +5,11 @@
 use epicyclic_commands::error::Error;
 use epicyclic_commands::motor::answer as motor;
 use epicyclic_commands::motor::answer::Motor;
-use epicyclic_commands::motor::search::answer as motor_search;
+use epicyclic_commands::motor::designs::answer::{Listing, Searched as _};
+use epicyclic_commands::motor::designs::request::Goal;
+use epicyclic_commands::motor::search::Request;
+use epicyclic_commands::motor::search::answer::TeethLimits;
 use epicyclic_formats::Document;
-use epicyclic_hydromotor::numbers::Bounds;
-use epicyclic_hydromotor::search::{MotorSearch, Requirements, Size};
-use epicyclic_units::Physical as _;
-use uom::si::f64::{Length, Pressure, Volume};
 
 /// Limits of practice: no design is refused for them.
 const PRACTICE: [&str; 5] = [
@@ -29,37 +28,37 @@ fn read(saved: &str, part: f64) -> Result<Motor, Error> {
     motor::answer(&designed)
 }
 
-fn search(stator_lobes: [u32; 2], stator_teeth: [u32; 2], size: Size) -> motor_search::Wanted {
-    let requirements = Requirements {
-        pressure_drop: Some(Pressure::from_si(20e6)),
-        size,
-        ..Requirements::of_displacement(Volume::from_si(250e-6))
+/// Search for 250 cm³ at 20 MPa, with few places and a coarse front.
+fn search(stator: &str, z3: &str, size: impl Fn(&mut Goal)) -> Request {
+    let mut request: Request = epicyclic_commands::words::request(["--displacement", "250 cm3"]).unwrap();
+    let mut goal = Goal {
+        pressure: Some("20 MPa".parse().unwrap()),
+        stator: stator.parse().unwrap(),
+        z3: z3.parse().unwrap(),
+        zs: "6..60".parse().unwrap(),
+        ..request.goal
     };
-    let bounds = Bounds {
-        stator_lobes: stator_lobes[0]..=stator_lobes[1],
-        stator_teeth: stator_teeth[0]..=stator_teeth[1],
-        satellite_teeth: 6..=60,
-    };
-    let search = MotorSearch { bounds, points: 6, resolution: Some(0.2), ..MotorSearch::new(requirements) };
-    let order = motor_search::Objective::Volume;
-    motor_search::Wanted { search, order, first_of_each_set: false, most: usize::MAX }
+    size(&mut goal);
+    request.goal = goal;
+    Request { places: 6, resolution: "20%".parse().unwrap(), ..request }
 }
 
 #[test]
 fn every_design_of_a_search_is_a_motor_that_can_be_made() {
-    let of_width = || Size::ModulesAndWidth {
-        modules: vec![Length::from_si(2e-3)],
-        width: Length::from_si(40e-3),
-        tolerance: 0.3,
+    let of_width = |goal: &mut Goal| {
+        goal.module = Some("2 mm".parse().unwrap());
+        goal.width = Some("40 mm".parse().unwrap());
+        goal.tolerance = "30%".parse().unwrap();
     };
+    let of_ratio = |goal: &mut Goal| goal.width_over_diameter = Some("0.3".parse().unwrap());
     let mut listed = 0;
-    for wanted in [
-        search([2, 4], [36, 60], of_width()),
-        search([5, 7], [50, 70], Size::default()),
-        search([3, 8], [84, 96], Size::WidthOverDiameter(0.3)),
+    for request in [
+        search("2..4", "36..60", of_width),
+        search("5..7", "50..70", |_| ()),
+        search("3..8", "84..96", of_ratio),
     ] {
-        let searched = motor_search::search(&wanted, &|_| std::ops::ControlFlow::Continue(())).unwrap();
-        let answer = searched.answer();
+        let searched = request.search(&|_| std::ops::ControlFlow::Continue(())).unwrap();
+        let answer = searched.answer(Listing::default());
         assert_eq!(answer.designs.len(), answer.found);
         for design in answer.designs.iter().step_by(4) {
             let saved = searched.saved(design.design).unwrap();
@@ -75,7 +74,7 @@ fn every_design_of_a_search_is_a_motor_that_can_be_made() {
             assert!(arcs.l_m.max(arcs.r1_m) <= 100.0 * 0.5 * motor.size.stator_outer_m * 1.1, "{saved}");
             let others = motor.warnings.iter().filter(|warning| !PRACTICE.contains(&warning.name));
             assert_eq!(others.map(|warning| &warning.message).collect::<Vec<_>>(), [""; 0], "{saved}");
-            assert_eq!(design.teeth_limits, motor_search::TeethLimits::Hold);
+            assert_eq!(design.teeth_limits, TeethLimits::Hold);
             // The same stress as that of the motor itself.
             let stresses = &motor.flanks.as_ref().unwrap().contact;
             let greatest = stresses.iter().filter_map(|one| one.alone_pa).fold(0.0, f64::max);

@@ -2,6 +2,7 @@
 
 use crate::answer::Answer;
 use crate::error::Error;
+use crate::machine::request;
 use crate::tolerance::SAME;
 use epicyclic_schemes::cutting::{chain_speed, drum_speed, matching_feed, speed_at_force};
 use epicyclic_schemes::machines::{self as tables, recommended_speeds};
@@ -12,7 +13,7 @@ use epicyclic_schemes::rotor::{
 use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
-use uom::si::f64::{Angle, AngularVelocity, Force, Length, Velocity};
+use uom::si::f64::{Angle, AngularVelocity, Force, Velocity};
 
 /// Number of speeds recommended for a range of speeds.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
@@ -84,7 +85,7 @@ impl Answer for Machines {
 ///
 /// # Errors
 /// [`Error::Design`] for a name that is not in the tables.
-pub fn list(name: Option<&str>) -> Result<Machines, Error> {
+pub(super) fn list(name: Option<&str>) -> Result<Machines, Error> {
     let machines: Vec<Machine> = match name {
         Some(name) => vec![Machine::of(tables::machine(name)?)],
         None => tables::machines().iter().map(Machine::of).collect(),
@@ -172,7 +173,7 @@ impl Answer for MachineSpeeds {
 ///
 /// # Errors
 /// [`Error::Design`] for speeds that form no series.
-pub fn speeds(speeds: &[Velocity]) -> Result<MachineSpeeds, Error> {
+pub(super) fn speeds(speeds: &[Velocity]) -> Result<MachineSpeeds, Error> {
     // With direct drive as the fastest speed, the second ratio equals the first step of speeds.
     let fastest_direct = RatioSeries::of_speeds(speeds, 1)?;
     let (count, range) = (speeds.len(), fastest_direct.speed_range());
@@ -216,7 +217,7 @@ impl Series {
 
 /// Mean cutting forces in the rock for which the feed is given, and in other rock.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Forces {
+pub(super) struct Forces {
     /// Force in the rock for which the feed is given.
     pub here: Force,
     /// Forces in other rock.
@@ -277,35 +278,26 @@ impl Answer for Drum {
     const NAME: &'static str = "machine-drum";
 }
 
-/// Computes the cutting speed of a chain cutter from the mean spacing of the picks in a line, the feed and
-/// the mean chip.
+/// Computes the cutting speed of a chain cutter.
 ///
 /// # Errors
 /// [`Error::Design`] for a quantity that is not above 0.
-pub fn chain_cutter(
-    pick_spacing: Length,
-    feed: Velocity,
-    mean_chip: Length,
-    forces: Option<&Forces>,
+pub(super) fn chain_cutter(
+    cutter: &request::ChainCutter,
+    forces: Option<Forces>,
 ) -> Result<ChainCutter, Error> {
-    let speed = chain_speed(pick_spacing, feed, mean_chip)?;
-    let (cutting, rocks, range) = in_rocks(speed, feed, forces)?;
+    let speed = chain_speed(cutter.pick_spacing.0, cutter.feed.0, cutter.chip.0)?;
+    let (cutting, rocks, range) = in_rocks(speed, cutter.feed.0, forces)?;
     Ok(ChainCutter { cutting, rocks, range })
 }
 
-/// Computes the cutting speed of a drum from its diameter, feed, greatest chip and number of picks in a line.
+/// Computes the cutting speed of a drum.
 ///
 /// # Errors
 /// [`Error::Design`] for a quantity that is not above 0.
-pub fn drum(
-    diameter: Length,
-    feed: Velocity,
-    greatest_chip: Length,
-    picks_per_line: u32,
-    forces: Option<&Forces>,
-) -> Result<Drum, Error> {
-    let speed = drum_speed(diameter, feed, greatest_chip, picks_per_line)?;
-    let (cutting, rocks, range) = in_rocks(speed, feed, forces)?;
+pub(super) fn drum(drum: &request::Drum, forces: Option<Forces>) -> Result<Drum, Error> {
+    let speed = drum_speed(drum.diameter.0, drum.feed.0, drum.chip.0, drum.picks)?;
+    let (cutting, rocks, range) = in_rocks(speed, drum.feed.0, forces)?;
     Ok(Drum { cutting, rocks, range })
 }
 
@@ -314,7 +306,7 @@ type InRocks = (Cutting, Vec<Rock>, Option<SpeedRange>);
 fn in_rocks(
     speed: Velocity,
     feed: Velocity,
-    forces: Option<&Forces>,
+    forces: Option<Forces>,
 ) -> Result<InRocks, epicyclic_schemes::Error> {
     let m_s = |speed: Velocity| speed.si();
     let rock =
@@ -333,28 +325,9 @@ fn in_rocks(
     Ok((Cutting { speed_m_s: m_s(speed), feed_m_s: m_s(feed) }, rocks, range))
 }
 
-/// Bucket wheel whose speeds are computed.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Wheel {
-    /// Cutting radius of the boom.
-    pub boom_radius: Length,
-    /// Least slewing speed, with the boom in the machine's axis.
-    pub slewing: AngularVelocity,
-    /// Width of the chip.
-    pub chip_width: Length,
-    /// Number of buckets.
-    pub buckets: u32,
-    /// Slewing angle of the boom from the machine's axis.
-    pub boom_angle: Angle,
-    /// Radius of the wheel.
-    pub radius: Length,
-    /// Data of the throw onto the chute.
-    pub throw: Throw,
-}
-
 /// Data of a bucket wheel's throw onto its chute.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Throw {
+pub(super) enum Throw {
     /// Discharge parameter `Ω = ω²R/g`.
     Discharge(f64),
     /// Flight of the material from the buckets to the edge of the chute.
@@ -413,14 +386,14 @@ impl Answer for Rotor {
 /// # Errors
 /// [`Error::Design`] for a quantity that is not above 0, and for a throw that does not reach the chute;
 /// [`Error::NoChute`].
-pub fn rotor(wheel: &Wheel) -> Result<Rotor, Error> {
-    let optimal =
-        optimal_speed(wheel.boom_radius, wheel.slewing, wheel.chip_width, wheel.buckets, wheel.boom_angle)?;
+pub(super) fn rotor(wheel: &request::Rotor, throw: &Throw) -> Result<Rotor, Error> {
+    let (slewing, angle) = (wheel.slewing.0, wheel.boom_angle.0);
+    let optimal = optimal_speed(wheel.boom_radius.0, slewing, wheel.chip_width.0, wheel.buckets, angle)?;
     let greatest = greatest_speed(optimal)?;
-    let found = discharges(&wheel.throw)?;
+    let found = discharges(throw)?;
     // Of the raised and the lowered boom, the source takes the smaller parameter.
     let smallest = found.iter().map(|(_, discharge)| *discharge).reduce(f64::min).ok_or(Error::NoChute)?;
-    let least = least_speed(smallest, standard_gravity(), wheel.radius)?;
+    let least = least_speed(smallest, standard_gravity(), wheel.wheel_radius.0)?;
     let rad_s = |speed: AngularVelocity| speed.si();
     Ok(Rotor {
         wheel: WheelSpeeds {
@@ -466,19 +439,21 @@ mod tests {
 
     #[test]
     fn a_throw_without_a_chute_is_refused() {
-        let metre = Length::new::<uom::si::length::meter>;
-        let angle = Angle::from_si;
-        let wheel = Wheel {
-            boom_radius: metre(20.0),
-            slewing: AngularVelocity::from_si(0.02),
-            chip_width: metre(0.3),
+        let wheel = request::Rotor {
+            boom_radius: "20 m".parse().unwrap(),
+            slewing: "0.02 rad/s".parse().unwrap(),
+            chip_width: "0.3 m".parse().unwrap(),
             buckets: 8,
-            boom_angle: angle(1.0),
-            radius: metre(3.0),
-            throw: Throw::Flight { release: angle(1.2), chutes: vec![], radius_ratio: 0.6 },
+            boom_angle: "1 rad".parse().unwrap(),
+            wheel_radius: "3 m".parse().unwrap(),
+            discharge: None,
+            release: None,
+            chute: None,
+            radius_ratio: None,
         };
-        assert!(matches!(rotor(&wheel), Err(Error::NoChute)));
-        let given = rotor(&Wheel { throw: Throw::Discharge(0.3), ..wheel }).unwrap();
+        let throw = Throw::Flight { release: Angle::from_si(1.2), chutes: vec![], radius_ratio: 0.6 };
+        assert!(matches!(rotor(&wheel, &throw), Err(Error::NoChute)));
+        let given = rotor(&wheel, &Throw::Discharge(0.3)).unwrap();
         assert_eq!((given.discharges[0].chute_rad, given.discharges[0].counts), (None, true));
     }
 }

@@ -3,8 +3,8 @@
 use crate::desk::Call;
 use crate::error::Error;
 use crate::failure::Failure;
-use crate::machine::answer::{self as machine, Forces, Throw, Wheel};
-use crate::output::OutputArgs;
+use crate::machine::answer::{self as answers, Forces, MachineSpeeds, Machines, Throw};
+use crate::output::WithOutput;
 use crate::shared::lists::Quantities;
 use epicyclic_schemes::Error as SchemeError;
 use epicyclic_schemes::quantity::Quantity as Of;
@@ -21,177 +21,149 @@ pub struct Args {
 
 #[derive(Debug, clap::Subcommand)]
 enum Command {
-    List(List),
-    Speeds(Speeds),
-    ChainCutter(ChainCutter),
-    Drum(Drum),
-    Rotor(Rotor),
+    List(WithOutput<List>),
+    Speeds(WithOutput<Speeds>),
+    ChainCutter(WithOutput<ChainCutter>),
+    Drum(WithOutput<Drum>),
+    Rotor(WithOutput<Rotor>),
 }
 
 /// Machines in service with their numbers of speeds, beside the number recommended for their ranges.
-#[derive(Debug, clap::Args)]
-struct List {
+#[derive(Debug, Clone, Default, clap::Args)]
+pub struct List {
     /// One machine.
     #[arg(value_name = "NAME")]
-    name: Option<String>,
-
-    #[command(flatten)]
-    output: OutputArgs,
+    pub name: Option<String>,
 }
 
 /// Ratios of a gearbox for some speeds, and how many speeds are recommended for their range.
 ///
 /// Direct drive may serve the fastest speed (the gearbox then only slows down), the slowest, or one between.
 /// Ratios are listed the fastest speed first.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Clone, clap::Args)]
 #[command(after_help = "Example:\n  epicyclic machine speeds '0.8 m/s, 3.15 m/s'")]
-struct Speeds {
+pub struct Speeds {
     /// The speeds, the slowest first: '0.76 m/s, 1.33 m/s, 1.95 m/s'.
     #[arg(value_name = "SPEEDS")]
-    speeds: Quantities<Velocity>,
-
-    #[command(flatten)]
-    output: OutputArgs,
+    pub speeds: Quantities<Velocity>,
 }
 
 /// Cutting speed of a chain cutter, and of the same cutter in other rock.
-#[derive(Debug, clap::Args)]
-struct ChainCutter {
+#[derive(Debug, Clone, clap::Args)]
+pub struct ChainCutter {
     /// Mean spacing of the picks in a cutting line.
     #[arg(long, allow_hyphen_values = true)]
-    pick_spacing: Quantity<Length>,
+    pub pick_spacing: Quantity<Length>,
 
     /// Feed of the machine.
     #[arg(long, allow_hyphen_values = true)]
-    feed: Quantity<Velocity>,
+    pub feed: Quantity<Velocity>,
 
     /// Mean thickness of the chip.
     #[arg(long, allow_hyphen_values = true)]
-    chip: Quantity<Length>,
+    pub chip: Quantity<Length>,
 
+    /// Forces in several rocks.
     #[command(flatten)]
-    rock: Rock,
-
-    #[command(flatten)]
-    output: OutputArgs,
+    pub rock: Rock,
 }
 
 /// Cutting speed of a drum or auger, and of the same in other rock.
-#[derive(Debug, clap::Args)]
-struct Drum {
+#[derive(Debug, Clone, clap::Args)]
+pub struct Drum {
     /// Diameter over the picks.
     #[arg(long, allow_hyphen_values = true)]
-    diameter: Quantity<Length>,
+    pub diameter: Quantity<Length>,
 
     /// Feed of the machine.
     #[arg(long, allow_hyphen_values = true)]
-    feed: Quantity<Velocity>,
+    pub feed: Quantity<Velocity>,
 
     /// Greatest thickness of the chip.
     #[arg(long, allow_hyphen_values = true)]
-    chip: Quantity<Length>,
+    pub chip: Quantity<Length>,
 
     /// Picks in a cutting line.
     #[arg(long, value_name = "NUMBER")]
-    picks: u32,
+    pub picks: u32,
 
+    /// Forces in several rocks.
     #[command(flatten)]
-    rock: Rock,
-
-    #[command(flatten)]
-    output: OutputArgs,
+    pub rock: Rock,
 }
 
 /// Forces in the rock for which the feed is given and in others, at the same power and chip.
-#[derive(Debug, clap::Args)]
-struct Rock {
+#[derive(Debug, Clone, Default, clap::Args)]
+pub struct Rock {
     /// Mean cutting force in this rock.
     #[arg(long, requires = "other_forces", allow_hyphen_values = true)]
-    force: Option<Quantity<Force>>,
+    pub force: Option<Quantity<Force>>,
 
     /// Mean cutting forces in other rock, for the speeds needed there: '5 kN, 6.5 kN'.
     #[arg(long, value_name = "FORCES", requires = "force", allow_hyphen_values = true)]
-    other_forces: Option<Quantities<Force>>,
+    pub other_forces: Option<Quantities<Force>>,
 }
 
 /// Greatest and least speed of a bucket wheel, and how many speeds their range asks for.
 ///
 /// The greatest still empties the buckets when the boom slews at its side, the least still throws onto the
 /// chute. Angles are about the wheel's axis from the horizontal, in the sense of rotation.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Clone, clap::Args)]
 #[command(override_usage = "\
 epicyclic machine rotor [OPTIONS] --boom-radius <BOOM_RADIUS>
        --slewing <SLEWING> --chip-width <CHIP_WIDTH> --buckets <NUMBER>
        --boom-angle <BOOM_ANGLE> --wheel-radius <WHEEL_RADIUS>")]
 #[command(after_help = include_str!("rotor.txt"))]
-struct Rotor {
+pub struct Rotor {
     /// Cutting radius of the boom.
     #[arg(long, allow_hyphen_values = true)]
-    boom_radius: Quantity<Length>,
+    pub boom_radius: Quantity<Length>,
 
     /// Slewing speed with the boom in the machine's axis, the least.
     #[arg(long, allow_hyphen_values = true)]
-    slewing: Quantity<AngularVelocity>,
+    pub slewing: Quantity<AngularVelocity>,
 
     /// Width of the chip.
     #[arg(long, allow_hyphen_values = true)]
-    chip_width: Quantity<Length>,
+    pub chip_width: Quantity<Length>,
 
     /// Number of buckets.
     #[arg(long, value_name = "NUMBER")]
-    buckets: u32,
+    pub buckets: u32,
 
     /// Slewing angle of the boom from the machine's axis.
     #[arg(long, allow_hyphen_values = true)]
-    boom_angle: Quantity<Angle>,
+    pub boom_angle: Quantity<Angle>,
 
     /// Radius of the wheel.
     #[arg(long, allow_hyphen_values = true)]
-    wheel_radius: Quantity<Length>,
+    pub wheel_radius: Quantity<Length>,
 
     /// Discharge parameter Ω = ω²R/g, where it is known; otherwise --release, --chute and --radius-ratio.
     #[arg(long, value_name = "NUMBER", conflicts_with_all = ["release", "chute", "radius_ratio"], allow_negative_numbers = true)]
-    discharge: Option<Number>,
+    pub discharge: Option<Number>,
 
     /// Angle at which a particle leaves its bucket.
     #[arg(long, requires = "chute", requires = "radius_ratio", allow_hyphen_values = true)]
-    release: Option<Quantity<Angle>>,
+    pub release: Option<Quantity<Angle>>,
 
     /// Angles of the chute's edge with the boom raised and lowered; the smaller Ω counts.
     #[arg(long, value_name = "ANGLES", requires = "release", allow_hyphen_values = true)]
-    chute: Option<Quantities<Angle>>,
+    pub chute: Option<Quantities<Angle>>,
 
     /// Radius of the chute's edge over that of the wheel.
     #[arg(long, value_name = "NUMBER", requires = "release", allow_negative_numbers = true)]
-    radius_ratio: Option<Number>,
-
-    #[command(flatten)]
-    output: OutputArgs,
+    pub radius_ratio: Option<Number>,
 }
 
 /// Runs the command.
 pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     match &args.command {
-        Command::List(list) => {
-            list.output.deliver(call, &machine::list(list.name.as_deref()).map_err(refuse)?)
-        }
-        Command::Speeds(speeds) => {
-            speeds.output.deliver(call, &machine::speeds(&speeds.speeds.values()).map_err(refuse)?)
-        }
-        Command::ChainCutter(chain) => {
-            let forces = chain.rock.forces();
-            let found =
-                machine::chain_cutter(chain.pick_spacing.0, chain.feed.0, chain.chip.0, forces.as_ref());
-            chain.output.deliver(call, &found.map_err(refuse)?)
-        }
-        Command::Drum(drum) => {
-            let forces = drum.rock.forces();
-            let found = machine::drum(drum.diameter.0, drum.feed.0, drum.chip.0, drum.picks, forces.as_ref());
-            drum.output.deliver(call, &found.map_err(refuse)?)
-        }
-        Command::Rotor(rotor) => {
-            rotor.output.deliver(call, &machine::rotor(&rotor.wheel()?).map_err(refuse)?)
-        }
+        Command::List(WithOutput { request, output }) => output.deliver(call, &request.answer()?),
+        Command::Speeds(WithOutput { request, output }) => output.deliver(call, &request.answer()?),
+        Command::ChainCutter(WithOutput { request, output }) => output.deliver(call, &request.answer()?),
+        Command::Drum(WithOutput { request, output }) => output.deliver(call, &request.answer()?),
+        Command::Rotor(WithOutput { request, output }) => output.deliver(call, &request.answer()?),
     }
 }
 
@@ -203,11 +175,60 @@ impl Rock {
     }
 }
 
+impl List {
+    /// Lists all machines, or the one with this name.
+    ///
+    /// # Errors
+    /// A name that is not in the tables.
+    pub fn answer(&self) -> Result<Machines, Failure> {
+        answers::list(self.name.as_deref()).map_err(refuse)
+    }
+}
+
+impl Speeds {
+    /// Computes the ratios for two to four speeds.
+    ///
+    /// # Errors
+    /// [`Failure::Option`] for speeds that form no series.
+    pub fn answer(&self) -> Result<MachineSpeeds, Failure> {
+        answers::speeds(&self.speeds.values()).map_err(refuse)
+    }
+}
+
+impl ChainCutter {
+    /// Computes the cutting speed.
+    ///
+    /// # Errors
+    /// [`Failure::Option`] for a quantity that is not above 0.
+    pub fn answer(&self) -> Result<answers::ChainCutter, Failure> {
+        answers::chain_cutter(self, self.rock.forces()).map_err(refuse)
+    }
+}
+
+impl Drum {
+    /// Computes the cutting speed.
+    ///
+    /// # Errors
+    /// [`Failure::Option`] for a quantity that is not above 0.
+    pub fn answer(&self) -> Result<answers::Drum, Failure> {
+        answers::drum(self, self.rock.forces()).map_err(refuse)
+    }
+}
+
 impl Rotor {
-    fn wheel(&self) -> Result<Wheel, Failure> {
+    /// Computes the greatest and least speed of the wheel.
+    ///
+    /// # Errors
+    /// [`Failure::Option`] without a discharge parameter, for a quantity that is not above 0, and for a throw
+    /// that does not reach the chute.
+    pub fn answer(&self) -> Result<answers::Rotor, Failure> {
+        answers::rotor(self, &self.throw()?).map_err(refuse)
+    }
+
+    fn throw(&self) -> Result<Throw, Failure> {
         // The three options of the flight require each other, so the last arm has no discharge parameter at
         // all.
-        let throw = match (self.discharge, self.release, &self.chute, self.radius_ratio) {
+        Ok(match (self.discharge, self.release, &self.chute, self.radius_ratio) {
             (Some(discharge), ..) => Throw::Discharge(discharge.get()),
             (None, Some(release), Some(chute), Some(ratio)) => {
                 Throw::Flight { release: release.0, chutes: chute.values(), radius_ratio: ratio.get() }
@@ -216,15 +237,6 @@ impl Rotor {
                 let message = "missing: the discharge parameter; give it where it is known, otherwise --release, --chute and --radius-ratio, from which it follows";
                 return Err(Failure::invalid("--discharge", message));
             }
-        };
-        Ok(Wheel {
-            boom_radius: self.boom_radius.0,
-            slewing: self.slewing.0,
-            chip_width: self.chip_width.0,
-            buckets: self.buckets,
-            boom_angle: self.boom_angle.0,
-            radius: self.wheel_radius.0,
-            throw,
         })
     }
 }

@@ -3,3 +3,6 @@
 pub mod answer;
 pub mod request;
 pub mod table;
+
+pub use answer::{Listing, Searched};
+pub use request::Goal;

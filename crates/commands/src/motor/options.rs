@@ -3,7 +3,7 @@
 pub(crate) mod design;
 pub(crate) mod files;
 pub(crate) mod made;
-pub(crate) mod steps;
+pub mod steps;
 
 use crate::failure::Failure;
 use crate::motor::forms::answer::Crest;
@@ -11,9 +11,9 @@ use crate::motor::table::View;
 use crate::output::OutputArgs;
 use crate::shared::page_options::PageArgs;
 use epicyclic_hydromotor::profile::ToothForm;
-use epicyclic_units::{Number, Quantity};
+use epicyclic_units::{Number, Physical as _, Quantity};
 use std::path::PathBuf;
-use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
+use uom::si::f64::{Angle, AngularVelocity, Length, Pressure, Ratio};
 
 /// Options that describe a motor without a file.
 const OF_A_MOTOR: [&str; 12] =
@@ -113,36 +113,55 @@ pub(crate) struct Design {
 }
 
 /// Form of the teeth; lengths in modules.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "Teeth, lengths in modules")]
-pub(crate) struct Teeth {
+pub struct Teeth {
     /// Pressure angle of the satellites.
     #[arg(long, default_value = "25 deg", allow_hyphen_values = true)]
-    pub(crate) pressure_angle: Quantity<Angle>,
+    pub pressure_angle: Quantity<Angle>,
 
     /// Addendum h_a*.
     #[arg(long, value_name = "NUMBER", default_value = "0.85", allow_negative_numbers = true)]
-    pub(crate) addendum: Number,
+    pub addendum: Number,
 
     /// Clearance c* of tips over roots.
     #[arg(long, value_name = "NUMBER", default_value = "0.25", allow_negative_numbers = true)]
-    pub(crate) clearance: Number,
+    pub clearance: Number,
 
     /// Profile shift x of the satellites; the wheels have −x.
     #[arg(long, value_name = "NUMBER", default_value = "0.2", allow_negative_numbers = true)]
-    pub(crate) shift: Number,
+    pub shift: Number,
 
     /// Backlash j* along the pitch curves.
     #[arg(long, value_name = "NUMBER", default_value = "0.04", allow_negative_numbers = true)]
-    pub(crate) backlash: Number,
+    pub backlash: Number,
 
     /// Radius ρ* of the rounded tips of the cutters.
     #[arg(long, value_name = "NUMBER", default_value = "0.1", allow_negative_numbers = true)]
-    pub(crate) fillet: Number,
+    pub fillet: Number,
 
     /// What lies in the middle of the stator's crests: space, tooth.
     #[arg(long, value_name = "CREST", default_value = "space")]
-    pub(crate) crest: Crest,
+    pub crest: Crest,
+}
+
+/// Requirements of satellites that seal at the flanks.
+#[derive(Debug, Clone, clap::Args)]
+pub struct FlankLimits {
+    /// Greatest ripple of flow and torque, satellites sealing at the flanks: 8%, or 0.08.
+    #[arg(long, value_name = "RIPPLE", allow_hyphen_values = true)]
+    pub flank_ripple: Option<Quantity<Ratio>>,
+
+    /// Least torque over the mean, satellites sealing at the flanks: 94%, or 0.94.
+    #[arg(long, value_name = "PART", allow_hyphen_values = true)]
+    pub least_torque: Option<Quantity<Ratio>>,
+}
+
+impl FlankLimits {
+    /// Greatest ripple and least torque over the mean, if given.
+    pub(crate) fn shares(&self) -> [Option<f64>; 2] {
+        [self.flank_ripple, self.least_torque].map(|share| share.map(|share| share.0.si()))
+    }
 }
 
 /// Drawings and curves.

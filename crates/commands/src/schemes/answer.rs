@@ -117,8 +117,7 @@ impl Answer for Schemes {
 }
 
 /// Lists all schemes with their ratios over a range of ring-to-sun ratios.
-#[must_use]
-pub fn list(range: RingToSunRange) -> Schemes {
+pub(super) fn list(range: RingToSunRange) -> Schemes {
     let scheme = |scheme: CatalogueScheme| {
         let [least_ratio, greatest_ratio] = scheme.ratio_range(range);
         SchemeFormulas {
@@ -232,7 +231,7 @@ impl Answer for Scheme {
 ///
 /// # Errors
 /// [`Error::SchemeSize`], [`Error::Gearbox`].
-pub fn one(
+pub(super) fn one(
     scheme: CatalogueScheme,
     range: RingToSunRange,
     sizes: Sizes,

@@ -40,4 +40,21 @@ macro_rules! named {
     )*};
 }
 
-pub(crate) use named;
+/// Conversion of choices of commands to those of a calculation and back, by pairs of equal variants.
+macro_rules! paired {
+    ($($type:ident, $other:ty { $($variant:ident $same:ident)* })*) => {$(
+        impl $type {
+            pub(crate) const fn of(other: $other) -> Self {
+                match other { $(<$other>::$same => Self::$variant),* }
+            }
+
+            /// Converts the choice for the search.
+            #[must_use]
+            pub const fn of_search(self) -> $other {
+                match self { $(Self::$variant => <$other>::$same),* }
+            }
+        }
+    )*};
+}
+
+pub(crate) use {named, paired};

@@ -14,11 +14,11 @@ pub struct ShiftOptions {
     /// Simple sets with profile shift: teeth of the ring less those of the sun and twice those of a planet, a
     /// range from -9 to 9. Without it sets have no profile shift.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, value_parser = offsets)]
-    ring_offset: Option<RangeInclusive<i32>>,
+    pub ring_offset: Option<RangeInclusive<i32>>,
 
     /// With --ring-offset: what picks the shifts, of which the sums are fixed.
     #[arg(long, value_enum, requires = "ring_offset", default_value_t = Aim::BalancedSliding)]
-    aim: Aim,
+    pub aim: Aim,
 
     /// With --ring-offset: least thickness of the tips, in modules; 0.4 is usual of case-hardened teeth.
     #[arg(
@@ -28,7 +28,7 @@ pub struct ShiftOptions {
         default_value = "0.2",
         allow_negative_numbers = true
     )]
-    tip_thickness: Number,
+    pub tip_thickness: Number,
 }
 
 impl ShiftOptions {

@@ -14,12 +14,13 @@ use crate::answer::Answer;
 use crate::error::Error;
 use crate::shared::records::{Fraction, Motion};
 use crate::shared::tooth_checks::answer::{TeethLeftOut, ToothChecks};
+use crate::teeth::request::Request;
 use crate::tolerance::ROUNDED;
 use epicyclic_gears::ToothCount;
 pub use epicyclic_gears::mesh::USUAL_PLANET_GAP;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::simple_set::{Member, Mode};
-use epicyclic_gears::synthesis::{Bounds, Candidate};
+use epicyclic_gears::synthesis::{Bounds, Candidate, Ranked};
 use epicyclic_train::Gearbox;
 use epicyclic_train::set::{SetKind, SetSpec};
 use epicyclic_units::Physical;
@@ -32,24 +33,6 @@ pub const MOST_SETS: usize = 100_000;
 
 /// Combinations of teeth and planets that are gone through in a second, about.
 pub(crate) const IN_A_SECOND: f64 = 1e7;
-
-/// Requirements of the tooth numbers.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Wanted {
-    /// Ratio, input speed over output speed; negative for opposite directions.
-    pub ratio: f64,
-    /// Driving, driven and fixed member.
-    pub mode: Mode,
-    /// Allowed relative deviation of the ratio.
-    pub tolerance: f64,
-    /// Bounds of tooth numbers, planets and k, and the rack. For a double-planet set they apply to each of
-    /// its two planets and to the number of pairs.
-    pub bounds: Bounds,
-    /// Maximum number of sets listed.
-    pub most: usize,
-    /// Number of the set whose checks are listed, from 1; the first if there are fewer sets.
-    pub checked: usize,
-}
 
 /// Sets of tooth numbers that give a ratio, the most exact first.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -112,55 +95,110 @@ impl Answer for Teeth {
     const NAME: &'static str = "teeth";
 }
 
-/// Finds all sets of tooth numbers for a ratio. The closure `done` receives the finished part of the search,
-/// from 0 to 1, and may end it.
+/// Answer that lists sets of one kind.
+pub(super) trait SetList: Answer {
+    /// Numbers of sets found and listed.
+    fn counts(&self) -> (u64, usize);
+
+    /// Listed set with this number, from 1, as a gearbox; `None` if there is no such set.
+    fn gearbox(&self, number: usize, request: &Request) -> Result<Option<Gearbox>, Error>;
+
+    /// Limits the list to its first sets.
+    fn truncate(&mut self, most: usize);
+}
+
+macro_rules! set_lists {
+    ($($answer:ty),*) => {$(
+        impl SetList for $answer {
+            fn counts(&self) -> (u64, usize) {
+                (self.found, self.shown)
+            }
+
+            fn gearbox(&self, number: usize, request: &Request) -> Result<Option<Gearbox>, Error> {
+                let set = number.checked_sub(1).and_then(|place| self.tooth_numbers.get(place));
+                set.map(|set| set.gearbox(request)).transpose()
+            }
+
+            fn truncate(&mut self, most: usize) {
+                self.tooth_numbers.truncate(most);
+                self.shown = self.tooth_numbers.len();
+            }
+        }
+    )*};
+}
+
+set_lists!(Teeth, double_planet::DoublePlanetTeeth, shifted::ShiftedTeeth);
+
+/// Finds all sets of tooth numbers for a ratio.
 ///
 /// # Errors
-/// [`Error::Gear`] if nothing is found, or for an impossible bound.
-pub fn answer(wanted: &Wanted, done: impl FnMut(f64) -> ControlFlow<()>) -> Result<Teeth, Error> {
-    let &Wanted { ratio, mode, tolerance, ref bounds, most, .. } = wanted;
-    let found = bounds.first_for_ratio(ratio, mode, tolerance, most.min(MOST_SETS), done)?;
-    if most > MOST_SETS && found.found > MOST_SETS as u64 {
-        return Err(Error::TooMany { found: found.found, most: MOST_SETS });
-    }
-    let tooth_numbers: Vec<ToothNumbers> =
-        found.first.iter().map(|one| ToothNumbers::of(one, &bounds.rack)).collect();
+/// [`Error::Gear`] if nothing is found, or for an impossible bound; [`Error::TooMany`].
+pub(super) fn answer(
+    request: &Request,
+    bounds: &Bounds,
+    done: impl FnMut(f64) -> ControlFlow<()>,
+) -> Result<Teeth, Error> {
+    let Listed { ratio, mode, tolerance, found, left_out, sets, tooth_checks } = listed(
+        request,
+        bounds,
+        |ratio, mode, tolerance, most| bounds.first_for_ratio(ratio, mode, tolerance, most, done),
+        |one| ToothNumbers::of(one, &bounds.rack),
+        ToothNumbers::gearbox,
+    )?;
     Ok(Teeth {
         ratio,
-        mode: Motion::of(mode),
+        mode,
         tolerance,
-        found: found.found,
-        left_out: found.left_out.as_deref().map(TeethLeftOut::of),
-        shown: tooth_numbers.len(),
-        tooth_checks: wanted.checks(&tooth_numbers, ToothNumbers::gearbox)?,
-        tooth_numbers,
+        found,
+        left_out,
+        shown: sets.len(),
+        tooth_numbers: sets,
+        tooth_checks,
     })
 }
 
-impl Wanted {
-    /// Tooth checks of the set with the number `checked`, which `gearbox` converts to a gearbox.
-    fn checks<Set>(
-        &self,
-        sets: &[Set],
-        gearbox: fn(&Set, &Self) -> Result<Gearbox, Error>,
-    ) -> Result<ToothChecks, Error> {
-        let number = if (1..=sets.len()).contains(&self.checked) { self.checked } else { 1 };
-        let Some(set) = sets.get(number - 1) else { return Ok(ToothChecks::default()) };
-        let mut all =
-            ToothChecks::of(gearbox(set, self)?.set_checks(&self.bounds.rack, |_| vec![]), |_| true);
-        // The single set of its gearbox gets the number that it has in the list.
-        all.checks.iter_mut().for_each(|check| check.set = number.to_string());
-        Ok(all)
-    }
+/// Sets of one kind that a search found, as records, with what answers of all kinds have in common.
+struct Listed<Set> {
+    ratio: f64,
+    mode: Motion,
+    tolerance: f64,
+    found: u64,
+    left_out: Option<TeethLeftOut>,
+    sets: Vec<Set>,
+    tooth_checks: ToothChecks,
+}
 
-    fn built(&self, set: SetSpec) -> Result<Gearbox, Error> {
-        gearbox::built(self.mode, self.ratio, self.bounds.placement, set)
+/// Searches sets by ratio, mode, tolerance and maximum number of sets, and checks the one requested.
+fn listed<Found, Set>(
+    request: &Request,
+    bounds: &Bounds,
+    search: impl FnOnce(f64, Mode, f64, usize) -> Result<Ranked<Found>, epicyclic_gears::Error>,
+    record: impl Fn(&Found) -> Set,
+    gearbox: fn(&Set, &Request) -> Result<Gearbox, Error>,
+) -> Result<Listed<Set>, Error> {
+    let (ratio, mode, tolerance) = (request.ratio.get(), request.mode, request.tolerance.0.si());
+    let most = request.limit.unwrap_or(usize::MAX);
+    let Ranked { found, first, left_out } = search(ratio, mode, tolerance, most.min(MOST_SETS))?;
+    // The list is refused only if it would be longer; a large maximum alone is harmless.
+    if most > MOST_SETS && found > MOST_SETS as u64 {
+        return Err(Error::TooMany { found, most: MOST_SETS });
     }
+    let sets: Vec<Set> = first.iter().map(record).collect();
+    let number = if (1..=sets.len()).contains(&request.checked) { request.checked } else { 1 };
+    let mut tooth_checks = ToothChecks::default();
+    if let Some(set) = sets.get(number - 1) {
+        let checks = gearbox(set, request)?.set_checks(&bounds.rack, |_| vec![]);
+        tooth_checks = ToothChecks::of(checks, |_| true);
+        // The single set of its gearbox gets the number that it has in the list.
+        tooth_checks.checks.iter_mut().for_each(|check| check.set = number.to_string());
+    }
+    let left_out = left_out.as_deref().map(TeethLeftOut::of);
+    Ok(Listed { ratio, mode: Motion::of(mode), tolerance, found, left_out, sets, tooth_checks })
 }
 
 /// Sets in series that have a ratio impossible for one set within the same bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stages {
+pub(super) struct Stages {
     /// Number of sets in series.
     pub sets: u32,
     /// Absolute ratio of each set if all are equal.
@@ -180,10 +218,10 @@ const MOST_STAGES: u32 = 4;
 ///
 /// # Errors
 /// Errors for impossible bounds.
-pub fn stages(wanted: &Wanted) -> Result<Option<Stages>, Error> {
-    let Wanted { ratio, mode, tolerance, bounds, .. } = wanted;
+pub(super) fn stages(request: &Request, bounds: &Bounds) -> Result<Option<Stages>, Error> {
+    let (ratio, mode, tolerance) = (request.ratio.get(), request.mode, request.tolerance.0.si());
     let is_negative = mode.fixed() == Member::Carrier;
-    if is_negative != (*ratio < 0.0) {
+    if is_negative != (ratio < 0.0) {
         return Ok(None);
     }
     let others = match is_negative {
@@ -204,7 +242,7 @@ pub fn stages(wanted: &Wanted) -> Result<Option<Stages>, Error> {
             Err(epicyclic_gears::Error::NoToothNumbers { .. }) => Ok(false),
             Err(error) => Err(error),
         };
-        if has(of_each * ratio.signum(), *mode)? && others.map_or(Ok(true), |others| has(of_each, others))? {
+        if has(of_each * ratio.signum(), mode)? && others.map_or(Ok(true), |others| has(of_each, others))? {
             return Ok(Some(Stages { sets, ratio: of_each, others }));
         }
     }
@@ -215,11 +253,14 @@ impl ToothNumbers {
     /// Set as a gearbox without losses. Its links are its members, and the fixed one is the housing.
     ///
     /// # Errors
-    /// No error is known for a set that [`answer`] returns.
-    pub fn gearbox(&self, wanted: &Wanted) -> Result<Gearbox, Error> {
-        let members = gearbox::members(wanted.mode);
+    /// No error is known for a set that an answer to this request lists.
+    pub fn gearbox(&self, request: &Request) -> Result<Gearbox, Error> {
+        let members = gearbox::members(request.mode);
         let set = SetSpec::teeth(gearbox::NAME, SetKind::Simple, members, self.sun, self.ring)?;
-        wanted.built(set.planet_teeth(ToothCount::new(self.planet)?, None).planet_count(self.planets))
+        gearbox::built(
+            request,
+            set.planet_teeth(ToothCount::new(self.planet)?, None).planet_count(self.planets),
+        )
     }
 
     fn of(found: &Candidate, rack: &BasicRack) -> Self {
@@ -249,16 +290,17 @@ impl ToothNumbers {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn wanted(ratio: f64, mode: [Member; 2], bounds: Bounds) -> Wanted {
-        let mode = Mode::new(mode[0], mode[1]).unwrap();
-        Wanted { ratio, mode, tolerance: 0.01, bounds, most: 1, checked: 1 }
-    }
+    use crate::words::request;
 
     #[test]
     fn several_sets_have_a_ratio_that_one_has_not() {
         let sun_to_carrier = [Member::Sun, Member::Carrier];
-        let found = |ratio: f64, mode| stages(&wanted(ratio, mode, Bounds::default())).unwrap().unwrap();
+        let stages_within = |ratio: f64, [input, output]: [Member; 2], bounds: &Bounds| {
+            let mode = Mode::new(input, output).unwrap();
+            let request = Request { mode, ..request(["--ratio", &ratio.to_string()]).unwrap() };
+            stages(&request, bounds).unwrap()
+        };
+        let found = |ratio: f64, mode| stages_within(ratio, mode, &Bounds::default()).unwrap();
         let two = found(24.0, sun_to_carrier);
         assert!(two.sets == 2 && (two.ratio - 24.0_f64.sqrt()).abs() < 1e-12 && two.others.is_none());
         assert_eq!(found(400.0, sun_to_carrier).sets, 3);
@@ -267,8 +309,8 @@ mod tests {
         let faster = found(-1.0 / 24.0, [Member::Ring, Member::Sun]);
         assert_eq!((faster.sets, faster.others.unwrap().to_string()), (2, "Ha^b".to_owned()));
         // A mode with the other sign, and bounds with which no number of sets helps.
-        assert_eq!(stages(&wanted(-24.0, sun_to_carrier, Bounds::default())).unwrap(), None);
+        assert_eq!(stages_within(-24.0, sun_to_carrier, &Bounds::default()), None);
         let narrow = Bounds { ring_to_sun_ratio: 5.0..=5.0, ..Bounds::default() };
-        assert_eq!(stages(&wanted(7.0, sun_to_carrier, narrow)).unwrap(), None);
+        assert_eq!(stages_within(7.0, sun_to_carrier, &narrow), None);
     }
 }

@@ -1,21 +1,24 @@
 //! The command `teeth`: every set of tooth numbers for a ratio.
 
-use crate::desk::{Call, Content};
+use crate::desk::Call;
 use crate::failure::Failure;
 use crate::output::{Format, OutputArgs};
 use crate::progress::Progress;
 use crate::shared::options;
 use crate::shared::profile_shift::ShiftOptions;
-use crate::teeth::answer::{IN_A_SECOND, Stages, Wanted, answer, double_planet, shifted, stages};
+use crate::table::report::AsReport;
+use crate::teeth::answer::double_planet::{self, DoublePlanetTeeth};
+use crate::teeth::answer::shifted::{self, ShiftedTeeth};
+use crate::teeth::answer::{self as answers, IN_A_SECOND, SetList, Stages, Teeth, stages};
 use epicyclic_formats::Span;
 use epicyclic_formats::gearbox::written;
 use epicyclic_gears::Error;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::simple_set::Mode;
 use epicyclic_gears::synthesis::{Bounds, Placement};
-use epicyclic_train::Gearbox;
 use epicyclic_units::format::trimmed;
-use epicyclic_units::{Number, Physical, Quantity};
+use epicyclic_units::{Number, Quantity};
+use std::ops::ControlFlow;
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use uom::si::f64::{Angle, Ratio};
@@ -33,70 +36,8 @@ const SHOWN_IN_TABLE: usize = 20;
 #[derive(Debug, clap::Args)]
 #[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
-    /// Wanted ratio, input speed over output speed; negative for opposite directions of rotation.
-    #[arg(long, allow_negative_numbers = true)]
-    ratio: Number,
-
-    /// Input, output and fixed member: ab^H, aH^b, bH^a, ba^H, Ha^b or Hb^a, with sun a, ring b and carrier
-    /// H.
-    #[arg(long, default_value = "aH^b", value_parser = mode)]
-    mode: Mode,
-
-    /// Greatest error of the ratio, below 100%: 1%, or 0.01.
-    #[arg(long, default_value = "1%", allow_hyphen_values = true)]
-    tolerance: Quantity<Ratio>,
-
-    /// Double-planet sets: pairs of planets in mesh with each other, one with the sun, the other with the
-    /// ring.
-    #[arg(long, conflicts_with = "ring_offset")]
-    double_planet: bool,
-
     #[command(flatten)]
-    shifts: ShiftOptions,
-
-    /// Number of planets, or of pairs of planets, from 2 to 8.
-    #[arg(long, default_value = "3..8")]
-    planets: Span<u32>,
-
-    /// Teeth of the sun.
-    #[arg(long, default_value = "12..200")]
-    sun: Span<u32>,
-
-    /// Teeth of a planet, of a double-planet set of each of the two.
-    #[arg(long, default_value = "12..200")]
-    planet: Span<u32>,
-
-    /// Teeth of the ring.
-    #[arg(long, default_value = "12..200")]
-    ring: Span<u32>,
-
-    /// Ring-to-sun ratio k.
-    #[arg(long, default_value = "1.3..10")]
-    k: Span<f64>,
-
-    /// Spacing of the planets.
-    #[arg(long, value_enum, default_value_t = Spacing::Equal)]
-    spacing: Spacing,
-
-    /// Least gap between the tips of neighbouring planets, in modules.
-    #[arg(long, default_value = "0", allow_negative_numbers = true)]
-    tip_gap: Number,
-
-    /// Addendum coefficient of the basic rack: tips of planets, and undercut.
-    #[arg(long, default_value = "1", allow_negative_numbers = true)]
-    addendum: Number,
-
-    /// Pressure angle of the basic rack: undercut.
-    #[arg(long, value_name = "ANGLE", default_value = "20deg", allow_hyphen_values = true)]
-    pressure_angle: Quantity<Angle>,
-
-    /// Leave out sets in which the rack would undercut sun or planet.
-    #[arg(long, conflicts_with = "ring_offset")]
-    no_undercut: bool,
-
-    /// Show at most this many sets. Default: 20 in a table, otherwise all, up to 100000.
-    #[arg(long, value_name = "N")]
-    limit: Option<usize>,
+    request: Request,
 
     /// Write the most exact set as a gearbox file without losses that analyze, draw and report read.
     #[arg(long, value_name = "FILE")]
@@ -110,13 +51,96 @@ pub struct Args {
     output: OutputArgs,
 }
 
+/// Ratio of a set, and bounds of its teeth.
+#[derive(Debug, Clone, clap::Args)]
+pub struct Request {
+    /// Wanted ratio, input speed over output speed; negative for opposite directions of rotation.
+    #[arg(long, allow_negative_numbers = true)]
+    pub ratio: Number,
+
+    /// Input, output and fixed member: ab^H, aH^b, bH^a, ba^H, Ha^b or Hb^a, with sun a, ring b and carrier
+    /// H.
+    #[arg(long, default_value = "aH^b", value_parser = mode)]
+    pub mode: Mode,
+
+    /// Greatest error of the ratio, below 100%: 1%, or 0.01.
+    #[arg(long, default_value = "1%", allow_hyphen_values = true)]
+    pub tolerance: Quantity<Ratio>,
+
+    /// Double-planet sets: pairs of planets in mesh with each other, one with the sun, the other with the
+    /// ring.
+    #[arg(long, conflicts_with = "ring_offset")]
+    pub double_planet: bool,
+
+    /// Profile shifts of the sets.
+    #[command(flatten)]
+    pub shifts: ShiftOptions,
+
+    /// Number of planets, or of pairs of planets, from 2 to 8.
+    #[arg(long, default_value = "3..8")]
+    pub planets: Span<u32>,
+
+    /// Teeth of the sun.
+    #[arg(long, default_value = "12..200")]
+    pub sun: Span<u32>,
+
+    /// Teeth of a planet, of a double-planet set of each of the two.
+    #[arg(long, default_value = "12..200")]
+    pub planet: Span<u32>,
+
+    /// Teeth of the ring.
+    #[arg(long, default_value = "12..200")]
+    pub ring: Span<u32>,
+
+    /// Ring-to-sun ratio k.
+    #[arg(long, default_value = "1.3..10")]
+    pub k: Span<f64>,
+
+    /// Spacing of the planets.
+    #[arg(long, value_enum, default_value_t = Spacing::Equal)]
+    pub spacing: Spacing,
+
+    /// Least gap between the tips of neighbouring planets, in modules.
+    #[arg(long, default_value = "0", allow_negative_numbers = true)]
+    pub tip_gap: Number,
+
+    /// Addendum coefficient of the basic rack: tips of planets, and undercut.
+    #[arg(long, default_value = "1", allow_negative_numbers = true)]
+    pub addendum: Number,
+
+    /// Pressure angle of the basic rack: undercut.
+    #[arg(long, value_name = "ANGLE", default_value = "20deg", allow_hyphen_values = true)]
+    pub pressure_angle: Quantity<Angle>,
+
+    /// Leave out sets in which the rack would undercut sun or planet.
+    #[arg(long, conflicts_with = "ring_offset")]
+    pub no_undercut: bool,
+
+    /// Show at most this many sets. Default: 20 in a table, otherwise all, up to 100000.
+    #[arg(long, value_name = "N")]
+    pub limit: Option<usize>,
+
+    /// Number of the set whose checks are listed, from 1; the first if there are fewer sets.
+    #[arg(skip = 1_usize)]
+    pub checked: usize,
+}
+
 /// Where the planets may stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum Spacing {
+pub enum Spacing {
     /// Equal angles only.
     Equal,
     /// The assembly positions nearest to equal angles, where equal angles do not assemble.
     LeastUnequal,
+}
+
+impl From<Spacing> for Placement {
+    fn from(spacing: Spacing) -> Self {
+        match spacing {
+            Spacing::Equal => Self::Equal,
+            Spacing::LeastUnequal => Self::LeastUnequal,
+        }
+    }
 }
 
 fn mode(text: &str) -> Result<Mode, String> {
@@ -129,95 +153,151 @@ fn mode(text: &str) -> Result<Mode, String> {
     })
 }
 
+impl Request {
+    /// Finds the simple sets without profile shift. The closure `done` receives the finished part of the
+    /// search, from 0 to 1, and may end it.
+    ///
+    /// # Errors
+    /// [`Failure::Range`], [`Failure::Option`] for impossible bounds; [`Failure::NoToothNumbers`].
+    pub fn answer(&self, done: impl FnMut(f64) -> ControlFlow<()>) -> Result<Teeth, Failure> {
+        let bounds = self.bounds()?;
+        answers::answer(self, &bounds, done).map_err(|error| refuse_one(error, self, &bounds))
+    }
+
+    /// Finds the double-planet sets; `done` as in [`Self::answer`].
+    ///
+    /// # Errors
+    /// Those of [`Self::answer`].
+    pub fn answer_double_planet(
+        &self,
+        done: impl FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<DoublePlanetTeeth, Failure> {
+        double_planet::answer(self, &self.bounds()?, done).map_err(refuse_answer)
+    }
+
+    /// Finds the simple sets with profile shift; `done` as in [`Self::answer`].
+    ///
+    /// # Errors
+    /// Those of [`Self::answer`]; [`Failure::Option`] without ring offsets.
+    pub fn answer_shifted(&self, done: impl FnMut(f64) -> ControlFlow<()>) -> Result<ShiftedTeeth, Failure> {
+        let shifts = self.shifts.wanted();
+        let shifts =
+            shifts.ok_or_else(|| Failure::missing("--ring-offset", "give the offsets of the ring"))?;
+        shifted::answer(self, &self.bounds()?, &shifts, done).map_err(refuse_answer)
+    }
+
+    /// Number of combinations of teeth and planets to search.
+    ///
+    /// # Errors
+    /// [`Failure::Range`], [`Failure::Option`] for impossible bounds.
+    pub fn combinations(&self) -> Result<u64, Failure> {
+        self.bounds()?.space(self.double_planet).map_err(refuse)
+    }
+
+    fn bounds(&self) -> Result<Bounds, Failure> {
+        let usual = Bounds::default();
+        let rack = BasicRack {
+            addendum: self.addendum.get(),
+            pressure_angle: self.pressure_angle.0,
+            ..BasicRack::default()
+        };
+        rack.check().map_err(refuse)?;
+        let least = if self.no_undercut { rack.least_teeth_without_undercut() } else { 1 };
+        let external = |option, span: Span<u32>, usual: RangeInclusive<u32>| {
+            let (from, most) = options::of_wheel(option, span, usual)?.into_inner();
+            // Without undercut the range of teeth starts at the smallest gear that has none.
+            let from = from.max(least);
+            if from > most { Err(Failure::AllUndercut { option, most, least }) } else { Ok(from..=most) }
+        };
+        Ok(Bounds {
+            sun: external("--sun", self.sun, usual.sun)?,
+            planet: external("--planet", self.planet, usual.planet)?,
+            ring: options::of_wheel("--ring", self.ring, usual.ring)?,
+            planets: closed("--planets", self.planets, usual.planets)?,
+            ring_to_sun_ratio: closed("--k", self.k, usual.ring_to_sun_ratio)?,
+            rack,
+            tip_gap: self.tip_gap.get(),
+            placement: self.spacing.into(),
+        })
+    }
+}
+
 /// Runs the command.
 pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
-    let bounds = bounds(args)?;
-    let format = args.output.format();
-    let limit = args.limit.unwrap_or(if format == Format::Table { SHOWN_IN_TABLE } else { usize::MAX });
-    let nth = args.save.as_ref().map_or(0, |_| args.nth);
-    let wanted = Wanted {
-        ratio: args.ratio.get(),
-        mode: args.mode,
-        tolerance: args.tolerance.0.si(),
-        bounds,
-        // The set to save may lie beyond the sets shown.
-        most: limit.max(nth),
-        checked: args.nth,
-    };
-    let shown = Progress::new(call);
-    let parts = wanted.bounds.space(args.double_planet).map_err(refuse)? as f64;
-    let gears = if args.double_planet {
+    let limit = args.request.limit.unwrap_or(match args.output.format() {
+        Format::Table => SHOWN_IN_TABLE,
+        _ => usize::MAX,
+    });
+    // The set to save may lie beyond the sets shown.
+    let most = if args.save.is_some() { limit.max(args.nth) } else { limit };
+    let request = &Request { limit: Some(most), checked: args.nth, ..args.request.clone() };
+    let progress = Progress::new(call);
+    let parts = request.combinations()? as f64;
+    let gears = if request.double_planet {
         "sun, ring and pairs of planets"
     } else {
         "sun, planet and number of planets"
     };
-    shown.size(parts, IN_A_SECOND, || format!("{parts:.1e} combinations of {gears}"));
-    if let Some(shifts) = args.shifts.wanted() {
-        let found = shifted::answer(&wanted, &shifts, |share| shown.at(share)).map_err(refuse_answer)?;
-        // Removes the progress line before the answer is written to the same terminal.
-        drop(shown);
-        let chosen = nth.checked_sub(1).and_then(|place| found.tooth_numbers.get(place));
-        let chosen = chosen.map(|set| set.gearbox(&wanted)).transpose()?;
-        let files = save(args, &wanted, chosen, found.found)?;
-        let mut told = found;
-        told.tooth_numbers.truncate(limit);
-        told.shown = told.tooth_numbers.len();
-        args.output.deliver_with(call, files, &told)?;
-        note(call, format, told.found, told.shown);
-    } else if args.double_planet {
-        let found = double_planet::answer(&wanted, |share| shown.at(share)).map_err(refuse_answer)?;
-        drop(shown);
-        let chosen = nth.checked_sub(1).and_then(|place| found.tooth_numbers.get(place));
-        let chosen = chosen.map(|set| set.gearbox(&wanted)).transpose()?;
-        let files = save(args, &wanted, chosen, found.found)?;
-        let mut told = found;
-        told.tooth_numbers.truncate(limit);
-        told.shown = told.tooth_numbers.len();
-        args.output.deliver_with(call, files, &told)?;
-        note(call, format, told.found, told.shown);
+    progress.size(parts, IN_A_SECOND, || format!("{parts:.1e} combinations of {gears}"));
+    let done = |share| progress.at(share);
+    if request.shifts.ring_offset.is_some() {
+        let found = request.answer_shifted(done)?;
+        deliver(call, args, limit, progress, found)
+    } else if request.double_planet {
+        let found = request.answer_double_planet(done)?;
+        deliver(call, args, limit, progress, found)
     } else {
-        let found = answer(&wanted, |share| shown.at(share)).map_err(|error| refuse_one(error, &wanted))?;
-        drop(shown);
-        let chosen = nth.checked_sub(1).and_then(|place| found.tooth_numbers.get(place));
-        let chosen = chosen.map(|set| set.gearbox(&wanted)).transpose()?;
-        let files = save(args, &wanted, chosen, found.found)?;
-        let mut told = found;
-        told.tooth_numbers.truncate(limit);
-        told.shown = told.tooth_numbers.len();
-        args.output.deliver_with(call, files, &told)?;
-        note(call, format, told.found, told.shown);
+        let found = request.answer(done)?;
+        deliver(call, args, limit, progress, found)
+    }
+}
+
+/// Writes the first sets of an answer, and the file of --save.
+fn deliver(
+    call: &Call<'_>,
+    args: &Args,
+    limit: usize,
+    progress: Progress<'_>,
+    mut answer: impl SetList + AsReport,
+) -> Result<(), Failure> {
+    // Removes the progress line before the answer is written to the same terminal.
+    drop(progress);
+    let files = match &args.save {
+        Some(file) => vec![(file.clone(), saved(args, &answer)?)],
+        None => vec![],
+    };
+    answer.truncate(limit);
+    args.output.deliver_with(call, files, &answer)?;
+    let (found, shown) = answer.counts();
+    // A list for programs does not say itself that it is not whole.
+    if args.output.format() != Format::Table && (shown as u64) < found {
+        call.complain(&format!("note: {}", crate::teeth::table::count(found, shown)));
     }
     Ok(())
 }
 
-/// Says beside a list for programs that it is not whole.
-fn note(call: &Call<'_>, format: Format, found: u64, shown: usize) {
-    if format != Format::Table && (shown as u64) < found {
-        call.complain(&format!("note: {}", crate::teeth::table::count(found, shown)));
-    }
-}
-
-/// The file of --save with its content.
-fn save(args: &Args, wanted: &Wanted, chosen: Option<Gearbox>, found: u64) -> Result<Vec<Content>, Failure> {
-    let Some(file) = &args.save else { return Ok(vec![]) };
-    let Some(gearbox) = chosen else {
-        let message = format!("{}: there are sets 1 to {found}", args.nth);
-        return Err(Failure::no_such_design(message));
-    };
+/// Content of the file of --save.
+fn saved(args: &Args, answer: &impl SetList) -> Result<Vec<u8>, Failure> {
+    let Args { nth, request, .. } = args;
+    let (found, _) = answer.counts();
+    let gearbox = answer
+        .gearbox(*nth, request)?
+        .ok_or_else(|| Failure::no_such_design(format!("{nth}: there are sets 1 to {found}")))?;
     let comment = format!(
-        "Set {} of {found} found by epicyclic teeth for the ratio {} ({}), without losses.",
-        args.nth, wanted.ratio, wanted.mode
+        "Set {nth} of {found} found by epicyclic teeth for the ratio {} ({}), without losses.",
+        request.ratio.get(),
+        request.mode
     );
     let text = written(&gearbox, &[comment]).map_err(|error| Failure::Format(error.to_string()))?;
-    Ok(vec![(file.clone(), text.into_bytes())])
+    Ok(text.into_bytes())
 }
 
 /// A ratio that one set has not may be that of several in series.
-fn refuse_one(error: crate::error::Error, wanted: &Wanted) -> Failure {
+fn refuse_one(error: crate::error::Error, request: &Request, bounds: &Bounds) -> Failure {
     let crate::error::Error::Gear(error @ Error::NoToothNumbers { .. }) = error else {
         return refuse_answer(error);
     };
-    let hint = match stages(wanted) {
+    let hint = match stages(request, bounds) {
         Ok(Some(Stages { sets, ratio, others })) => {
             let each = trimmed(ratio, 4);
             let others = match (others, sets) {
@@ -252,36 +332,6 @@ fn refuse(error: Error) -> Failure {
         Some(option) => Failure::of_option(option, &error),
         None => error.into(),
     }
-}
-
-fn bounds(args: &Args) -> Result<Bounds, Failure> {
-    let usual = Bounds::default();
-    let rack = BasicRack {
-        addendum: args.addendum.get(),
-        pressure_angle: args.pressure_angle.0,
-        ..BasicRack::default()
-    };
-    rack.check().map_err(refuse)?;
-    let least = if args.no_undercut { rack.least_teeth_without_undercut() } else { 1 };
-    let external = |option, span: Span<u32>, usual: RangeInclusive<u32>| {
-        let (from, most) = options::of_wheel(option, span, usual)?.into_inner();
-        // Without undercut the range of teeth starts at the smallest gear that has none.
-        let from = from.max(least);
-        if from > most { Err(Failure::AllUndercut { option, most, least }) } else { Ok(from..=most) }
-    };
-    Ok(Bounds {
-        sun: external("--sun", args.sun, usual.sun)?,
-        planet: external("--planet", args.planet, usual.planet)?,
-        ring: options::of_wheel("--ring", args.ring, usual.ring)?,
-        planets: closed("--planets", args.planets, usual.planets)?,
-        ring_to_sun_ratio: closed("--k", args.k, usual.ring_to_sun_ratio)?,
-        rack,
-        tip_gap: args.tip_gap.get(),
-        placement: match args.spacing {
-            Spacing::Equal => Placement::Equal,
-            Spacing::LeastUnequal => Placement::LeastUnequal,
-        },
-    })
 }
 
 fn closed<T: epicyclic_formats::range::End>(

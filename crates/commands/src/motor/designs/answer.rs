@@ -11,6 +11,61 @@ use epicyclic_hydromotor::{Motor, MotorNumbers};
 use std::collections::HashSet;
 use uom::si::f64::{Angle, Length};
 
+/// Designs of a search to list.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Listing {
+    /// Whether only the first design of each set of lobes and teeth is listed.
+    pub first_of_each_set: bool,
+    /// Maximum number of designs listed.
+    pub most: usize,
+}
+
+impl Default for Listing {
+    /// All designs.
+    fn default() -> Self {
+        Self { first_of_each_set: false, most: usize::MAX }
+    }
+}
+
+/// Finished search for motors: its answer, and the motor of each design. Designs are numbered from 1.
+pub trait Searched {
+    /// Record of the results.
+    type Answer;
+
+    /// Command of the search.
+    const COMMAND: &'static str;
+
+    /// Record of the results with these designs.
+    fn answer(&self, listing: Listing) -> Self::Answer;
+
+    /// Numbers of designs found, listed, and of further ones that are not listed.
+    fn counts(answer: &Self::Answer) -> [usize; 3];
+
+    /// Motor of a design in the size shown for it.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchDesign`].
+    fn motor(&self, design: usize, angle: Angle) -> Result<Designed, Error>;
+
+    /// Number of designs found.
+    fn designs(&self) -> usize;
+
+    /// Material of the teeth, if given.
+    fn material(&self) -> Option<&MaterialGroup>;
+
+    /// Motor file of a design in the size shown for it, with its origin and the material of its teeth.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchDesign`].
+    fn saved(&self, design: usize) -> Result<String, Error> {
+        let designed = self.motor(design, Angle::default())?;
+        let numbers = designed.motor.numbers();
+        let title = format!("Hydromotor {}×{}", numbers.stator_lobes(), numbers.rotor_lobes());
+        let origin = format!("Design {design} of {} found by epicyclic {}.", self.designs(), Self::COMMAND);
+        saved::file(&designed, self.material(), &title, &origin)
+    }
+}
+
 /// Designs that are shown, with their places, and the number that is hidden.
 pub(crate) struct Listed<'d, Design> {
     pub(crate) shown: Vec<(usize, &'d Design)>,
@@ -21,8 +76,7 @@ impl<'d, Design> Listed<'d, Design> {
     /// Lists all designs in their order, or the first of each set of numbers, up to a maximum number.
     pub(crate) fn of(
         designs: &'d [Design],
-        first_of_each_set: bool,
-        most: usize,
+        Listing { first_of_each_set, most }: Listing,
         numbers: impl Fn(&Design) -> MotorNumbers,
     ) -> Self {
         let mut seen = HashSet::new();
@@ -72,30 +126,6 @@ impl Drawn<'_> {
             speed,
             angle,
         })
-    }
-}
-
-/// Origin of a motor: a design of a search.
-pub(crate) struct Origin {
-    /// Number of the design, from 1.
-    pub(crate) design: usize,
-    /// Number of designs found.
-    pub(crate) of: usize,
-    /// Command that found the design.
-    pub(crate) by: &'static str,
-}
-
-impl Origin {
-    /// Motor file with its origin, and with the material of its teeth if given.
-    pub(crate) fn saved(
-        &self,
-        designed: &Designed,
-        material: Option<&MaterialGroup>,
-    ) -> Result<String, Error> {
-        let Self { design, of, by } = self;
-        let numbers = designed.motor.numbers();
-        let title = format!("Hydromotor {}×{}", numbers.stator_lobes(), numbers.rotor_lobes());
-        saved::file(designed, material, &title, &format!("Design {design} of {of} found by epicyclic {by}."))
     }
 }
 

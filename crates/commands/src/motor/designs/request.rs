@@ -1,13 +1,16 @@
 //! Options common to both searches for motors: requirements, numbers and size, and how designs are shown,
 //! drawn and written.
 
-use crate::desk::Content;
+use crate::answer::Answer;
+use crate::desk::{Call, Content};
 use crate::failure::Failure;
-use crate::motor::answer::Designed;
+use crate::motor::designs::answer::{Listing, Searched};
+use crate::motor::designs::table::found_and_shown;
 use crate::motor::options::design::refuse;
 use crate::motor::options::{Files, files};
 use crate::output::{Format, OutputArgs};
 use crate::shared::lists::Quantities;
+use crate::table::report::AsReport;
 use epicyclic_formats::Span;
 use epicyclic_hydromotor::numbers::Bounds;
 use epicyclic_hydromotor::search::{Limits, LobeDivisor, Requirements, Size, SizeLimits};
@@ -19,76 +22,78 @@ use uom::si::f64::{Angle, AngularVelocity, Length, Pressure, Ratio, Torque, Volu
 /// Designs shown in a table unless said otherwise.
 const SHOWN_IN_TABLE: usize = 12;
 
-/// What is wanted, and among which motors.
-#[derive(Debug, clap::Args)]
+/// Requirements of a motor, and bounds of its numbers.
+#[derive(Debug, Clone, clap::Args)]
 #[command(group = clap::ArgGroup::new("wanted").required(true))]
-pub(crate) struct Sought {
+pub struct Goal {
     /// Displacement wanted: '250 cm3/rev'.
     #[arg(long, group = "wanted", allow_hyphen_values = true)]
-    displacement: Option<Displacement>,
+    pub displacement: Option<Displacement>,
 
     /// Mean torque wanted, without losses.
     #[arg(long, group = "wanted", requires = "pressure", allow_hyphen_values = true)]
-    torque: Option<Quantity<Torque>>,
+    pub torque: Option<Quantity<Torque>>,
 
     /// Pressure drop, high less low.
     #[arg(long, allow_hyphen_values = true)]
-    pressure: Option<Quantity<Pressure>>,
+    pub pressure: Option<Quantity<Pressure>>,
 
     /// Speed of the rotor, for flow and power.
     #[arg(long, allow_hyphen_values = true)]
-    speed: Option<Quantity<AngularVelocity>>,
+    pub speed: Option<Quantity<AngularVelocity>>,
 
     /// Modules to choose from: '2 mm, 2.5 mm'. Default: the first series of ISO 54, unless the width is
     /// given.
     #[arg(long, value_name = "MODULES", allow_hyphen_values = true)]
-    module: Option<Quantities<Length>>,
+    pub module: Option<Quantities<Length>>,
 
     /// Width; alone it gives the module, with --module the displacement.
     #[arg(long, allow_hyphen_values = true)]
-    width: Option<Quantity<Length>>,
+    pub width: Option<Quantity<Length>>,
 
     /// How far the displacement may lie from the wanted one, where module and width are given: 2%, or 0.02.
     #[arg(long, default_value = "2%", requires = "module", requires = "width", allow_hyphen_values = true)]
-    tolerance: Quantity<Ratio>,
+    pub tolerance: Quantity<Ratio>,
 
     /// Width over the stator's diameter, which then gives both module and width.
     #[arg(long, value_name = "NUMBER", conflicts_with_all = ["module", "width"], allow_negative_numbers = true)]
-    width_over_diameter: Option<Number>,
+    pub width_over_diameter: Option<Number>,
 
     /// Greatest diameter of the stator's centrode.
     #[arg(long, allow_hyphen_values = true)]
-    outer_diameter: Option<Quantity<Length>>,
+    pub outer_diameter: Option<Quantity<Length>>,
 
     /// Greatest ripple of flow and torque, satellites sealing at the pitch points: 8%, or 0.08.
     #[arg(long, allow_hyphen_values = true)]
-    ripple: Option<Quantity<Ratio>>,
+    pub ripple: Option<Quantity<Ratio>>,
 
     /// Lobes of the stator.
     #[arg(long, value_name = "LOBES", default_value = "2..10")]
-    stator: Span<u32>,
+    pub stator: Span<u32>,
 
     /// Lobes of the rotor.
     #[arg(long, value_name = "LOBES", default_value = "1..10")]
-    rotor: Span<u32>,
+    pub rotor: Span<u32>,
 
     /// Teeth of the stator.
     #[arg(long, value_name = "TEETH", default_value = "1..120")]
-    z3: Span<u32>,
+    pub z3: Span<u32>,
 
     /// Teeth of a satellite.
     #[arg(long, value_name = "TEETH", default_value = "8..60")]
-    zs: Span<u32>,
+    pub zs: Span<u32>,
 
     /// Common divisor of N and n: above 1 the wheels' bearings are unloaded, 1 makes for little ripple at the
     /// pitch points.
     #[arg(long, value_enum, default_value_t = Divisor::Any)]
-    divisor: Divisor,
+    pub divisor: Divisor,
 }
 
 /// What is shown of the designs, drawn and written.
 #[derive(Debug, clap::Args)]
-pub(crate) struct Shown {
+// After the options of any request, wherever these are declared.
+#[command(next_display_order = 500)]
+pub struct Shown {
     /// Show every design in the table, not only the first of each set of lobes and teeth.
     #[arg(long)]
     every: bool,
@@ -118,7 +123,7 @@ pub(crate) struct Shown {
 
 /// A volume a revolution, with or without `/rev`.
 #[derive(Debug, Clone, Copy)]
-struct Displacement(Volume);
+pub struct Displacement(pub Volume);
 
 impl FromStr for Displacement {
     type Err = String;
@@ -132,9 +137,9 @@ impl FromStr for Displacement {
     }
 }
 
-/// What is asked of the common divisor.
+/// Requirements of the common divisor of the numbers of lobes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum Divisor {
+pub enum Divisor {
     /// Nothing.
     Any,
     /// That it is 1.
@@ -143,7 +148,7 @@ enum Divisor {
     Common,
 }
 
-impl Sought {
+impl Goal {
     /// The pressure drop.
     pub(crate) fn pressure(&self) -> Option<Pressure> {
         self.pressure.map(|pressure| pressure.0)
@@ -155,7 +160,10 @@ impl Sought {
             (_, Some(torque), Some(pressure)) => {
                 Requirements::of_torque(torque.0, pressure.0).map_err(|error| refuse(error.into()))?
             }
-            _ => unreachable!("one of them is required, and the pressure with the torque"),
+            _ => {
+                let message = "give --displacement, or --torque and --pressure";
+                return Err(Failure::missing("--displacement", message));
+            }
         };
         // A displacement fixes the product of squared module and width, so modules with a width need a
         // tolerance.
@@ -213,7 +221,7 @@ fn within(
 pub(crate) struct Outlet<'a> {
     shown: &'a Shown,
     drawings: files::Wanted,
-    pub(crate) output: OutputArgs,
+    output: OutputArgs,
 }
 
 impl Shown {
@@ -240,37 +248,40 @@ impl Outlet<'_> {
         !self.drawings.is_empty() || self.shown.files.csv.is_some() || self.shown.save.is_some()
     }
 
-    /// Whether the answer is a table.
-    pub(crate) fn is_table(&self) -> bool {
-        self.output.format() == Format::Table
+    /// Designs to list. A table has by default the first ones of each set.
+    fn listing(&self) -> Listing {
+        let is_table = self.output.format() == Format::Table;
+        let most = self.shown.limit.unwrap_or(if is_table { SHOWN_IN_TABLE } else { usize::MAX });
+        Listing { first_of_each_set: is_table && !self.shown.every, most }
     }
 
-    /// Whether only the first design of each set is shown.
-    pub(crate) fn first_of_each_set(&self) -> bool {
-        self.is_table() && !self.shown.every
-    }
-
-    /// How many designs are shown, at most.
-    pub(crate) fn most(&self) -> usize {
-        self.shown.limit.unwrap_or(if self.is_table() { SHOWN_IN_TABLE } else { usize::MAX })
+    /// Writes the answer of a search, and the files of the chosen design.
+    pub(crate) fn deliver<Found>(&self, call: &Call<'_>, searched: &Found) -> Result<(), Failure>
+    where
+        Found: Searched<Answer: Answer + AsReport>,
+    {
+        let files = self.files(searched)?;
+        let answer = searched.answer(self.listing());
+        self.output.deliver_with(call, files, &answer)?;
+        let [found, listed, hidden] = Found::counts(&answer);
+        if self.output.format() != Format::Table && hidden > 0 {
+            call.complain(&format!("note: {}", found_and_shown(found, listed)));
+        }
+        Ok(())
     }
 
     /// The drawings, the centrodes and the file of the design that is chosen.
-    pub(crate) fn files(
-        &self,
-        motor: impl FnOnce(usize, Angle) -> Result<Designed, crate::error::Error>,
-        saved: impl FnOnce(usize) -> Result<String, crate::error::Error>,
-    ) -> Result<Vec<Content>, Failure> {
+    fn files(&self, searched: &impl Searched) -> Result<Vec<Content>, Failure> {
         // Without a file no design has to exist: a search that finds none still gives its answer.
         if !self.has_files() {
             return Ok(vec![]);
         }
         let angle = self.shown.angle.map_or_else(Angle::default, |angle| angle.0);
         let design = self.shown.design.unwrap_or(1);
-        let designed = motor(design, angle).map_err(refuse)?;
+        let designed = searched.motor(design, angle).map_err(refuse)?;
         let mut written = files::content(&self.shown.files, &self.drawings, &designed, &refuse)?;
         if let Some(file) = &self.shown.save {
-            written.push((file.clone(), saved(design).map_err(refuse)?.into_bytes()));
+            written.push((file.clone(), searched.saved(design).map_err(refuse)?.into_bytes()));
         }
         Ok(written)
     }

@@ -11,39 +11,23 @@ use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::motor::answer::practice::{self, Borne};
 use crate::motor::answer::{Designed, GoverningLimit, Groups};
-use crate::motor::designs::answer::{Drawn, Listed, Origin, nearest_half, nth};
+use crate::motor::designs::answer::{Drawn, Listed, Listing, Searched, nearest_half, nth};
 use crate::shared::number::{maybe_si, plain, si};
+use epicyclic_formats::motor::MaterialGroup;
 use epicyclic_hydromotor::flanks::{MaterialLimits, effective_modulus};
 use epicyclic_hydromotor::profile::ToothForm;
+use epicyclic_hydromotor::search::Watch;
 use epicyclic_hydromotor::search::forms::{FlankFigures, FormDesign, FormFound, FormSearch, FormSize};
-use epicyclic_hydromotor::search::{Progress, Watch};
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Angle, Pressure};
-
-/// Requirements of a search.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Wanted {
-    /// Space, requirements and objectives of the search.
-    pub search: FormSearch,
-    /// Whether limits of the material are given; otherwise no allowed pressure is listed.
-    pub has_limits: bool,
-    /// Objective by which the designs are ordered.
-    pub order: Objective,
-    /// Whether only the first design of each set of lobes and teeth is listed.
-    pub first_of_each_set: bool,
-    /// Maximum number of designs listed.
-    pub most: usize,
-    /// Material of the motor that is drawn, as given by the manufacturer.
-    pub made: Groups,
-}
 
 /// Material of satellites and wheels with its limits of contact and root stress. Without given limits any
 /// will do: stresses do not depend on them, and allowed pressures are not listed.
 ///
 /// # Errors
 /// [`Error::Motor`] for a modulus that is not above 0, or a Poisson's ratio outside 0 to 0.5.
-pub fn material(
+pub(super) fn material(
     youngs_modulus: Pressure,
     poissons_ratio: f64,
     limits: Option<[Pressure; 2]>,
@@ -210,10 +194,12 @@ impl Answer for MotorForms {
     const NAME: &'static str = "motor-forms";
 }
 
-/// Finished search: its answer, and the motor of each design.
+/// Finished search for motors with their tooth forms.
 #[derive(Debug, Clone)]
-pub struct Searched {
-    wanted: Wanted,
+pub struct SearchedForms {
+    search: FormSearch,
+    order: Objective,
+    material: MaterialGroup,
     /// Results with the designs in the requested order.
     found: FormFound,
 }
@@ -223,75 +209,74 @@ pub struct Searched {
 /// # Errors
 /// [`Error::Motor`] for impossible bounds, or if `watch` ended the search; [`Error::NoMotorForm`] if no point
 /// is admissible.
-pub fn search(wanted: &Wanted, watch: &Watch) -> Result<Searched, Error> {
-    let mut found = wanted.search.front_watched(watch)?;
+pub(super) fn search(
+    search: FormSearch,
+    order: Objective,
+    material: MaterialGroup,
+    watch: &Watch,
+) -> Result<SearchedForms, Error> {
+    let mut found = search.front_watched(watch)?;
     if found.designs.is_empty() {
         return Err(Error::NoMotorForm(Box::new(Funnel::of(&found))));
     }
-    let order = wanted.order;
     // The sort is stable, so equal designs keep the order of the search and their numbers are reproducible.
     found.designs.sort_by(|one, other| order.cost(one).total_cmp(&order.cost(other)));
-    Ok(Searched { wanted: wanted.clone(), found })
+    Ok(SearchedForms { search, order, material, found })
 }
 
-/// Searches for designs, and returns the answer.
-///
-/// # Errors
-/// Errors of [`search()`].
-pub fn answer(wanted: &Wanted) -> Result<MotorForms, Error> {
-    Ok(search(wanted, &|_: Progress| std::ops::ControlFlow::Continue(()))?.answer())
-}
+impl Searched for SearchedForms {
+    type Answer = MotorForms;
 
-impl Searched {
-    /// Record of the results.
-    #[must_use]
-    pub fn answer(&self) -> MotorForms {
-        let Self { wanted, found } = self;
-        let listed =
-            Listed::of(&found.designs, wanted.first_of_each_set, wanted.most, |design| design.numbers);
+    const COMMAND: &'static str = "motor forms";
+
+    fn answer(&self, listing: Listing) -> MotorForms {
+        let Self { search, found, .. } = self;
+        let listed = Listed::of(&found.designs, listing, |design| design.numbers);
         let designs: Vec<Design> =
             listed.shown.iter().filter_map(|&(place, design)| self.design(place, design)).collect();
         let borne: Vec<Borne> = designs.iter().filter_map(|design| design.flanks.as_ref()?.borne()).collect();
         MotorForms {
-            warnings: practice::of_designs(maybe_si(wanted.search.requirements.pressure_drop), &borne),
-            displacement_m3: si(wanted.search.requirements.displacement),
-            objectives: wanted.search.objectives.iter().map(|&objective| Objective::of(objective)).collect(),
-            order: wanted.order,
-            resolution: wanted.search.resolution.map(plain),
+            warnings: practice::of_designs(maybe_si(search.requirements.pressure_drop), &borne),
+            displacement_m3: si(search.requirements.displacement),
+            objectives: search.objectives.iter().map(|&objective| Objective::of(objective)).collect(),
+            order: self.order,
+            resolution: search.resolution.map(plain),
             found: found.designs.len(),
-            first_of_each_set: wanted.first_of_each_set,
+            first_of_each_set: listing.first_of_each_set,
             hidden: listed.hidden,
             designs,
             funnel: Funnel::of(found),
         }
     }
 
-    /// Motor of a design in the size shown for it; designs are numbered from 1.
-    ///
-    /// # Errors
-    /// [`Error::NoSuchDesign`].
-    pub fn motor(&self, design: usize, angle: Angle) -> Result<Designed, Error> {
+    fn counts(answer: &MotorForms) -> [usize; 3] {
+        [answer.found, answer.designs.len(), answer.hidden]
+    }
+
+    fn motor(&self, design: usize, angle: Angle) -> Result<Designed, Error> {
         let (design, size) = nth(&self.found.designs, design, shown_size)?;
         let motor = design.motor(size.module)?;
-        Drawn { motor, form: design.form, width: size.width, angle, made: &self.wanted.made }
-            .designed(&self.wanted.search.requirements)
+        let made = &Groups { material: Some(self.material.clone()), ..Groups::default() };
+        Drawn { motor, form: design.form, width: size.width, angle, made }.designed(&self.search.requirements)
     }
 
-    /// Motor file of a design in the size shown for it; designs are numbered from 1.
-    ///
-    /// # Errors
-    /// [`Error::NoSuchDesign`].
-    pub fn saved(&self, design: usize) -> Result<String, Error> {
-        let designed = self.motor(design, Angle::default())?;
-        let found = Origin { design, of: self.found.designs.len(), by: "motor forms" };
-        found.saved(&designed, self.wanted.made.material.as_ref())
+    fn designs(&self) -> usize {
+        self.found.designs.len()
     }
 
+    fn material(&self) -> Option<&MaterialGroup> {
+        Some(&self.material)
+    }
+}
+
+impl SearchedForms {
     /// Record of a design; `None` if it has no size, which a search never returns.
     fn design(&self, place: usize, design: &FormDesign) -> Option<Design> {
         let numbers = design.numbers;
         let size = shown_size(design)?;
         let l_over_module = design.trough_distance_over_module().map(plain);
+        // Without limits of the material no allowed pressure is listed.
+        let has_limits = self.material.contact_limit.is_some() && self.material.root_limit.is_some();
         let of_the_set = self.found.designs.iter().filter(|other| other.numbers == numbers).count();
         Some(Design {
             design: place + 1,
@@ -309,7 +294,7 @@ impl Searched {
             ripple: plain(design.ripple),
             least_radius_in_modules: plain(design.least_radius),
             contact_ratio: plain(design.contact_ratio),
-            flanks: design.flanks.as_ref().map(|flanks| Flanks::of(flanks, self.wanted.has_limits)),
+            flanks: design.flanks.as_ref().map(|flanks| Flanks::of(flanks, has_limits)),
             modules_m: design.sizes.iter().map(|size| si(size.module)).collect(),
             size: Size::of(size, l_over_module),
         })

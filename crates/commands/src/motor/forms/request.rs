@@ -2,9 +2,12 @@
 
 use crate::desk::Call;
 use crate::failure::Failure;
-use crate::motor::answer::Groups;
-use crate::motor::designs::request::{Shown, Sought};
-use crate::motor::forms::answer::{Crest, Family, Objective, Wanted, material};
+use crate::motor::designs::answer::{Listing, Searched as _};
+use crate::motor::designs::request::{Goal, Shown};
+use crate::motor::forms::answer::{
+    self as answers, Crest, Family, MotorForms, Objective, SearchedForms, material,
+};
+use crate::motor::options::FlankLimits;
 use crate::motor::options::design::refuse as refuse_motor;
 use crate::motor::options::steps::{Stepped, each_once};
 use crate::progress::Progress;
@@ -13,6 +16,7 @@ use epicyclic_formats::motor::MaterialGroup;
 use epicyclic_hydromotor as hydromotor;
 use epicyclic_hydromotor::profile::ToothForm;
 use epicyclic_hydromotor::quantity::Quantity as Of;
+use epicyclic_hydromotor::search::Watch;
 use epicyclic_hydromotor::search::forms::{FlankOrder, FormSearch, FormSpace};
 use epicyclic_units::{Number, Physical, Quantity};
 use uom::si::f64::{Angle, Pressure, Ratio};
@@ -37,46 +41,56 @@ epicyclic motor forms [OPTIONS] --displacement <DISPLACEMENT>
 #[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
     #[command(flatten)]
-    sought: Sought,
-
-    /// Families of motors: arcs, cosine, second-harmonic.
-    #[arg(long, value_name = "FAMILIES", default_value = "arcs, cosine, second-harmonic")]
-    families: List<Family>,
-
-    /// Places along each interval of a family.
-    #[arg(long, value_name = "NUMBER", default_value_t = 16)]
-    places: u32,
-
-    #[command(flatten)]
-    teeth: Teeth,
-
-    #[command(flatten)]
-    flanks: Flanks,
-
-    /// What the designs are held against each other by: see below.
-    #[arg(long, value_name = "OBJECTIVES", default_value = "volume, ripple, contact-ratio")]
-    objectives: List<Objective>,
-
-    /// Difference in the objectives up to which a design is as good as another.
-    #[arg(long, default_value = "2%", allow_hyphen_values = true)]
-    resolution: Quantity<Ratio>,
-
-    /// The exact front, without a resolution.
-    #[arg(long, conflicts_with = "resolution")]
-    exact: bool,
-
-    /// What the designs are ordered by, an objective; the first is the one that is drawn.
-    #[arg(long, value_name = "OBJECTIVE", default_value = "volume")]
-    by: Objective,
+    request: Request,
 
     #[command(flatten)]
     shown: Shown,
 }
 
+/// Requirements of motors with the tooth form free, and objectives of their search.
+#[derive(Debug, Clone, clap::Args)]
+pub struct Request {
+    /// Requirements of a motor, and bounds of its numbers.
+    #[command(flatten)]
+    pub goal: Goal,
+
+    /// Families of motors: arcs, cosine, second-harmonic.
+    #[arg(long, value_name = "FAMILIES", default_value = "arcs, cosine, second-harmonic")]
+    pub families: List<Family>,
+
+    /// Places along each interval of a family.
+    #[arg(long, value_name = "NUMBER", default_value_t = 16)]
+    pub places: u32,
+
+    /// Steps of the tooth form.
+    #[command(flatten)]
+    pub teeth: Teeth,
+
+    /// Material and flanks under load.
+    #[command(flatten)]
+    pub flanks: Flanks,
+
+    /// What the designs are held against each other by: see below.
+    #[arg(long, value_name = "OBJECTIVES", default_value = "volume, ripple, contact-ratio")]
+    pub objectives: List<Objective>,
+
+    /// Difference in the objectives up to which a design is as good as another.
+    #[arg(long, default_value = "2%", allow_hyphen_values = true)]
+    pub resolution: Quantity<Ratio>,
+
+    /// The exact front, without a resolution.
+    #[arg(long, conflicts_with = "resolution")]
+    pub exact: bool,
+
+    /// What the designs are ordered by, an objective; the first is the one that is drawn.
+    #[arg(long, value_name = "OBJECTIVE", default_value = "volume")]
+    pub by: Objective,
+}
+
 /// Steps of the tooth form; lengths in modules.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "Teeth, lengths in modules, each one value or steps")]
-struct Teeth {
+pub struct Teeth {
     /// Pressure angle of the satellites.
     #[arg(
         long,
@@ -84,130 +98,163 @@ struct Teeth {
         default_value = "20deg..30deg/5",
         allow_hyphen_values = true
     )]
-    pressure_angle: Stepped<Quantity<Angle>>,
+    pub pressure_angle: Stepped<Quantity<Angle>>,
 
     /// Addendum h_a*.
     #[arg(long, value_name = "FROM..TO/VALUES", default_value = "0.7..1/7", allow_hyphen_values = true)]
-    addendum: Stepped<Number>,
+    pub addendum: Stepped<Number>,
 
     /// Profile shift x of the satellites; the wheels have −x.
     #[arg(long, value_name = "FROM..TO/VALUES", default_value = "0..0.4/5", allow_hyphen_values = true)]
-    shift: Stepped<Number>,
+    pub shift: Stepped<Number>,
 
     /// Clearance c* of tips over roots.
     #[arg(long, value_name = "FROM..TO/VALUES", default_value = "0.25", allow_hyphen_values = true)]
-    clearance: Stepped<Number>,
+    pub clearance: Stepped<Number>,
 
     /// Radius ρ* of the rounded tips of the cutters.
     #[arg(long, value_name = "FROM..TO/VALUES", default_value = "0.1", allow_hyphen_values = true)]
-    fillet: Stepped<Number>,
+    pub fillet: Stepped<Number>,
 
     /// Backlash j* along the pitch curves, one value.
     #[arg(long, value_name = "NUMBER", default_value = "0.04", allow_negative_numbers = true)]
-    backlash: Number,
+    pub backlash: Number,
 
     /// What lies in the middle of the stator's crests: space (as of `motor`), tooth.
     #[arg(long, value_name = "CRESTS", default_value = "space, tooth")]
-    crests: List<Crest>,
+    pub crests: List<Crest>,
 
     /// Least contact ratio: the shortest path of contact of any flank over the base pitch.
     #[arg(long, value_name = "NUMBER", default_value = "1", allow_negative_numbers = true)]
-    contact_ratio: Number,
+    pub contact_ratio: Number,
 }
 
-/// Flanks under load: the material, and what is asked.
-#[derive(Debug, clap::Args)]
+/// Flanks under load: the material, and requirements.
+#[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "Flanks under load, of rigid teeth with all load on one pair")]
-struct Flanks {
+pub struct Flanks {
     /// Contact stress that the material bears; with --root-limit the allowed pressure follows.
     #[arg(long, value_name = "STRESS", requires = "root_limit", allow_hyphen_values = true)]
-    contact_limit: Option<Quantity<Pressure>>,
+    pub contact_limit: Option<Quantity<Pressure>>,
 
     /// Stress that the roots of the teeth bear.
     #[arg(long, value_name = "STRESS", requires = "contact_limit", allow_hyphen_values = true)]
-    root_limit: Option<Quantity<Pressure>>,
+    pub root_limit: Option<Quantity<Pressure>>,
 
     /// Young's modulus of the material.
     #[arg(long, value_name = "MODULUS", default_value = "206 GPa", allow_hyphen_values = true)]
-    youngs_modulus: Quantity<Pressure>,
+    pub youngs_modulus: Quantity<Pressure>,
 
     /// Poisson's ratio of the material.
     #[arg(long, value_name = "NUMBER", default_value = "0.3", allow_negative_numbers = true)]
-    poissons_ratio: Number,
+    pub poissons_ratio: Number,
 
-    /// Greatest ripple of flow and torque, satellites sealing at the flanks: 8%, or 0.08.
-    #[arg(long, value_name = "RIPPLE", allow_hyphen_values = true)]
-    flank_ripple: Option<Quantity<Ratio>>,
-
-    /// Least torque over the mean, satellites sealing at the flanks: 94%, or 0.94.
-    #[arg(long, value_name = "PART", allow_hyphen_values = true)]
-    least_torque: Option<Quantity<Ratio>>,
+    /// Requirements of satellites that seal at the flanks.
+    #[command(flatten)]
+    pub limits: FlankLimits,
 
     /// Greatest contact stress at --pressure.
     #[arg(long, value_name = "STRESS", requires = "pressure", allow_hyphen_values = true)]
-    contact_stress: Option<Quantity<Pressure>>,
+    pub contact_stress: Option<Quantity<Pressure>>,
 
     /// Greatest bending stress at a root at --pressure.
     #[arg(long, value_name = "STRESS", requires = "pressure", allow_hyphen_values = true)]
-    root_stress: Option<Quantity<Pressure>>,
+    pub root_stress: Option<Quantity<Pressure>>,
 
     /// Least pressure drop that the material must allow.
     #[arg(long, value_name = "PRESSURE", requires_all = ["contact_limit", "root_limit"], allow_hyphen_values = true)]
-    allowed_pressure: Option<Quantity<Pressure>>,
+    pub allowed_pressure: Option<Quantity<Pressure>>,
 }
 
 /// Runs the command.
-pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
-    let outlet = args.shown.outlet()?;
-    let search = search(args)?;
-    // Checked before the search, which may take long.
-    args.has_what_is_told("--objectives", &args.objectives.0)?;
-    args.has_what_is_told("--by", &[args.by])?;
-    let forms = search.forms.forms().map_err(|error| refuse(error.into()))?.len();
-    let wanted = Wanted {
-        search,
-        has_limits: args.flanks.limits().is_some(),
-        order: args.by,
-        first_of_each_set: outlet.first_of_each_set(),
-        most: outlet.most(),
-        made: args.flanks.groups(),
-    };
-    let shown = Progress::new(call);
-    let searched = crate::motor::forms::answer::search(&wanted, &|at| {
+pub(crate) fn run(call: &Call<'_>, Args { request, shown }: &Args) -> Result<(), Failure> {
+    let outlet = shown.outlet()?;
+    let forms = request.tooth_forms()?;
+    let progress = Progress::new(call);
+    let searched = request.search(&|at| {
         let share = at.done as f64 / at.of.max(1) as f64;
         // Pass 0 finds the motors. Their number, and so the number of points with tooth forms, is known only
         // then.
         if at.pass == 0 {
-            shown.at(SHARE_OF_MOTORS * share)
+            progress.at(SHARE_OF_MOTORS * share)
         } else {
             let points = at.of as f64 * forms as f64;
-            shown.size(points, POINTS_IN_A_SECOND, || {
+            progress.size(points, POINTS_IN_A_SECOND, || {
                 format!("{} motors, {forms} tooth forms, {points:.1e} points", at.of)
             });
-            shown.at(SHARE_OF_MOTORS + (1.0 - SHARE_OF_MOTORS) * share)
+            progress.at(SHARE_OF_MOTORS + (1.0 - SHARE_OF_MOTORS) * share)
         }
     });
-    drop(shown);
-    let searched = searched.map_err(refuse)?;
-    let files =
-        outlet.files(|design, angle| searched.motor(design, angle), |design| searched.saved(design))?;
-    let answer = searched.answer();
-    outlet.output.deliver_with(call, files, &answer)?;
-    if !outlet.is_table() && answer.hidden > 0 {
-        call.complain(&format!("note: {}", crate::motor::forms::table::count(&answer)));
-    }
-    Ok(())
+    drop(progress);
+    outlet.deliver(call, &searched?)
 }
 
-impl Args {
+impl Request {
+    /// Searches for designs; `watch` receives the progress from any thread, and may end the search.
+    ///
+    /// # Errors
+    /// [`Failure::Range`], [`Failure::Option`] for impossible options; a search that finds no motor, or that
+    /// `watch` ended.
+    pub fn search(&self, watch: &Watch) -> Result<SearchedForms, Failure> {
+        answers::search(self.settled()?, self.by, self.flanks.material(), watch).map_err(refuse)
+    }
+
+    /// Searches for designs, and lists all of them; `watch` as in [`Self::search`].
+    ///
+    /// # Errors
+    /// Those of [`Self::search`].
+    pub fn answer(&self, watch: &Watch) -> Result<MotorForms, Failure> {
+        Ok(self.search(watch)?.answer(Listing::default()))
+    }
+
+    /// Number of tooth forms to try.
+    ///
+    /// # Errors
+    /// [`Failure::Range`], [`Failure::Option`] for impossible options.
+    pub fn tooth_forms(&self) -> Result<usize, Failure> {
+        Ok(self.settled()?.forms.forms().map_err(|error| refuse(error.into()))?.len())
+    }
+
+    /// Search with its objectives checked, because it may take long.
+    fn settled(&self) -> Result<FormSearch, Failure> {
+        let Teeth { pressure_angle, addendum, shift, clearance, fillet, backlash, crests, contact_ratio } =
+            &self.teeth;
+        let families = each_once("--families", &self.families.0)?;
+        let crests = each_once("--crests", &crests.0)?;
+        let objectives = each_once("--objectives", &self.objectives.0)?;
+        let search = FormSearch {
+            bounds: self.goal.bounds()?,
+            limits: self.goal.limits()?,
+            families: families.into_iter().map(Family::of_search).collect(),
+            places: self.places,
+            forms: FormSpace {
+                pressure_angle: pressure_angle.steps(),
+                addendum: addendum.steps(),
+                shift: shift.steps(),
+                clearance: clearance.steps(),
+                fillet: fillet.steps(),
+                crests: crests.into_iter().map(Crest::of_search).collect(),
+                base: ToothForm { backlash: backlash.get(), ..ToothForm::default() },
+            },
+            least_contact_ratio: contact_ratio.get(),
+            flanks: Some(self.flanks.order().map_err(refuse)?),
+            objectives: objectives.into_iter().map(Objective::of_search).collect(),
+            resolution: (!self.exact).then(|| self.resolution.0.si()),
+            ..FormSearch::new(self.goal.requirements()?)
+        };
+        self.check_needs("--objectives", &self.objectives.0)?;
+        self.check_needs("--by", &[self.by])?;
+        Ok(search)
+    }
+
     /// Refuses objectives that need an option that is not given.
-    fn has_what_is_told(&self, option: &'static str, objectives: &[Objective]) -> Result<(), Failure> {
+    fn check_needs(&self, option: &'static str, objectives: &[Objective]) -> Result<(), Failure> {
         for objective in objectives {
             let lacks = match objective {
-                Objective::ContactStress | Objective::RootStress if self.sought.pressure().is_none() => {
+                Objective::ContactStress | Objective::RootStress if self.goal.pressure().is_none() => {
                     "--pressure"
                 }
-                Objective::AllowedPressure if self.flanks.limits().is_none() => {
+                Objective::AllowedPressure if self.flanks.stress_limits().is_none() => {
                     "--contact-limit and --root-limit"
                 }
                 _ => continue,
@@ -220,62 +267,33 @@ impl Args {
 
 impl Flanks {
     /// Of contact and root stress.
-    fn limits(&self) -> Option<[Pressure; 2]> {
+    fn stress_limits(&self) -> Option<[Pressure; 2]> {
         self.contact_limit.zip(self.root_limit).map(|(contact, root)| [contact.0, root.0])
     }
 
     /// The material, as a motor's file says it.
-    fn groups(&self) -> Groups {
-        let material = MaterialGroup {
+    fn material(&self) -> MaterialGroup {
+        MaterialGroup {
             youngs_modulus: Some(self.youngs_modulus),
             poissons_ratio: Some(self.poissons_ratio),
             contact_limit: self.contact_limit,
             root_limit: self.root_limit,
-        };
-        Groups { material: Some(material), ..Groups::default() }
+        }
     }
 
     fn order(&self) -> Result<FlankOrder, crate::error::Error> {
-        let materials = material(self.youngs_modulus.0, self.poissons_ratio.get(), self.limits())?;
-        let share = |share: Option<Quantity<Ratio>>| share.map(|share| share.0.si());
+        let materials = material(self.youngs_modulus.0, self.poissons_ratio.get(), self.stress_limits())?;
+        let [ripple, least_torque] = self.limits.shares();
         let pressure = |pressure: Option<Quantity<Pressure>>| pressure.map(|pressure| pressure.0);
         Ok(FlankOrder {
-            ripple: share(self.flank_ripple),
-            least_torque: share(self.least_torque),
+            ripple,
+            least_torque,
             contact_stress: pressure(self.contact_stress),
             root_stress: pressure(self.root_stress),
             allowed_pressure: pressure(self.allowed_pressure),
             ..FlankOrder::of(materials)
         })
     }
-}
-
-fn search(args: &Args) -> Result<FormSearch, Failure> {
-    let Teeth { pressure_angle, addendum, shift, clearance, fillet, backlash, crests, contact_ratio } =
-        &args.teeth;
-    let families = each_once("--families", &args.families.0)?;
-    let crests = each_once("--crests", &crests.0)?;
-    let objectives = each_once("--objectives", &args.objectives.0)?;
-    Ok(FormSearch {
-        bounds: args.sought.bounds()?,
-        limits: args.sought.limits()?,
-        families: families.into_iter().map(Family::of_search).collect(),
-        places: args.places,
-        forms: FormSpace {
-            pressure_angle: pressure_angle.steps(),
-            addendum: addendum.steps(),
-            shift: shift.steps(),
-            clearance: clearance.steps(),
-            fillet: fillet.steps(),
-            crests: crests.into_iter().map(Crest::of_search).collect(),
-            base: ToothForm { backlash: backlash.get(), ..ToothForm::default() },
-        },
-        least_contact_ratio: contact_ratio.get(),
-        flanks: Some(args.flanks.order().map_err(refuse)?),
-        objectives: objectives.into_iter().map(Objective::of_search).collect(),
-        resolution: (!args.exact).then(|| args.resolution.0.si()),
-        ..FormSearch::new(args.sought.requirements()?)
-    })
 }
 
 /// Converts an error to a failure with the option that caused it.

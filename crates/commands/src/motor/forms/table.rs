@@ -1,9 +1,7 @@
 //! The designs of a search for hydromotors with free tooth forms, as tables.
 
 use crate::motor::answer::GoverningLimit;
-use crate::motor::designs::table::{
-    Duty, Numbers, found_and_shown, hidden, numbered, of_set, size_columns, with_duty,
-};
+use crate::motor::designs::table::{Duty, Numbers, hidden, numbered, of_set, size_columns, with_duty};
 use crate::motor::forms::answer::{Allowed, Crest, Design, Family, Flanks, Funnel, MotorForms, Objective};
 use crate::table::figure::{Figure, count as many};
 use crate::table::quantities::words;
@@ -37,12 +35,6 @@ impl AsReport for MotorForms {
             warnings: warned(&self.warnings),
         }
     }
-}
-
-/// How many were found, how many shown.
-#[must_use]
-pub fn count(search: &MotorForms) -> String {
-    found_and_shown(search.found, search.designs.len())
 }
 
 /// What the answer claims of the points that are not listed.

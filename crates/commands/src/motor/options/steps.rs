@@ -10,14 +10,14 @@ use uom::si::f64::Angle;
 
 /// From one value to another, with how many values.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Stepped<T> {
+pub struct Stepped<T> {
     from: T,
     to: T,
     values: u32,
 }
 
 /// A quantity that can be given in steps.
-pub(crate) trait Step: FromStr<Err: fmt::Display> + Copy {
+pub trait Step: FromStr<Err: fmt::Display> + Copy {
     /// Example for error messages.
     const EXAMPLE: &'static str;
 

@@ -12,28 +12,16 @@ use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::motor::answer::practice::{self, Borne};
 use crate::motor::answer::{Designed, Groups};
-use crate::motor::designs::answer::{Drawn, Listed, Origin, nearest_half, nth};
+use crate::motor::designs::answer::{Drawn, Listed, Listing, Searched, nearest_half, nth};
 use crate::motor::forms::answer::Form;
 use crate::shared::number::{maybe_si, plain, si};
+use epicyclic_formats::motor::MaterialGroup;
 use epicyclic_hydromotor::checks::Subject;
 use epicyclic_hydromotor::search::{self, Found, MotorSearch as Search};
 use schemars::JsonSchema;
 use serde::Serialize;
 use teeth::Teeth;
 use uom::si::f64::Angle;
-
-/// Requirements of a search.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Wanted {
-    /// Space, requirements and objectives of the search; its tooth form is also that of limits and drawings.
-    pub search: Search,
-    /// Objective by which the designs are ordered.
-    pub order: Objective,
-    /// Whether only the first design of each set of lobes and teeth is listed.
-    pub first_of_each_set: bool,
-    /// Maximum number of designs listed.
-    pub most: usize,
-}
 
 /// Hydromotors for a displacement: the non-dominated (Pareto) designs.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -167,10 +155,11 @@ impl Answer for MotorSearch {
     const NAME: &'static str = "motor-search";
 }
 
-/// Finished search: its answer, and the motor of each design.
+/// Finished search for motors with teeth of one form.
 #[derive(Debug, Clone)]
-pub struct Searched {
-    wanted: Wanted,
+pub struct SearchedMotors {
+    search: Search,
+    order: Objective,
     /// Results with the designs in the requested order.
     found: Found,
 }
@@ -180,52 +169,46 @@ pub struct Searched {
 /// # Errors
 /// [`Error::Motor`] for impossible bounds, or if `watch` ended the search; [`Error::NoMotor`] if no motor is
 /// accepted.
-pub fn search(wanted: &Wanted, watch: &search::Watch) -> Result<Searched, Error> {
-    let mut found = wanted.search.front_watched(watch)?;
-    let form = wanted.search.flanks.form;
+pub(super) fn search(
+    search: Search,
+    order: Objective,
+    watch: &search::Watch,
+) -> Result<SearchedMotors, Error> {
+    let mut found = search.front_watched(watch)?;
     if found.designs.is_empty() {
         return Err(Error::NoMotor(Box::new(Funnel::of(&found))));
     }
-    let order = wanted.order;
     if order.of_search().is_of_flanks() {
         // The search computes flanks only if they are an objective; the order needs them for all designs.
         for design in &mut found.designs {
-            design.at_flanks = design.at_flanks.or_else(|| teeth::at_flanks(design, form));
+            design.at_flanks = design.at_flanks.or_else(|| teeth::at_flanks(design, search.flanks.form));
         }
     }
     found.designs.sort_by(|one, other| order.cost(one).total_cmp(&order.cost(other)));
-    Ok(Searched { wanted: wanted.clone(), found })
+    Ok(SearchedMotors { search, order, found })
 }
 
-/// Searches for designs, and returns the answer.
-///
-/// # Errors
-/// Errors of [`search()`].
-pub fn answer(wanted: &Wanted) -> Result<MotorSearch, Error> {
-    Ok(search(wanted, &|_| std::ops::ControlFlow::Continue(()))?.answer())
-}
+impl Searched for SearchedMotors {
+    type Answer = MotorSearch;
 
-impl Searched {
-    /// Record of the results.
-    #[must_use]
-    pub fn answer(&self) -> MotorSearch {
-        let Self { wanted, found } = self;
-        let listed =
-            Listed::of(&found.designs, wanted.first_of_each_set, wanted.most, |design| design.numbers);
+    const COMMAND: &'static str = "motor search";
+
+    fn answer(&self, listing: Listing) -> MotorSearch {
+        let Self { search, found, .. } = self;
+        let listed = Listed::of(&found.designs, listing, |design| design.numbers);
         let designs: Vec<Design> =
             listed.shown.iter().filter_map(|&(place, design)| self.design(place, design)).collect();
         let borne: Vec<Borne> =
             designs.iter().filter_map(|design| design.contact_stress_pa.map(Borne::Contact)).collect();
-        let warnings = practice::of_designs(maybe_si(wanted.search.requirements.pressure_drop), &borne);
         MotorSearch {
-            warnings,
-            displacement_m3: si(wanted.search.requirements.displacement),
-            objectives: wanted.search.objectives.iter().map(|&objective| Objective::of(objective)).collect(),
-            order: wanted.order,
-            form: Form::of(&wanted.search.flanks.form),
-            made: wanted.search.made,
+            warnings: practice::of_designs(maybe_si(search.requirements.pressure_drop), &borne),
+            displacement_m3: si(search.requirements.displacement),
+            objectives: search.objectives.iter().map(|&objective| Objective::of(objective)).collect(),
+            order: self.order,
+            form: Form::of(&search.flanks.form),
+            made: search.made,
             found: found.designs.len(),
-            first_of_each_set: wanted.first_of_each_set,
+            first_of_each_set: listing.first_of_each_set,
             hidden: listed.hidden,
             designs,
             funnel: Funnel::of(found),
@@ -234,32 +217,32 @@ impl Searched {
         }
     }
 
-    /// Motor of a design in the size shown for it; designs are numbered from 1.
-    ///
-    /// # Errors
-    /// [`Error::NoSuchDesign`].
-    pub fn motor(&self, design: usize, angle: Angle) -> Result<Designed, Error> {
+    fn counts(answer: &MotorSearch) -> [usize; 3] {
+        [answer.found, answer.designs.len(), answer.hidden]
+    }
+
+    fn motor(&self, design: usize, angle: Angle) -> Result<Designed, Error> {
         let (design, size) = nth(&self.found.designs, design, shown_size)?;
         let motor = design.motor(size.module)?;
-        let (form, made) = (self.wanted.search.flanks.form, &Groups::default());
-        Drawn { motor, form, width: size.width, angle, made }.designed(&self.wanted.search.requirements)
+        let (form, made) = (self.search.flanks.form, &Groups::default());
+        Drawn { motor, form, width: size.width, angle, made }.designed(&self.search.requirements)
     }
 
-    /// Motor file of a design in the size shown for it; designs are numbered from 1.
-    ///
-    /// # Errors
-    /// [`Error::NoSuchDesign`].
-    pub fn saved(&self, design: usize) -> Result<String, Error> {
-        let designed = self.motor(design, Angle::default())?;
-        let found = Origin { design, of: self.found.designs.len(), by: "motor search" };
-        found.saved(&designed, None)
+    fn designs(&self) -> usize {
+        self.found.designs.len()
     }
 
+    fn material(&self) -> Option<&MaterialGroup> {
+        None
+    }
+}
+
+impl SearchedMotors {
     /// Record of a design; `None` if it has no size, which a search never returns.
     fn design(&self, place: usize, design: &search::Design) -> Option<Design> {
         let numbers = design.numbers;
         let size = shown_size(design)?;
-        let teeth = Teeth::of(design, &self.wanted.search);
+        let teeth = Teeth::of(design, &self.search);
         let (at_flanks, without_flanks) = match teeth.at_flanks {
             Ok(at_flanks) => (Some(at_flanks), None),
             Err(why) => (None, Some(why)),
@@ -295,7 +278,7 @@ impl Searched {
     /// Improvements limited to the objectives of the search.
     fn error(&self, error: search::SpacingError) -> SpacingError {
         // An estimate is meaningless for a value that the search did not optimize.
-        let of = |objective, value| self.wanted.search.objectives.contains(&objective).then(|| plain(value));
+        let of = |objective, value| self.search.objectives.contains(&objective).then(|| plain(value));
         SpacingError {
             displacement_by_volume: of(search::Objective::DisplacementByVolume, error.displacement_by_volume),
             ripple: of(search::Objective::Ripple, error.ripple),

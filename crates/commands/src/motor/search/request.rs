@@ -2,15 +2,16 @@
 
 use crate::desk::Call;
 use crate::failure::Failure;
-use crate::motor::designs::request::{Shown, Sought};
-use crate::motor::options::Teeth;
+use crate::motor::designs::answer::{Listing, Searched as _};
+use crate::motor::designs::request::{Goal, Shown};
 use crate::motor::options::design::{form, refuse};
 use crate::motor::options::steps::each_once;
-use crate::motor::search::answer::{Objective, Wanted};
+use crate::motor::options::{FlankLimits, Teeth};
+use crate::motor::search::answer::{self as answers, MotorSearch, Objective, SearchedMotors};
 use crate::progress::Progress;
 use crate::shared::lists::List;
 use epicyclic_hydromotor::checks::ToothHeights;
-use epicyclic_hydromotor::search::{FlankTerms, MotorSearch};
+use epicyclic_hydromotor::search::{FlankTerms, MotorSearch as Search, Watch};
 use epicyclic_units::{Physical, Quantity};
 use uom::si::f64::Ratio;
 
@@ -31,105 +32,105 @@ epicyclic motor search [OPTIONS] --displacement <DISPLACEMENT>
        epicyclic motor search [OPTIONS] --torque <TORQUE> --pressure <PRESSURE>")]
 #[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
-    #[command(flatten)]
-    sought: Sought,
-
-    /// Do not judge teeth and ports: list motors too whose teeth break their limits, or that can have no
-    /// ideal ports (default: such motors are left out).
-    #[arg(long)]
-    any_teeth: bool,
-
-    /// What the designs are held against each other by: see below.
-    #[arg(long, value_name = "OBJECTIVES", default_value = "volume, ripple, radius")]
-    objectives: List<Objective>,
-
-    /// What the designs are ordered by, an objective; the first is the one that is drawn.
-    #[arg(long, value_name = "OBJECTIVE", default_value = "volume")]
-    by: Objective,
-
-    /// Places along each interval of a family, before refinement.
-    #[arg(long, value_name = "NUMBER", default_value_t = 16)]
-    places: u32,
-
-    /// Difference in the objectives below which motors of one set count as one.
-    #[arg(long, default_value = "2%", allow_hyphen_values = true)]
-    resolution: Quantity<Ratio>,
-
+    // The options of `shown` are before the request's so that their heading is; see `Shown` for their order.
     #[command(flatten)]
     shown: Shown,
 
     #[command(flatten)]
-    teeth: Teeth,
-
-    #[command(flatten)]
-    flanks: Flanks,
+    request: Request,
 }
 
-/// What is asked of the flanks.
-#[derive(Debug, clap::Args)]
-#[command(next_help_heading = "Satellites that seal at the flanks")]
-struct Flanks {
-    /// Greatest ripple of flow and torque, satellites sealing at the flanks: 8%, or 0.08.
-    #[arg(long, value_name = "RIPPLE", allow_hyphen_values = true)]
-    flank_ripple: Option<Quantity<Ratio>>,
+/// Requirements of motors with teeth of one form, and objectives of their search.
+#[derive(Debug, Clone, clap::Args)]
+#[command(next_display_order = 0)]
+pub struct Request {
+    /// Requirements of a motor, and bounds of its numbers.
+    #[command(flatten)]
+    pub goal: Goal,
 
-    /// Least torque over the mean, satellites sealing at the flanks: 94%, or 0.94.
-    #[arg(long, value_name = "PART", allow_hyphen_values = true)]
-    least_torque: Option<Quantity<Ratio>>,
+    /// Do not judge teeth and ports: list motors too whose teeth break their limits, or that can have no
+    /// ideal ports (default: such motors are left out).
+    #[arg(long)]
+    pub any_teeth: bool,
+
+    /// What the designs are held against each other by: see below.
+    #[arg(long, value_name = "OBJECTIVES", default_value = "volume, ripple, radius")]
+    pub objectives: List<Objective>,
+
+    /// What the designs are ordered by, an objective; the first is the one that is drawn.
+    #[arg(long, value_name = "OBJECTIVE", default_value = "volume")]
+    pub by: Objective,
+
+    /// Places along each interval of a family, before refinement.
+    #[arg(long, value_name = "NUMBER", default_value_t = 16)]
+    pub places: u32,
+
+    /// Difference in the objectives below which motors of one set count as one.
+    #[arg(long, default_value = "2%", allow_hyphen_values = true)]
+    pub resolution: Quantity<Ratio>,
+
+    /// Form of the teeth.
+    #[command(flatten)]
+    pub teeth: Teeth,
+
+    /// Requirements of satellites that seal at the flanks.
+    #[command(flatten, next_help_heading = "Satellites that seal at the flanks")]
+    pub flanks: FlankLimits,
+}
+
+impl Request {
+    /// Searches for designs; `watch` receives the progress from any thread, and may end the search.
+    ///
+    /// # Errors
+    /// [`Failure::Range`], [`Failure::Option`] for impossible options; a search that finds no motor, or that
+    /// `watch` ended.
+    pub fn search(&self, watch: &Watch) -> Result<SearchedMotors, Failure> {
+        answers::search(self.settled()?, self.by, watch).map_err(refuse)
+    }
+
+    /// Searches for designs, and lists all of them; `watch` as in [`Self::search`].
+    ///
+    /// # Errors
+    /// Those of [`Self::search`].
+    pub fn answer(&self, watch: &Watch) -> Result<MotorSearch, Failure> {
+        Ok(self.search(watch)?.answer(Listing::default()))
+    }
+
+    fn settled(&self) -> Result<Search, Failure> {
+        let form = form(&self.teeth);
+        let [ripple, least_torque] = self.flanks.shares();
+        let objectives = each_once("--objectives", &self.objectives.0)?;
+        let addendum = form.addendum + form.shift;
+        Ok(Search {
+            bounds: self.goal.bounds()?,
+            heights: ToothHeights { addendum, dedendum: addendum + form.clearance },
+            limits: self.goal.limits()?,
+            flanks: FlankTerms { form, ripple, least_torque },
+            made: !self.any_teeth,
+            objectives: objectives.into_iter().map(Objective::of_search).collect(),
+            points: self.places,
+            resolution: Some(self.resolution.0.si()),
+            ..Search::new(self.goal.requirements()?)
+        })
+    }
 }
 
 /// Runs the command.
-pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
-    let outlet = args.shown.outlet()?;
-    let wanted = Wanted {
-        search: search(args)?,
-        order: args.by,
-        first_of_each_set: outlet.first_of_each_set(),
-        most: outlet.most(),
-    };
-    let shown = Progress::new(call);
-    let searched = crate::motor::search::answer::search(&wanted, &|at| {
+pub(crate) fn run(call: &Call<'_>, Args { shown, request }: &Args) -> Result<(), Failure> {
+    let outlet = shown.outlet()?;
+    let progress = Progress::new(call);
+    let searched = request.search(&|at| {
         let share = at.done as f64 / at.of.max(1) as f64;
         if at.pass == 0 {
-            let places = at.of as f64 * f64::from(wanted.search.points);
-            shown.size(places, PLACES_IN_A_SECOND, || {
+            let places = at.of as f64 * f64::from(request.places);
+            progress.size(places, PLACES_IN_A_SECOND, || {
                 format!("{} sets of lobes and teeth, {places:.1e} places at least", at.of)
             });
-            shown.at(share)
+            progress.at(share)
         } else {
-            shown.at_pass(at.pass, share)
+            progress.at_pass(at.pass, share)
         }
     });
-    drop(shown);
-    let searched = searched.map_err(refuse)?;
-    let files =
-        outlet.files(|design, angle| searched.motor(design, angle), |design| searched.saved(design))?;
-    let answer = searched.answer();
-    outlet.output.deliver_with(call, files, &answer)?;
-    if !outlet.is_table() && answer.hidden > 0 {
-        call.complain(&format!("note: {}", crate::motor::search::table::count(&answer)));
-    }
-    Ok(())
-}
-
-fn search(args: &Args) -> Result<MotorSearch, Failure> {
-    let form = form(&args.teeth);
-    let share = |share: Option<Quantity<Ratio>>| share.map(|share| share.0.si());
-    let objectives = each_once("--objectives", &args.objectives.0)?;
-    let addendum = form.addendum + form.shift;
-    Ok(MotorSearch {
-        bounds: args.sought.bounds()?,
-        heights: ToothHeights { addendum, dedendum: addendum + form.clearance },
-        limits: args.sought.limits()?,
-        flanks: FlankTerms {
-            form,
-            ripple: share(args.flanks.flank_ripple),
-            least_torque: share(args.flanks.least_torque),
-        },
-        made: !args.any_teeth,
-        objectives: objectives.into_iter().map(Objective::of_search).collect(),
-        points: args.places,
-        resolution: Some(args.resolution.0.si()),
-        ..MotorSearch::new(args.sought.requirements()?)
-    })
+    drop(progress);
+    outlet.deliver(call, &searched?)
 }

@@ -1,8 +1,6 @@
 //! The designs of a search for hydromotors, as tables.
 
-use crate::motor::designs::table::{
-    Duty, Numbers, found_and_shown, hidden, numbered, of_set, size_columns, with_duty,
-};
+use crate::motor::designs::table::{Duty, Numbers, hidden, numbered, of_set, size_columns, with_duty};
 use crate::motor::search::answer::{Design, MotorSearch, SpacingError, TeethLimits};
 use crate::motor::table::subject;
 use crate::table::figure::{Figure, count as many};
@@ -53,12 +51,6 @@ impl AsReport for MotorSearch {
             warnings: warned(&self.warnings),
         }
     }
-}
-
-/// How many were found, how many shown.
-#[must_use]
-pub fn count(search: &MotorSearch) -> String {
-    found_and_shown(search.found, search.designs.len())
 }
 
 fn spacing(name: &'static str, label: &'static str, error: &SpacingError) -> Row {

@@ -1,13 +1,15 @@
 //! Tooth numbers of a double-planet set for a ratio.
 
-use super::{MOST_SETS, Wanted, gearbox};
+use super::{Listed, gearbox, listed};
 use crate::answer::Answer;
 use crate::error::Error;
 use crate::shared::records::{Fraction, Motion};
 use crate::shared::tooth_checks::answer::{TeethLeftOut, ToothChecks};
+use crate::teeth::request::Request;
 use crate::tolerance::ROUNDED;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::double_planet::DoublePlanetCandidate;
+use epicyclic_gears::synthesis::Bounds;
 use epicyclic_train::Gearbox;
 use epicyclic_train::set::{SetKind, SetSpec};
 use epicyclic_units::Physical;
@@ -83,27 +85,32 @@ impl Answer for DoublePlanetTeeth {
     const NAME: &'static str = "teeth-double-planet";
 }
 
-/// Finds all double-planet sets for a ratio. The closure `done` receives the finished part of the search,
-/// from 0 to 1, and may end it.
+/// Finds all double-planet sets for a ratio.
 ///
 /// # Errors
-/// [`Error::Gear`] if nothing is found, or for an impossible bound.
-pub fn answer(wanted: &Wanted, done: impl FnMut(f64) -> ControlFlow<()>) -> Result<DoublePlanetTeeth, Error> {
-    let &Wanted { ratio, mode, tolerance, ref bounds, most, .. } = wanted;
-    let found = bounds.double_planets_for_ratio(ratio, mode, tolerance, most.min(MOST_SETS), done)?;
-    if most > MOST_SETS && found.found > MOST_SETS as u64 {
-        return Err(Error::TooMany { found: found.found, most: MOST_SETS });
-    }
-    let tooth_numbers: Vec<DoublePlanetNumbers> = found.first.iter().map(DoublePlanetNumbers::of).collect();
+/// Those of [`super::answer`].
+pub(in crate::teeth) fn answer(
+    request: &Request,
+    bounds: &Bounds,
+    done: impl FnMut(f64) -> ControlFlow<()>,
+) -> Result<DoublePlanetTeeth, Error> {
+    let Listed { ratio, mode, tolerance, found, left_out, sets, tooth_checks } = listed(
+        request,
+        bounds,
+        |ratio, mode, tolerance, most| bounds.double_planets_for_ratio(ratio, mode, tolerance, most, done),
+        DoublePlanetNumbers::of,
+        DoublePlanetNumbers::gearbox,
+    )?;
+    let shown = sets.len();
     Ok(DoublePlanetTeeth {
         ratio,
-        mode: Motion::of(mode),
+        mode,
         tolerance,
-        found: found.found,
-        left_out: found.left_out.as_deref().map(TeethLeftOut::of),
-        shown: tooth_numbers.len(),
-        tooth_checks: wanted.checks(&tooth_numbers, DoublePlanetNumbers::gearbox)?,
-        tooth_numbers,
+        found,
+        left_out,
+        shown,
+        tooth_numbers: sets,
+        tooth_checks,
     })
 }
 
@@ -111,12 +118,12 @@ impl DoublePlanetNumbers {
     /// Set as a gearbox without losses.
     ///
     /// # Errors
-    /// No error is known for a set that [`answer`] returns.
-    pub fn gearbox(&self, wanted: &Wanted) -> Result<Gearbox, Error> {
-        let members = gearbox::members(wanted.mode);
+    /// No error is known for a set that an answer to this request lists.
+    pub fn gearbox(&self, request: &Request) -> Result<Gearbox, Error> {
+        let members = gearbox::members(request.mode);
         let set = SetSpec::teeth(gearbox::NAME, SetKind::DoublePlanet, members, self.sun, self.ring)?;
         let [inner, outer] = [self.inner_planet, self.outer_planet].map(ToothCount::new);
-        wanted.built(set.planet_teeth(inner?, Some(outer?)).planet_count(self.pairs))
+        gearbox::built(request, set.planet_teeth(inner?, Some(outer?)).planet_count(self.pairs))
     }
 
     fn of(found: &DoublePlanetCandidate) -> Self {

@@ -1,8 +1,8 @@
 //! Set of tooth numbers as a gearbox, for its checks and for a file that `analyze`, `draw` and `report` read.
 
 use crate::error::Error;
+use crate::teeth::request::Request;
 use epicyclic_gears::simple_set::{Member, Mode};
-use epicyclic_gears::synthesis::Placement;
 use epicyclic_train::set::SetSpec;
 use epicyclic_train::spacing::Spacing;
 use epicyclic_train::{GROUND, Gearbox};
@@ -25,11 +25,12 @@ fn link(mode: Mode, member: Member) -> &'static str {
 }
 
 /// Set as a gearbox without losses, named by the required ratio.
-pub(super) fn built(mode: Mode, ratio: f64, placement: Placement, set: SetSpec) -> Result<Gearbox, Error> {
+pub(super) fn built(request: &Request, set: SetSpec) -> Result<Gearbox, Error> {
+    let (mode, ratio) = (request.mode, request.ratio.get());
     let [input, output] = [mode.input(), mode.output()].map(|member| link(mode, member));
     let name = format!("Ratio {ratio} ({mode})");
     // Planets that can be assembled equally spaced are placed so under either bound.
-    let set = set.spaced(Spacing::Placed(placement));
+    let set = set.spaced(Spacing::Placed(request.spacing.into()));
     let gearbox = Gearbox::builder(&name).links([input, output]).set(set).input(input).output(output);
     Ok(gearbox.gear(NAME, [] as [&str; 0]).build()?)
 }

@@ -1,11 +1,12 @@
 //! Tooth numbers of a simple set with profile shift for a ratio.
 
-use super::{MOST_SETS, Wanted, gearbox};
+use super::{Listed, gearbox, listed};
 use crate::answer::Answer;
 use crate::error::Error;
 use crate::shared::records::{Fraction, Motion};
 use crate::shared::tool::CuttingTool;
 use crate::shared::tooth_checks::answer::{TeethLeftOut, ToothChecks};
+use crate::teeth::request::Request;
 use crate::tolerance::{ROUNDED, rounded};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::involute::closing::Closing;
@@ -14,7 +15,7 @@ use epicyclic_gears::involute::profile::Cutting;
 use epicyclic_gears::involute::search::{ProfileShift, Shifted};
 use epicyclic_gears::involute::set::Limits;
 use epicyclic_gears::involute::{InvoluteGear, Profile};
-use epicyclic_gears::synthesis::{Bounds, Ranked, ToothNumbers};
+use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use epicyclic_train::Gearbox;
 use epicyclic_train::set::{SetKind, SetSpec, Shifts};
 use epicyclic_units::Physical;
@@ -107,13 +108,14 @@ impl SetShifts {
 
     /// Set with these profile shifts and tools.
     pub(crate) fn put_into(&self, set: SetSpec) -> SetSpec {
-        let hob = Cutting::default();
-        set.shifted(Shifts { profile: self.profile_shifts, tips: Some(self.tip_alterations) }).cut([
-            hob,
-            hob,
-            self.ring_tool.cutting(),
-        ])
+        shifted(set, self.profile_shifts, self.tip_alterations, self.ring_tool)
     }
+}
+
+/// Set with these profile shifts and tip alterations, and this tool for its ring.
+fn shifted(set: SetSpec, profile: [f64; 3], tips: [f64; 3], ring_tool: CuttingTool) -> SetSpec {
+    let hob = Cutting::default();
+    set.shifted(Shifts { profile, tips: Some(tips) }).cut([hob, hob, ring_tool.cutting()])
 }
 
 /// Sets with profile shift that give a ratio, the most exact first.
@@ -193,36 +195,35 @@ impl Answer for ShiftedTeeth {
     const NAME: &'static str = "teeth-shifted";
 }
 
-/// Finds all sets with profile shift for a ratio. The closure `done` receives the finished part of the
-/// search, from 0 to 1, and may end it.
+/// Finds all sets with profile shift for a ratio.
 ///
 /// # Errors
-/// [`Error::Gear`] if nothing is found, or for an impossible bound; [`Error::TooMany`].
-pub fn answer(
-    wanted: &Wanted,
+/// Those of [`super::answer`].
+pub(in crate::teeth) fn answer(
+    request: &Request,
+    bounds: &Bounds,
     shifts: &WantedShifts,
     done: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Result<ShiftedTeeth, Error> {
-    let &Wanted { ratio, mode, tolerance, ref bounds, most, .. } = wanted;
     let search = shifts.within(bounds).within(bounds);
-    let Ranked { found, first, left_out } =
-        search.first_for_ratio(ratio, mode, tolerance, most.min(MOST_SETS), done)?;
-    // The list is refused only if it would be longer; a large maximum alone is harmless.
-    if most > MOST_SETS && found > MOST_SETS as u64 {
-        return Err(Error::TooMany { found, most: MOST_SETS });
-    }
-    let tooth_numbers: Vec<ShiftedNumbers> = first.iter().map(ShiftedNumbers::of).collect();
+    let Listed { ratio, mode, tolerance, found, left_out, sets, tooth_checks } = listed(
+        request,
+        bounds,
+        |ratio, mode, tolerance, most| search.first_for_ratio(ratio, mode, tolerance, most, done),
+        ShiftedNumbers::of,
+        ShiftedNumbers::gearbox,
+    )?;
     Ok(ShiftedTeeth {
         ratio,
-        mode: Motion::of(mode),
+        mode,
         tolerance,
         aim: shifts.aim,
         least_tip_thickness_in_modules: shifts.tip_thickness,
         found,
-        left_out: left_out.as_deref().map(TeethLeftOut::of),
-        shown: tooth_numbers.len(),
-        tooth_checks: wanted.checks(&tooth_numbers, ShiftedNumbers::gearbox)?,
-        tooth_numbers,
+        left_out,
+        shown: sets.len(),
+        tooth_numbers: sets,
+        tooth_checks,
     })
 }
 
@@ -230,14 +231,12 @@ impl ShiftedNumbers {
     /// Set as a gearbox without losses, with its shifts, tip alterations and tools.
     ///
     /// # Errors
-    /// No error is known for a set that [`answer`] returns.
-    pub fn gearbox(&self, wanted: &Wanted) -> Result<Gearbox, Error> {
-        let members = gearbox::members(wanted.mode);
+    /// No error is known for a set that an answer to this request lists.
+    pub fn gearbox(&self, request: &Request) -> Result<Gearbox, Error> {
+        let members = gearbox::members(request.mode);
         let set = SetSpec::teeth(gearbox::NAME, SetKind::Simple, members, self.sun, self.ring)?;
         let set = set.planet_teeth(ToothCount::new(self.planet)?, None).planet_count(self.planets);
-        let hob = Cutting::default();
-        let shifts = Shifts { profile: self.profile_shifts, tips: Some(self.tip_alterations) };
-        wanted.built(set.shifted(shifts).cut([hob, hob, self.ring_tool.cutting()]))
+        gearbox::built(request, shifted(set, self.profile_shifts, self.tip_alterations, self.ring_tool))
     }
 
     fn of(found: &Shifted) -> Self {

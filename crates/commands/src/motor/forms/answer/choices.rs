@@ -1,6 +1,6 @@
 //! Choices and objectives of a search with free tooth forms, with their names in options and records.
 
-use crate::shared::named::named;
+use crate::shared::named::{named, paired};
 use crate::shared::number::{maybe_si, si};
 use epicyclic_hydromotor::profile;
 use epicyclic_hydromotor::search::forms::{self, FamilyKind, FlankFigures, FormDesign};
@@ -76,37 +76,30 @@ named! {
     }
 }
 
+paired! {
+    Objective, forms::Objective {
+        Volume DisplacementByVolume
+        Ripple Ripple
+        Radius LeastRadius
+        ContactRatio ContactRatio
+        FlankRipple FlankRipple
+        LeastTorque LeastTorque
+        ContactStress ContactStress
+        RootStress RootStress
+        AllowedPressure AllowedPressure
+    }
+    Family, FamilyKind {
+        Arcs TwoArcs
+        Cosine CosineLaw
+        SecondHarmonic SecondHarmonic
+    }
+    Crest, profile::Crest {
+        Space Space
+        Tooth Tooth
+    }
+}
+
 impl Objective {
-    pub(crate) const fn of(objective: forms::Objective) -> Self {
-        match objective {
-            forms::Objective::DisplacementByVolume => Self::Volume,
-            forms::Objective::Ripple => Self::Ripple,
-            forms::Objective::LeastRadius => Self::Radius,
-            forms::Objective::ContactRatio => Self::ContactRatio,
-            forms::Objective::FlankRipple => Self::FlankRipple,
-            forms::Objective::LeastTorque => Self::LeastTorque,
-            forms::Objective::ContactStress => Self::ContactStress,
-            forms::Objective::RootStress => Self::RootStress,
-            forms::Objective::AllowedPressure => Self::AllowedPressure,
-        }
-    }
-
-    /// Converts the objective for the search.
-    #[must_use]
-    pub const fn of_search(self) -> forms::Objective {
-        match self {
-            Self::Volume => forms::Objective::DisplacementByVolume,
-            Self::Ripple => forms::Objective::Ripple,
-            Self::Radius => forms::Objective::LeastRadius,
-            Self::ContactRatio => forms::Objective::ContactRatio,
-            Self::FlankRipple => forms::Objective::FlankRipple,
-            Self::LeastTorque => forms::Objective::LeastTorque,
-            Self::ContactStress => forms::Objective::ContactStress,
-            Self::RootStress => forms::Objective::RootStress,
-            Self::AllowedPressure => forms::Objective::AllowedPressure,
-        }
-    }
-
     /// Cost of a design by this objective, the less the better; a missing value comes last.
     pub(crate) fn cost(self, design: &FormDesign) -> f64 {
         // A design without flanks under load must not win by a missing value, so it costs infinity.
@@ -124,44 +117,6 @@ impl Objective {
             Self::ContactStress => of(&|flanks| maybe_si(flanks.contact_stress)),
             Self::RootStress => of(&|flanks| maybe_si(flanks.root_stress)),
             Self::AllowedPressure => of(&|flanks| Some(-si(flanks.allowed.pressure))),
-        }
-    }
-}
-
-impl Family {
-    pub(crate) const fn of(family: FamilyKind) -> Self {
-        match family {
-            FamilyKind::TwoArcs => Self::Arcs,
-            FamilyKind::CosineLaw => Self::Cosine,
-            FamilyKind::SecondHarmonic => Self::SecondHarmonic,
-        }
-    }
-
-    /// Converts the family for the search.
-    #[must_use]
-    pub const fn of_search(self) -> FamilyKind {
-        match self {
-            Self::Arcs => FamilyKind::TwoArcs,
-            Self::Cosine => FamilyKind::CosineLaw,
-            Self::SecondHarmonic => FamilyKind::SecondHarmonic,
-        }
-    }
-}
-
-impl Crest {
-    pub(crate) const fn of(crest: profile::Crest) -> Self {
-        match crest {
-            profile::Crest::Space => Self::Space,
-            profile::Crest::Tooth => Self::Tooth,
-        }
-    }
-
-    /// Converts the choice for the search.
-    #[must_use]
-    pub const fn of_search(self) -> profile::Crest {
-        match self {
-            Self::Space => profile::Crest::Space,
-            Self::Tooth => profile::Crest::Tooth,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Objectives by which the designs of a search are compared and ordered.
 
-use crate::shared::named::named;
+use crate::shared::named::{named, paired};
 use epicyclic_hydromotor::search::{self, Design};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -31,29 +31,17 @@ named! {
     }
 }
 
+paired! {
+    Objective, search::Objective {
+        Volume DisplacementByVolume
+        Ripple Ripple
+        Radius LeastRadius
+        FlankRipple FlankRipple
+        LeastTorque LeastTorque
+    }
+}
+
 impl Objective {
-    pub(crate) const fn of(objective: search::Objective) -> Self {
-        match objective {
-            search::Objective::DisplacementByVolume => Self::Volume,
-            search::Objective::Ripple => Self::Ripple,
-            search::Objective::LeastRadius => Self::Radius,
-            search::Objective::FlankRipple => Self::FlankRipple,
-            search::Objective::LeastTorque => Self::LeastTorque,
-        }
-    }
-
-    /// Converts the objective for the search.
-    #[must_use]
-    pub const fn of_search(self) -> search::Objective {
-        match self {
-            Self::Volume => search::Objective::DisplacementByVolume,
-            Self::Ripple => search::Objective::Ripple,
-            Self::Radius => search::Objective::LeastRadius,
-            Self::FlankRipple => search::Objective::FlankRipple,
-            Self::LeastTorque => search::Objective::LeastTorque,
-        }
-    }
-
     /// Cost of a design by this objective, the less the better; a missing value comes last.
     pub(crate) fn cost(self, design: &Design) -> f64 {
         match self {
