@@ -5,10 +5,11 @@
 use epicyclic_commands::analyze::answer as analyze;
 use epicyclic_commands::answer::to_json;
 use epicyclic_commands::error::Error;
+use epicyclic_commands::shared::gearbox::Gearbox;
 use epicyclic_commands::size::answer as size;
 use epicyclic_commands::size::answer::records::{HeldKey, Minimise, Requirement};
 use epicyclic_commands::size::answer::{Size, Wanted};
-use epicyclic_commands::strength::answer as strength;
+use epicyclic_commands::strength;
 use epicyclic_commands::strength::answer::records::Reason;
 use epicyclic_formats::Document;
 use uom::si::f64::Length;
@@ -62,17 +63,19 @@ fn read(text: &str) -> Document {
     Document::parse_one("box.yaml", text.as_bytes()).unwrap()
 }
 
+fn gearbox(text: &str) -> Gearbox {
+    Gearbox::parse("box.yaml", text.as_bytes()).unwrap()
+}
+
 fn sized(text: &str, wanted: &Wanted) -> Result<Size, Error> {
-    let document = read(text);
-    let subject = strength::subject(&document)?;
+    let subject = Gearbox::parse("box.yaml", text.as_bytes())?;
     size::answer(&subject, wanted, &|| std::ops::ControlFlow::Continue(()))
 }
 
 /// Every safety over the duty of a file, and its mass of planets' bores.
 fn safeties(text: &str) -> Vec<[f64; 2]> {
-    let document = read(text);
-    let subject = strength::subject(&document).unwrap();
-    let told = strength::answer(&subject, &strength::Wanted::default()).unwrap();
+    let subject = gearbox(text);
+    let told = strength::Request::default().answer(&subject).unwrap();
     told.over_duty
         .iter()
         .map(|one| [one.flank.as_ref().unwrap().safety, one.root.as_ref().unwrap().safety])
@@ -99,8 +102,7 @@ fn the_saved_file_has_the_safeties_that_were_found() {
         }
         assert!(told.iter().all(|[flank, root]| *flank >= 1.1 && *root >= 1.4));
         // The file is whole: gears, duty, and the sets that have no size.
-        let document = read(&text);
-        let subject = strength::subject(&document).unwrap();
+        let subject = gearbox(&text);
         let gear = |name: &str| analyze::analysis(&subject.train, name).unwrap().ratio().unwrap();
         assert!((gear("low") - 4.5).abs() < 1e-12 && gear("high") > 1.0);
         assert!(text.contains("# Set A: bearing 6") && text.contains("load_rating"), "{text}");
@@ -118,9 +120,8 @@ fn the_sizes_hold_against_the_overloads_of_the_file() {
     assert!(heavy.found[0].mass_kg > light.found[0].mass_kg && heavy.left_out.overload > 0);
     assert_eq!(light.found[0].overload, None);
     let saved = size::saved(&read(&text), &size).unwrap();
-    let document = read(&saved);
-    let subject = strength::subject(&document).unwrap();
-    let told = strength::answer(&subject, &strength::Wanted::default()).unwrap();
+    let subject = gearbox(&saved);
+    let told = strength::Request::default().answer(&subject).unwrap();
     for set in size.sets.iter().filter(|set| set.found[0].overload.is_some()) {
         let own = told.overload.iter().filter(|one| one.set == set.set);
         let least = own.flat_map(|one| {
@@ -149,9 +150,8 @@ fn the_sizes_hold_against_the_overloads_of_the_file() {
 fn the_saved_file_has_the_bearing_lives_that_were_found() {
     let size = sized(&hoist(), &wanted()).unwrap();
     let text = size::saved(&read(&hoist()), &size).unwrap();
-    let document = read(&text);
-    let subject = strength::subject(&document).unwrap();
-    let told = strength::answer(&subject, &strength::Wanted::default()).unwrap();
+    let subject = gearbox(&text);
+    let told = strength::Request::default().answer(&subject).unwrap();
     assert_eq!(told.bearings.len(), 2);
     for (bearing, set) in told.bearings.iter().zip(&size.sets) {
         let found = set.found[0].bearing.as_ref().unwrap().life_s.unwrap();

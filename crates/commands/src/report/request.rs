@@ -115,9 +115,8 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
 
 fn of_gearbox(call: &Call<'_>, args: &Args, document: &Document, file: String) -> Result<String, Failure> {
     let subject = subject(&args.choice, document)?;
-    let wanted = args.exciting.wanted()?;
-    let (report, mut shown) = gearbox::answer(&subject, args.load.input(), &wanted, &|| call.goes_on())
-        .map_err(Exciting::refuse)?;
+    let (report, mut shown) =
+        gearbox::answer(&subject, args.load, &args.exciting, &|| call.goes_on()).map_err(Exciting::refuse)?;
     if let Some(option) = args.exciting.given().filter(|_| report.vibration.is_none()) {
         let message = "it is for a gearbox whose file has `vibration` of a set".to_owned();
         return Err(Failure::invalid(option, message));
