@@ -109,7 +109,7 @@ pub struct Shown<'g> {
 ///
 /// # Errors
 /// Errors of the chapters, with the place of invalid data in the file.
-pub fn answer<'g>(
+pub(crate) fn answer<'g>(
     subject: &'g Gearbox,
     load: Load,
     exciting: &Exciting,
