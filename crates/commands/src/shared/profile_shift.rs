@@ -32,7 +32,7 @@ pub struct ShiftOptions {
 
 /// What picks the shifts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub(crate) enum Aim {
+pub enum Aim {
     /// Equal specific sliding at the roots of sun and planets.
     Sliding,
     /// Least tip alteration.
