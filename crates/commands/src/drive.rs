@@ -4,3 +4,5 @@ pub mod answer;
 pub mod page;
 pub mod request;
 pub mod table;
+
+pub use answer::{Drive, of_file};

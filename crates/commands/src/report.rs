@@ -4,3 +4,6 @@ pub mod answer;
 pub mod page;
 pub mod request;
 pub mod side_by_side;
+
+pub use answer::Report;
+pub use request::Request;

@@ -2,12 +2,12 @@
 
 pub mod catalogue;
 pub mod drawability;
-pub(crate) mod exciting;
+pub mod exciting;
 pub mod fault;
 pub mod gearbox;
 pub(crate) mod gearbox_choice;
 pub mod lists;
-pub(crate) mod load;
+pub mod load;
 pub mod named;
 pub mod named_gearbox;
 pub mod number;
@@ -18,7 +18,7 @@ pub mod profile_shift;
 pub mod ratios;
 pub mod records;
 pub mod saved;
-pub(crate) mod scenario;
+pub mod scenario;
 pub mod selection;
 pub mod tool;
 pub mod tooth_checks;

@@ -4,3 +4,7 @@ pub mod answer;
 pub mod page;
 pub mod request;
 pub mod table;
+
+pub use answer::Simulation;
+pub use answer::sweep::Sweep;
+pub use request::Request;

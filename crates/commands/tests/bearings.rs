@@ -2,10 +2,10 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
-use epicyclic_commands::strength::answer as strength;
-use epicyclic_commands::strength::answer::Strength;
+use epicyclic_commands::failure::Failure;
+use epicyclic_commands::shared::gearbox::Gearbox;
 use epicyclic_commands::strength::answer::records::{BearingOverDuty, SharingBasis};
-use epicyclic_formats::Document;
+use epicyclic_commands::strength::{Request, Strength};
 use std::f64::consts::PI;
 
 /// The shifted set of 18, 36 and 93 teeth, its ring held.
@@ -30,10 +30,9 @@ overload: [{ gear: only, torque: 2 kN·m }]
 gears: [{ name: only }]
 ";
 
-fn strength(text: &str) -> Result<Strength, epicyclic_commands::error::Error> {
-    let document = Document::parse_one("stage.yaml", text.as_bytes()).unwrap();
-    let subject = strength::subject(&document)?;
-    strength::answer(&subject, &strength::Wanted { with_factors: true, ..Default::default() })
+fn strength(text: &str) -> Result<Strength, Failure> {
+    let gearbox = Gearbox::parse("stage.yaml", text.as_bytes())?;
+    Request { factors: true, ..Request::default() }.answer(&gearbox)
 }
 
 fn bearing(text: &str) -> BearingOverDuty {

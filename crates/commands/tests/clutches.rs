@@ -10,13 +10,13 @@ use epicyclic_commands::analyze::answer::overview::Overview;
 use epicyclic_commands::analyze::answer::shifts;
 use epicyclic_commands::analyze::answer::shifts::Transition;
 use epicyclic_commands::analyze::answer::{Input, elements};
-use epicyclic_commands::compare::answer as compare;
+use epicyclic_commands::compare::Request;
 use epicyclic_commands::compare::answer::{Candidate, FigureName, GearsBy};
 use epicyclic_commands::shared::gearbox::{Choice, Gearbox, one};
+use epicyclic_commands::shared::load::Load;
 use epicyclic_formats::Document;
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_train::InputLoad;
-use epicyclic_units::Physical as _;
+use epicyclic_units::{Physical as _, Quantity};
 use std::collections::BTreeMap;
 use std::path::Path;
 use uom::si::f64::{AngularVelocity, Torque};
@@ -275,12 +275,12 @@ fn a_gearbox_beside_itself_differs_in_nothing_and_others_are_laid_by_ratio() {
     let list = document("real-transmissions.yaml");
     let [eight, simpson] = ["8HP", "TH400"].map(|name| one(&list, &choice(name, Some(0.97))).unwrap());
     let candidate = |subject| Candidate { subject, from: "file".to_owned() };
-    let same = compare::answer(&[candidate(&eight), candidate(&eight)], Input::default()).unwrap();
+    let same = Request::default().answer(&[candidate(&eight), candidate(&eight)]).unwrap();
     assert_eq!(same.gears_by, GearsBy::Name);
     let of_gears = same.gears.iter().flat_map(|gear| &gear.figures).map(|figure| figure.differs);
     let all = same.figures.iter().map(|figure| figure.differs).chain(of_gears);
     assert!(all.into_iter().all(|differs| differs.difference.is_none()));
-    let both = compare::answer(&[candidate(&eight), candidate(&simpson)], Input::default()).unwrap();
+    let both = Request::default().answer(&[candidate(&eight), candidate(&simpson)]).unwrap();
     assert_eq!(both.gears_by, GearsBy::Ratio);
     let figure = |name: FigureName| both.figures.iter().find(|figure| figure.figure == name).unwrap();
     let values = |name: FigureName| -> Vec<f64> {
@@ -308,11 +308,12 @@ fn gearboxes_are_compared_at_an_operating_point() {
     let [eight, simpson] = ["8HP", "TH400"].map(|name| one(&list, &choice(name, Some(0.97))).unwrap());
     let candidate = |subject| Candidate { subject, from: "file".to_owned() };
     let (speed, torque) = (150.0, 400.0);
-    let input = Input {
-        speed: Some(AngularVelocity::from_si(speed)),
-        load: Some(InputLoad::Torque(Torque::from_si(torque))),
+    let load = Load {
+        speed: Some(Quantity(AngularVelocity::from_si(speed))),
+        torque: Some(Quantity(Torque::from_si(torque))),
+        power: None,
     };
-    let both = compare::answer(&[candidate(&eight), candidate(&simpson)], input).unwrap();
+    let both = Request { load }.answer(&[candidate(&eight), candidate(&simpson)]).unwrap();
     let mut told = 0;
     for gear in &both.gears {
         let values = |name| &gear.figures.iter().find(|figure| figure.figure == name).unwrap().values;
@@ -332,6 +333,6 @@ fn gearboxes_are_compared_at_an_operating_point() {
     assert_eq!(told, 9 + 4);
     let brake = &both.gearboxes[0].shift_elements[0];
     assert!(is_near(brake.torque_n_m.unwrap(), torque * brake.torque_of_input.unwrap()));
-    let alone = compare::answer(&[candidate(&eight), candidate(&simpson)], Input::default()).unwrap();
+    let alone = Request::default().answer(&[candidate(&eight), candidate(&simpson)]).unwrap();
     assert!(alone.gearboxes[0].shift_elements[0].torque_n_m.is_none());
 }

@@ -2,10 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
-use epicyclic_commands::sheet::answer as sheet;
-use epicyclic_commands::sheet::answer::DataSheets;
+use epicyclic_commands::shared::gearbox::Gearbox;
 use epicyclic_commands::sheet::answer::records::AtOutput;
-use epicyclic_formats::Document;
+use epicyclic_commands::sheet::{DataSheets, Request};
 
 const TEETH: &str = "teeth: [18, 93], planet_teeth: [36], planets: 3, module: 4 mm, face_width: 60 mm, \
     profile_shifts: [0.389, 0.5039, 0.1171], tip_alterations: [-0.0833, -0.0833, 0]";
@@ -20,9 +19,8 @@ fn one(more: &str) -> String {
 }
 
 fn sheets(text: &str, set: Option<&str>) -> DataSheets {
-    let document = Document::parse_one("box.yaml", text.as_bytes()).unwrap();
-    let subject = sheet::subject(&document).unwrap();
-    sheet::answer(&subject, set).unwrap()
+    let gearbox = Gearbox::parse("box.yaml", text.as_bytes()).unwrap();
+    Request { set: set.map(str::to_owned) }.answer(&gearbox).unwrap()
 }
 
 fn at_output(text: &str) -> AtOutput {

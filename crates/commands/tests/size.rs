@@ -4,16 +4,16 @@
 
 use epicyclic_commands::analyze::answer as analyze;
 use epicyclic_commands::answer::to_json;
-use epicyclic_commands::error::Error;
-use epicyclic_commands::size::answer as size;
+use epicyclic_commands::failure::Failure;
+use epicyclic_commands::shared::gearbox::Gearbox;
+use epicyclic_commands::shared::lists::List;
 use epicyclic_commands::size::answer::records::HeldKey;
-use epicyclic_commands::size::answer::{Size, Wanted};
-use epicyclic_commands::strength::answer as strength;
+use epicyclic_commands::size::{self, Request, Size};
+use epicyclic_commands::strength;
 use epicyclic_commands::strength::answer::records::Reason;
+use epicyclic_commands::words::request;
 use epicyclic_formats::Document;
 use epicyclic_strength::sizing::{Objective, Requirement};
-use uom::si::f64::Length;
-use uom::si::length::millimeter;
 
 /// Two speeds and direct drive of two simple sets, and a double-planet set that nothing drives through.
 const BOX: &str = "\
@@ -43,37 +43,30 @@ fn hoist() -> String {
     BOX.replace("HARD", HARD)
 }
 
-fn mm(values: &[f64]) -> Vec<Length> {
-    values.iter().map(|value| Length::new::<millimeter>(*value)).collect()
-}
-
 /// A small space.
-fn wanted() -> Wanted {
-    Wanted {
-        modules: mm(&[2.0, 2.5, 3.0, 4.0, 5.0]),
-        face_widths: mm(&[20.0, 30.0, 40.0, 50.0, 60.0]),
-        planets: 3..=4,
-        centre_distance_step: Length::new::<millimeter>(1.0),
-        planet_rim: 2.0,
-        ..Wanted::default()
-    }
+fn small() -> Request {
+    let words = "--modules=2mm, 2.5mm, 3mm, 4mm, 5mm|--face-widths=20mm, 30mm, 40mm, 50mm, 60mm|--planets=3..4|\
+                 --centre-distance-step=1mm|--planet-rim=2";
+    request(words.split('|')).unwrap()
 }
 
 fn read(text: &str) -> Document {
     Document::parse_one("box.yaml", text.as_bytes()).unwrap()
 }
 
-fn sized(text: &str, wanted: &Wanted) -> Result<Size, Error> {
-    let document = read(text);
-    let subject = strength::subject(&document)?;
-    size::answer(&subject, wanted, &|| std::ops::ControlFlow::Continue(()))
+fn gearbox(text: &str) -> Gearbox {
+    Gearbox::parse("box.yaml", text.as_bytes()).unwrap()
+}
+
+fn sized(text: &str, request: &Request) -> Result<Size, Failure> {
+    let gearbox = Gearbox::parse("box.yaml", text.as_bytes())?;
+    request.answer(&gearbox, &|| std::ops::ControlFlow::Continue(()))
 }
 
 /// Every safety over the duty of a file, and its mass of planets' bores.
 fn safeties(text: &str) -> Vec<[f64; 2]> {
-    let document = read(text);
-    let subject = strength::subject(&document).unwrap();
-    let told = strength::answer(&subject, &strength::Wanted::default()).unwrap();
+    let subject = gearbox(text);
+    let told = strength::Request::default().answer(&subject).unwrap();
     told.over_duty
         .iter()
         .map(|one| [one.flank.as_ref().unwrap().safety, one.root.as_ref().unwrap().safety])
@@ -83,7 +76,7 @@ fn safeties(text: &str) -> Vec<[f64; 2]> {
 #[test]
 fn the_saved_file_has_the_safeties_that_were_found() {
     for minimise in [Objective::Mass, Objective::Ring] {
-        let size = sized(&hoist(), &Wanted { minimise, ..wanted() }).unwrap();
+        let size = sized(&hoist(), &Request { minimise, ..small() }).unwrap();
         assert_eq!(size.sets.len(), 2);
         assert_eq!((size.not_sized[0].set.as_str(), size.not_sized[0].reason), ("C", Reason::NotSimple));
         let text = size::saved(&read(&hoist()), &size).unwrap();
@@ -100,8 +93,7 @@ fn the_saved_file_has_the_safeties_that_were_found() {
         }
         assert!(told.iter().all(|[flank, root]| *flank >= 1.1 && *root >= 1.4));
         // The file is whole: gears, duty, and the sets that have no size.
-        let document = read(&text);
-        let subject = strength::subject(&document).unwrap();
+        let subject = gearbox(&text);
         let gear = |name: &str| analyze::analysis(&subject.train, name).unwrap().ratio().unwrap();
         assert!((gear("low") - 4.5).abs() < 1e-12 && gear("high") > 1.0);
         assert!(text.contains("# Set A: bearing 6") && text.contains("load_rating"), "{text}");
@@ -114,14 +106,13 @@ fn the_saved_file_has_the_safeties_that_were_found() {
 fn the_sizes_hold_against_the_overloads_of_the_file() {
     let overload = "overload: [{ gear: low, torque: 800 N·m, required: { flank: 1.1, root: 1.5 } }]\n";
     let [plain, text] = [hoist(), hoist() + overload];
-    let [without, size] = [&plain, &text].map(|text| sized(text, &wanted()).unwrap());
+    let [without, size] = [&plain, &text].map(|text| sized(text, &small()).unwrap());
     let [light, heavy] = [&without.sets[0], &size.sets[0]];
     assert!(heavy.found[0].mass_kg > light.found[0].mass_kg && heavy.left_out.overload > 0);
     assert_eq!(light.found[0].overload, None);
     let saved = size::saved(&read(&text), &size).unwrap();
-    let document = read(&saved);
-    let subject = strength::subject(&document).unwrap();
-    let told = strength::answer(&subject, &strength::Wanted::default()).unwrap();
+    let subject = gearbox(&saved);
+    let told = strength::Request::default().answer(&subject).unwrap();
     for set in size.sets.iter().filter(|set| set.found[0].overload.is_some()) {
         let own = told.overload.iter().filter(|one| one.set == set.set);
         let least = own.flat_map(|one| {
@@ -136,11 +127,11 @@ fn the_sizes_hold_against_the_overloads_of_the_file() {
     }
     let loaded: Vec<&str> = told.overload.iter().map(|one| one.set.as_str()).collect();
     assert_eq!(loaded, ["A"; 4]);
-    let out_of_reach = sized(&text.replace("800 N·m", "80 kN·m"), &wanted()).unwrap();
+    let out_of_reach = sized(&text.replace("800 N·m", "80 kN·m"), &small()).unwrap();
     let [miss] = &out_of_reach.warnings[..] else { panic!("{:?}", out_of_reach.warnings) };
     assert!(miss.message.contains("against the overload"), "{}", miss.message);
     assert!(out_of_reach.sets[0].nearest_miss.as_ref().unwrap().governing.requirement.is_against_overload());
-    let wrong = sized(&text.replace("low, torque: 800", "crawl, torque: 800"), &wanted()).unwrap_err();
+    let wrong = sized(&text.replace("low, torque: 800", "crawl, torque: 800"), &small()).unwrap_err();
     assert!(wrong.to_string().contains("crawl"), "{wrong}");
 }
 
@@ -148,11 +139,10 @@ fn the_sizes_hold_against_the_overloads_of_the_file() {
 /// cylinder to the reference circle.
 #[test]
 fn the_saved_file_has_the_bearing_lives_that_were_found() {
-    let size = sized(&hoist(), &wanted()).unwrap();
+    let size = sized(&hoist(), &small()).unwrap();
     let text = size::saved(&read(&hoist()), &size).unwrap();
-    let document = read(&text);
-    let subject = strength::subject(&document).unwrap();
-    let told = strength::answer(&subject, &strength::Wanted::default()).unwrap();
+    let subject = gearbox(&text);
+    let told = strength::Request::default().answer(&subject).unwrap();
     assert_eq!(told.bearings.len(), 2);
     for (bearing, set) in told.bearings.iter().zip(&size.sets) {
         let found = set.found[0].bearing.as_ref().unwrap().life_s.unwrap();
@@ -166,7 +156,7 @@ fn the_saved_file_has_the_bearing_lives_that_were_found() {
 fn with_an_accuracy_the_factors_are_asked_for() {
     let factors = "{ K_A: 1.25, K_v: 1.05, K_H_beta: 1.2, K_H_alpha: 1, K_F_alpha: 1 }";
     let accuracy = "{ K_A: 1.25, K_H_beta: 1.2 }, accuracy: { pitch_deviations: [6 µm, 6 µm, 8 µm], profile_deviations: [6 µm, 6 µm, 8 µm] }";
-    let error = sized(&hoist().replace(factors, accuracy), &wanted()).unwrap_err();
+    let error = sized(&hoist().replace(factors, accuracy), &small()).unwrap_err();
     assert_eq!(
         error.to_string(),
         "no set can be sized: set A: strength.factors.K_v, strength.factors.K_H_alpha, strength.factors.K_F_alpha missing; \
@@ -176,7 +166,7 @@ fn with_an_accuracy_the_factors_are_asked_for() {
 
 #[test]
 fn counts_add_up_and_designs_are_in_order() {
-    let size = sized(&hoist(), &wanted()).unwrap();
+    let size = sized(&hoist(), &small()).unwrap();
     for set in &size.sets {
         let out = set.left_out;
         let left_out = out.spacing
@@ -198,7 +188,7 @@ fn counts_add_up_and_designs_are_in_order() {
     assert!((size.mass_kg.unwrap() - best).abs() < 1e-12);
     // A set is sized as it would be alone: the other one's size changes nothing.
     let other = hoist().replace("id: B, sun: motor", "id: B, module: 5 mm, face_width: 60 mm, sun: motor");
-    let held = sized(&other, &wanted()).unwrap();
+    let held = sized(&other, &small()).unwrap();
     assert_eq!(held.sets[0], size.sets[0]);
     assert_eq!(held.sets[1].held, [HeldKey::Module, HeldKey::FaceWidth]);
     assert!(held.sets[1].found.iter().all(|design| design.module_m == 0.005 && design.face_width_m == 0.06));
@@ -208,18 +198,18 @@ fn counts_add_up_and_designs_are_in_order() {
 fn what_the_file_gives_is_held() {
     let keys =
         "planets: 3, planet_bore: 40 mm, load_rating: 60 kN, bearing_rolling: rollers, sun: motor, ring: R";
-    let size = sized(&hoist().replace("sun: motor, ring: R", keys), &wanted()).unwrap();
+    let size = sized(&hoist().replace("sun: motor, ring: R", keys), &small()).unwrap();
     assert_eq!(size.sets[0].held, [HeldKey::Planets, HeldKey::LoadRating, HeldKey::PlanetBore]);
     let bearing = size.sets[0].found[0].bearing.as_ref().unwrap();
     assert_eq!((bearing.designation.as_ref(), bearing.outside_diameter_m), (None, Some(0.04)));
-    let solid = sized(&hoist(), &Wanted { bearings: vec![], ..wanted() }).unwrap();
+    let solid = sized(&hoist(), &Request { no_bearings: true, ..small() }).unwrap();
     let design = &solid.sets[0].found[0];
     assert_eq!((design.bearing.as_ref(), design.planet_rim_m), (None, None));
 }
 
 #[test]
 fn a_set_without_a_size_has_a_nearest_miss_and_is_not_saved() {
-    let size = sized(&hoist().replace("root: 1.4", "root: 1400"), &wanted()).unwrap();
+    let size = sized(&hoist().replace("root: 1.4", "root: 1400"), &small()).unwrap();
     let miss = size.sets[0].nearest_miss.as_ref().unwrap();
     assert_eq!(miss.governing.requirement, Requirement::Root);
     assert_eq!((size.mass_kg, size.warnings.len()), (None, 2));
@@ -231,25 +221,34 @@ fn a_set_without_a_size_has_a_nearest_miss_and_is_not_saved() {
 
 #[test]
 fn a_search_of_nothing_and_files_without_a_duty_are_refused() {
-    let of = |text: &str, wanted: &Wanted| sized(text, wanted).unwrap_err().to_string();
-    let with = |change: &dyn Fn(&mut Wanted)| {
-        let mut wanted = wanted();
-        change(&mut wanted);
-        of(&hoist(), &wanted)
+    let of = |text: &str, request: &Request| sized(text, request).unwrap_err().to_string();
+    let with = |change: &dyn Fn(&mut Request)| {
+        let mut request = small();
+        change(&mut request);
+        of(&hoist(), &request)
     };
-    assert_eq!(with(&|wanted| wanted.modules.clear()), "no module to search; at least one is needed");
-    assert!(with(&|wanted| wanted.face_widths = mm(&[0.0])).starts_with("face width is 0 mm"));
-    assert!(with(&|wanted| wanted.planet_rim = -1.0).starts_with("least rim of the planets is -1 modules"));
-    assert!(with(&|wanted| wanted.tip_thickness = -1.0).contains("tip"));
+    assert_eq!(
+        with(&|of| of.modules = Some(List(vec![]))),
+        "--modules: no module to search; at least one is needed"
+    );
+    assert!(
+        with(&|of| of.face_widths = Some("0 mm".parse().unwrap()))
+            .starts_with("--face-widths: face width is 0 mm")
+    );
+    assert!(
+        with(&|of| of.planet_rim = "-1".parse().unwrap())
+            .starts_with("--planet-rim: least rim of the planets is -1 modules")
+    );
+    assert!(with(&|of| of.tip_thickness = "-1".parse().unwrap()).contains("tip"));
     let text = hoist();
     let [from, to] = ["duty:", "brakes:"].map(|key| text.find(key).unwrap());
     let no_duty = format!("{}{}", &text[..from], &text[to..]);
-    assert!(of(&no_duty, &wanted()).contains("`duty` is missing"), "{}", of(&no_duty, &wanted()));
+    assert!(of(&no_duty, &small()).contains("`duty` is missing"), "{}", of(&no_duty, &small()));
     let wrong = hoist().replace("id: A, sun", "id: A, module: -1 mm, sun");
-    assert!(of(&wrong, &wanted()).contains("module is -1 mm"), "{}", of(&wrong, &wanted()));
+    assert!(of(&wrong, &small()).contains("module is -1 mm"), "{}", of(&wrong, &small()));
     let none = hoist().replace("shaper: { teeth: 30 },", "");
     assert_eq!(
-        of(&none, &wanted()),
+        of(&none, &small()),
         "no set can be sized: set A: strength.shaper missing; set B: strength.shaper missing; set C: no simple set"
     );
 }

@@ -249,7 +249,7 @@ pub struct Candidate<'s> {
 ///
 /// # Errors
 /// [`Error::ManyGears`] for a gearbox of more than [`rows::MOST_GEARS`] gears; those of [`overview::answer`].
-pub fn answer(candidates: &[Candidate<'_>], input: Input) -> Result<Comparison, Error> {
+pub(crate) fn answer(candidates: &[Candidate<'_>], input: Input) -> Result<Comparison, Error> {
     let overviews = candidates
         .iter()
         .map(|candidate| overview::answer(candidate.subject, input, None))

@@ -1,7 +1,7 @@
 //! The command `compare`: gearboxes side by side.
 
 use crate::compare::answer::page::drawn;
-use crate::compare::answer::{self as answers, Candidate};
+use crate::compare::answer::{self as answers, Candidate, Comparison};
 use crate::desk::Call;
 use crate::failure::Failure;
 use crate::input;
@@ -45,13 +45,37 @@ pub struct Args {
     efficiency: Option<Quantity<Ratio>>,
 
     #[command(flatten)]
-    load: Load,
+    request: Request,
 
     #[command(flatten)]
     page: PageArgs,
 
     #[command(flatten)]
     output: OutputArgs,
+}
+
+/// Request for a comparison of gearboxes.
+#[derive(Debug, Clone, Default, clap::Args)]
+pub struct Request {
+    /// Speed and load of the input, equal for all gearboxes.
+    #[command(flatten)]
+    pub load: Load,
+}
+
+impl Request {
+    /// Compares two or more gearboxes; differences are taken from the first.
+    ///
+    /// # Errors
+    /// - [`Failure::Option`] for fewer than two gearboxes, and for an invalid load.
+    /// - [`Failure::Answer`] for a gearbox with too many gears.
+    pub fn answer(&self, candidates: &[Candidate<'_>]) -> Result<Comparison, Failure> {
+        if candidates.len() < 2 {
+            let names: Vec<&str> = candidates.iter().map(|candidate| candidate.from.as_str()).collect();
+            let message = format!("{}: two gearboxes at least are due to be compared", names.join(" "));
+            return Err(Failure::invalid("GEARBOX", message));
+        }
+        answers::answer(candidates, self.load.input()).map_err(refuse)
+    }
 }
 
 /// Runs the command.
@@ -88,13 +112,9 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         let message = "no file here is a list of transmissions; leave it out".to_owned();
         return Err(Failure::conflict("--transmission", message));
     }
-    if subjects.len() < 2 {
-        let message = format!("{}: two gearboxes at least are due to be compared", args.gearboxes.join(" "));
-        return Err(Failure::invalid("GEARBOX", message));
-    }
     let candidates: Vec<Candidate<'_>> =
         subjects.iter().map(|(subject, from)| Candidate { subject, from: (*from).clone() }).collect();
-    let answer = answers::answer(&candidates, args.load.input()).map_err(refuse)?;
+    let answer = args.request.answer(&candidates)?;
     if !args.output.is_page() {
         return args.output.deliver(call, &answer);
     }

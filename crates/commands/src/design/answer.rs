@@ -52,7 +52,7 @@ pub struct Wanted {
     /// Materials, factors, oil and life.
     pub basis: Basis,
     /// Search space of sizes.
-    pub size: size::Wanted,
+    pub size: size::Search,
 }
 
 /// Design of a gearbox from speeds and power, with sufficient strength. The first step that finds nothing is

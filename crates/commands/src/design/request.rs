@@ -143,7 +143,7 @@ pub struct Args {
     same_direction: bool,
 
     #[command(flatten)]
-    sizes: sizing::Options,
+    sizes: sizing::Request,
 
     #[command(flatten)]
     output: OutputArgs,
@@ -249,7 +249,7 @@ fn wanted(call: &Call<'_>, args: &Args) -> Result<Wanted, Failure> {
     let (tolerance, speeds) = (args.tolerance, &args.speeds);
     let requirements = requirements(speeds, tolerance, &args.ratios, &args.criteria, same_direction, rating)?;
     let space = args.speeds.space();
-    let size = args.sizes.wanted(call)?;
+    let size = args.sizes.with_bearings(call)?.search()?;
     let k = args.criteria.k(Bounds::default().ring_to_sun_ratio)?;
     let bounds = Bounds {
         planets: (*size.planets.start()).max(2)..=(*size.planets.end()).max(2),

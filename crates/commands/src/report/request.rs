@@ -7,18 +7,22 @@ use crate::failure::{Failure, NOTHING_TO_SHOW};
 use crate::output::Target;
 use crate::page::Sheet;
 use crate::report::answer::drive::DriveReport;
-use crate::report::answer::{About, Report, gearbox, motor};
+use crate::report::answer::gearbox::{self, GearboxReport, Shown};
+use crate::report::answer::{About, Report, motor};
 use crate::shared::exciting::Exciting;
+use crate::shared::gearbox::Gearbox;
 use crate::shared::named_gearbox::Read;
 use crate::shared::page_options::PageArgs;
-use crate::shared::scenario;
+use crate::shared::scenario::Scenario;
 use crate::shared::{
     gearbox_choice::{Choice, subject},
     load::Load,
 };
+use crate::simulate;
 use epicyclic_formats::document::Segment;
 use epicyclic_formats::{Document, FileKind, Path, Problem};
 use epicyclic_units::visible;
+use std::ops::ControlFlow;
 
 /// A page about a gearbox, a drive, a motor or a scenario: the answer, then tables, drawings, plots, checks,
 /// sources, the input.
@@ -65,6 +69,40 @@ enum Format {
 impl Args {
     fn is_page(&self) -> bool {
         self.format == Format::Html
+    }
+}
+
+/// Request for the chapters of a gearbox; other files ask for nothing beside themselves.
+///
+/// In the help the format stands between these options, so the command line has them one by one.
+#[derive(Debug, Clone, Default)]
+pub struct Request {
+    /// Speed and load of the input.
+    pub load: Load,
+    /// Excitation of the vibration and its speeds; the file may state those that are not given.
+    pub exciting: Exciting,
+}
+
+impl Request {
+    /// Computes the chapters of a gearbox, and the results for their pictures. The closure is called now and
+    /// then, and may end the calculation.
+    ///
+    /// # Errors
+    /// - [`Failure::Option`] for an invalid load or excitation, and for an excitation of a gearbox whose file
+    ///   has no `vibration`.
+    /// - [`Failure::Answer`] with the place of invalid data in the file.
+    pub fn answer<'g>(
+        &self,
+        gearbox: &'g Gearbox,
+        goes_on: &dyn Fn() -> ControlFlow<()>,
+    ) -> Result<(GearboxReport, Shown<'g>), Failure> {
+        let (report, shown) =
+            gearbox::answer(gearbox, self.load, &self.exciting, goes_on).map_err(Exciting::refuse)?;
+        if let Some(option) = self.exciting.given().filter(|_| report.vibration.is_none()) {
+            let message = "it is for a gearbox whose file has `vibration` of a set";
+            return Err(Failure::invalid(option, message));
+        }
+        Ok((report, shown))
     }
 }
 
@@ -115,13 +153,8 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
 
 fn of_gearbox(call: &Call<'_>, args: &Args, document: &Document, file: String) -> Result<String, Failure> {
     let subject = subject(&args.choice, document)?;
-    let wanted = args.exciting.wanted()?;
-    let (report, mut shown) = gearbox::answer(&subject, args.load.input(), &wanted, &|| call.goes_on())
-        .map_err(Exciting::refuse)?;
-    if let Some(option) = args.exciting.given().filter(|_| report.vibration.is_none()) {
-        let message = "it is for a gearbox whose file has `vibration` of a set".to_owned();
-        return Err(Failure::invalid(option, message));
-    }
+    let request = Request { load: args.load, exciting: args.exciting.clone() };
+    let (report, mut shown) = request.answer(&subject, &|| call.goes_on())?;
     let sheet = match args.format {
         Format::Json => None,
         Format::Html => {
@@ -163,16 +196,15 @@ fn own_lines(document: &Document, base: &Path, file: &str) -> String {
 }
 
 fn of_scenario(call: &Call<'_>, args: &Args, document: Document, file: String) -> Result<String, Failure> {
-    let read = scenario::Read::beside(call, document, args.choice.file())?;
+    let scenario = Scenario::beside(call, document, args.choice.file())?;
     let goes_on = |_| call.goes_on().is_continue();
-    let simulation =
-        crate::simulate::answer::answer_watched(&read.document, &read.file, &read.beside, goes_on)?;
+    let simulation = simulate::Request::default().answer(&scenario, goes_on)?;
     if call.goes_on().is_break() {
         return Err(Failure::Interrupted(NOTHING_TO_SHOW.to_owned()));
     }
     let sheet = args.is_page().then(|| crate::simulate::page::sheet(&simulation, file.clone()));
     let report = Report { file, about: About::Scenario(Box::new(simulation)) };
-    written(call, args, sheet, &report).map_err(|failure| failure.in_file(&read.document, &Path::root()))
+    written(call, args, sheet, &report).map_err(|failure| failure.in_file(&scenario.document, &Path::root()))
 }
 
 fn of_drive(call: &Call<'_>, args: &Args, document: &Document, file: String) -> Result<String, Failure> {

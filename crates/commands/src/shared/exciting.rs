@@ -4,41 +4,40 @@ use crate::error::Error;
 use crate::failure::Failure;
 use crate::shared::gearbox_choice::refuse;
 use crate::shared::places::Places;
-use crate::vibrate::answer::Wanted;
 use epicyclic_units::Quantity as Given;
 use uom::si::f64::{AngularVelocity, Length, Ratio};
 
 /// Options of the excitation of a vibration and of its speeds. The file may state those that are not given.
-#[derive(Debug, clap::Args)]
-pub(crate) struct Exciting {
+#[derive(Debug, Clone, Default, clap::Args)]
+pub struct Exciting {
     /// Resonances and frequencies over these speeds of the input: 500rpm..3000rpm/11, both ends and how many
     /// places.
     #[arg(long, value_name = "FROM..TO/PLACES", allow_hyphen_values = true)]
-    speeds: Option<Places<AngularVelocity>>,
+    pub speeds: Option<Places<AngularVelocity>>,
 
     /// How many harmonics of the meshes. Default: 3.
     #[arg(long, value_name = "COUNT")]
-    harmonics: Option<u32>,
+    pub harmonics: Option<u32>,
 
     /// Transmission error of the meshes, harmonics from the first: 3um,1um. Tells the forces that it makes.
     #[arg(long, value_name = "AMPLITUDES", value_delimiter = ',', allow_hyphen_values = true)]
-    transmission_error: Vec<Given<Length>>,
+    pub transmission_error: Vec<Given<Length>>,
 
     /// The same of the ring's meshes, where it is another.
     #[arg(long, value_name = "AMPLITUDES", value_delimiter = ',', allow_hyphen_values = true)]
-    ring_transmission_error: Vec<Given<Length>>,
+    pub ring_transmission_error: Vec<Given<Length>>,
 
     /// Damping ratio of every mode, such as 0.03 or 3%.
     #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
-    damping: Option<Given<Ratio>>,
+    pub damping: Option<Given<Ratio>>,
 
     /// These forces without the gyroscopic effect of the carrier's speed.
     #[arg(long)]
-    without_gyroscopic: bool,
+    pub without_gyroscopic: bool,
 
     /// Modes of the whole gearbox in the plane, with all sets on common links.
     #[arg(long)]
-    pub(crate) coupled: bool,
+    pub coupled: bool,
 }
 
 impl Exciting {
@@ -54,22 +53,6 @@ impl Exciting {
             ("--coupled", self.coupled),
         ];
         all.into_iter().find(|(_, is_given)| *is_given).map(|(option, _)| option)
-    }
-
-    /// Question for all sets and gears, from the options.
-    pub(crate) fn wanted(&self) -> Result<Wanted, Failure> {
-        let lengths = |all: &[Given<Length>]| -> Vec<Length> { all.iter().map(|one| one.0).collect() };
-        Ok(Wanted {
-            gear: None,
-            set: None,
-            speeds: self.speeds,
-            harmonics: self.harmonics,
-            transmission_error: lengths(&self.transmission_error),
-            ring_transmission_error: lengths(&self.ring_transmission_error),
-            damping: self.damping.map(|damping| damping.0.value),
-            without_gyroscopic: self.without_gyroscopic,
-            coupled: self.coupled,
-        })
     }
 
     /// Converts an error to a failure with the option that caused it.

@@ -6,19 +6,19 @@ use epicyclic_units::Quantity;
 use uom::si::f64::{AngularVelocity, Power, Torque};
 
 /// Options of the speed and load of the input.
-#[derive(Debug, clap::Args)]
-pub(crate) struct Load {
+#[derive(Debug, Clone, Copy, Default, clap::Args)]
+pub struct Load {
     /// Torque on the input: 500 N·m.
     #[arg(long, conflicts_with = "power", allow_hyphen_values = true)]
-    torque: Option<Quantity<Torque>>,
+    pub torque: Option<Quantity<Torque>>,
 
     /// Power into the input: 75 kW; needs --speed.
     #[arg(long, requires = "speed", allow_hyphen_values = true)]
-    power: Option<Quantity<Power>>,
+    pub power: Option<Quantity<Power>>,
 
     /// Speed of the input: 1475 rpm.
     #[arg(long, visible_alias = "input", allow_hyphen_values = true)]
-    speed: Option<Quantity<AngularVelocity>>,
+    pub speed: Option<Quantity<AngularVelocity>>,
 }
 
 impl Load {

@@ -1,6 +1,7 @@
 //! Scenarios as they are read: the file and the files that it names.
 
 use crate::desk::Call;
+use crate::error::Error;
 use crate::failure::Failure;
 use crate::input;
 use crate::simulate::answer::Beside;
@@ -8,14 +9,28 @@ use epicyclic_formats::scenario::{self, ScenarioFile};
 use epicyclic_formats::{Document, Path as Place, Problem};
 use std::path::Path;
 
-/// A scenario, and what it names.
-pub(crate) struct Read {
-    pub(crate) document: Document,
-    pub(crate) file: ScenarioFile,
-    pub(crate) beside: Beside,
+/// Scenario with the files that it names.
+#[derive(Debug)]
+pub struct Scenario {
+    /// The file.
+    pub document: Document,
+    /// Content of the file.
+    pub file: ScenarioFile,
+    /// Gearbox and tables that the scenario names.
+    pub beside: Beside,
 }
 
-impl Read {
+impl Scenario {
+    /// Reads a scenario that names no other files.
+    ///
+    /// # Errors
+    /// Faults of the text with their places.
+    pub fn parse(file_name: &str, yaml: &[u8]) -> Result<Self, Error> {
+        let document = Document::parse_one(file_name, yaml)?;
+        let file = scenario::read(&document)?;
+        Ok(Self { document, file, beside: Beside::default() })
+    }
+
     /// Reads the scenario of a file and the files that it names.
     pub(crate) fn of(call: &Call<'_>, path: &Path) -> Result<Self, Failure> {
         Self::beside(call, input::document(call, path)?, path)

@@ -14,7 +14,7 @@ pub mod records;
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::fault::{Fault, Named};
-use crate::shared::gearbox::{Gearbox, alone};
+use crate::shared::gearbox::Gearbox;
 use crate::shared::tooth_checks::answer::ToothChecks;
 use crate::shared::toothed::{gears, lacking, missing_teeth, simple_sets};
 use crate::strength::answer::place::refused;
@@ -53,20 +53,12 @@ impl Answer for DataSheets {
     const NAME: &'static str = "sheet";
 }
 
-/// Reads the gearbox of a file for its data sheets.
-///
-/// # Errors
-/// Errors of [`one`](crate::shared::gearbox::one), and [`Error::Document`] for a list of transmissions.
-pub fn subject(document: &Document) -> Result<Gearbox, Error> {
-    alone(document, "sheet", "no modules")
-}
-
 /// Computes the data sheets of all sets, or of one.
 ///
 /// # Errors
 /// - [`Error::NoSet`]; [`Error::NothingDescribed`] if no set has enough data.
 /// - [`Error::Document`] for invalid data in the file, with the place.
-pub fn answer(subject: &Gearbox, set: Option<&str>) -> Result<DataSheets, Error> {
+pub(crate) fn answer(subject: &Gearbox, set: Option<&str>) -> Result<DataSheets, Error> {
     let sheets = described(subject, set)?;
     if sheets.sets.is_empty() {
         let why = |one: &LeftOut| format!("set {}: {}", one.set, one.why());
@@ -79,7 +71,7 @@ pub fn answer(subject: &Gearbox, set: Option<&str>) -> Result<DataSheets, Error>
 ///
 /// # Errors
 /// [`Error::Document`] for invalid data in the file, with the place.
-pub fn chapter(subject: &Gearbox) -> Result<Option<DataSheets>, Error> {
+pub(crate) fn chapter(subject: &Gearbox) -> Result<Option<DataSheets>, Error> {
     if subject.document.value().get("transmissions").is_some() {
         return Ok(None);
     }

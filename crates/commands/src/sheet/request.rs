@@ -5,8 +5,9 @@ use crate::error::Error;
 use crate::failure::Failure;
 use crate::input;
 use crate::output::OutputArgs;
+use crate::shared::gearbox::{Gearbox, alone};
 use crate::shared::gearbox_choice::refuse;
-use crate::sheet::answer as answers;
+use crate::sheet::answer::{self as answers, DataSheets};
 use std::path::PathBuf;
 
 /// Data sheets of the gears of simple sets: circles, tooth thickness, measures, meshes.
@@ -21,21 +22,38 @@ pub struct Args {
     #[arg(value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
     file: PathBuf,
 
-    /// One set; all without.
-    #[arg(long, value_name = "NAME")]
-    set: Option<String>,
+    #[command(flatten)]
+    request: Request,
 
     #[command(flatten)]
     output: OutputArgs,
 }
 
+/// Request for data sheets of gears.
+#[derive(Debug, Clone, Default, clap::Args)]
+pub struct Request {
+    /// One set; all without.
+    #[arg(long, value_name = "NAME")]
+    pub set: Option<String>,
+}
+
+impl Request {
+    /// Computes the data sheets of all sets, or of one.
+    ///
+    /// # Errors
+    /// - [`Failure::Option`] for a set that the gearbox does not have.
+    /// - [`Failure::Answer`] if no set has enough data, or with the place of invalid data in the file.
+    pub fn answer(&self, gearbox: &Gearbox) -> Result<DataSheets, Failure> {
+        answers::answer(gearbox, self.set.as_deref()).map_err(|error| match error {
+            Error::NoSet { .. } => Failure::of_option("--set", &error),
+            error => refuse(error),
+        })
+    }
+}
+
 /// Runs the command.
 pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
-    let document = input::document(call, &args.file)?;
-    let subject = answers::subject(&document)?;
-    let answer = answers::answer(&subject, args.set.as_deref()).map_err(|error| match error {
-        Error::NoSet { .. } => Failure::of_option("--set", &error),
-        error => refuse(error),
-    })?;
-    args.output.deliver(call, &answer)
+    let Args { file, request, output } = args;
+    let gearbox = alone(&input::document(call, file)?, "sheet", "no modules")?;
+    output.deliver(call, &request.answer(&gearbox)?)
 }

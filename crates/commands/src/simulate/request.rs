@@ -2,18 +2,16 @@
 
 use crate::desk::{Call, Content, Hearing};
 use crate::drawing_file;
+use crate::error::Error;
 use crate::failure::Failure;
 use crate::output::OutputArgs;
 use crate::progress::Progress;
-use crate::shared::scenario::Read;
-use crate::simulate::answer::Simulation;
-use crate::simulate::answer::sweep::Wanted;
-use crate::simulate::answer::{self as answers, sweep};
+use crate::shared::scenario::Scenario;
+use crate::simulate::answer::sweep::{Range, Sweep, sweep};
+use crate::simulate::answer::{self as answers, Simulation};
 use crate::simulate::table::{PlotView, picture, samples};
-use epicyclic_units::visible::one_line;
-use epicyclic_units::{self as quantity, Dimension, Measured, Number};
+use epicyclic_units::Number;
 use std::path::PathBuf;
-use std::str::FromStr;
 
 /// A gearbox in motion by a scenario: how it shifts, how hot its clutches get, whether the drive starts.
 ///
@@ -28,32 +26,82 @@ pub struct Args {
     file: PathBuf,
 
     /// File for speeds and torques over time as comma-separated values.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", conflicts_with = "sweep")]
     csv: Option<PathBuf>,
 
-    /// Other values of one key, a run for each.
-    #[arg(
-        long,
-        value_name = "KEY=FROM..TO",
-        conflicts_with_all = ["csv", "view", "dpi"],
-        help = "Other values of one key, a run for each: shifts[0].overlap=0ms..300ms, elements[C].holding='300 N·m..600 N·m'"
-    )]
-    sweep: Option<Range>,
-
-    /// How many values, 2 to 1000. Default: 11.
-    #[arg(long, value_name = "COUNT", requires = "sweep")]
-    steps: Option<u32>,
+    #[command(flatten)]
+    request: Request,
 
     /// What a drawing shows, with --output. Default: speeds.
-    #[arg(long, value_enum)]
+    #[arg(long, value_enum, conflicts_with = "sweep")]
     view: Option<PlotView>,
 
     /// Pixels to an inch of a PNG image, 20 to 2400. Default: 300.
-    #[arg(long, value_name = "NUMBER", requires = "output")]
+    #[arg(long, value_name = "NUMBER", requires = "output", conflicts_with = "sweep")]
     dpi: Option<Number>,
 
     #[command(flatten)]
     output: OutputArgs,
+}
+
+/// Request for a gearbox in motion: one run, or a run for each of several values of a key.
+#[derive(Debug, Clone, Default, clap::Args)]
+pub struct Request {
+    /// Other values of one key, a run for each.
+    #[arg(
+        long,
+        value_name = "KEY=FROM..TO",
+        help = "Other values of one key, a run for each: shifts[0].overlap=0ms..300ms, elements[C].holding='300 N·m..600 N·m'"
+    )]
+    pub sweep: Option<Range>,
+
+    /// How many values, 2 to 1000. Default: 11.
+    #[arg(long, value_name = "COUNT", requires = "sweep")]
+    pub steps: Option<u32>,
+}
+
+/// Number of values of a sweep if it is not given.
+const STEPS: u32 = 11;
+
+impl Request {
+    /// Simulates the scenario with its own values. The closure receives the finished part, from 0 to 1, and
+    /// returns whether to continue; a simulation that is stopped has all results up to then.
+    ///
+    /// # Errors
+    /// [`Failure::Answer`] with the place of the fault in the scenario or its gearbox.
+    pub fn answer(
+        &self,
+        scenario: &Scenario,
+        goes_on: impl FnMut(f64) -> bool,
+    ) -> Result<Simulation, Failure> {
+        Ok(answers::answer_watched(&scenario.document, &scenario.file, &scenario.beside, goes_on)?)
+    }
+
+    /// Simulates the scenario once for each value of the sweep. The closure receives the finished part, from
+    /// 0 to 1, and returns whether to continue; a sweep that is stopped has the runs that are done.
+    ///
+    /// # Errors
+    /// - [`Failure::Option`] without a sweep, for a key that cannot be swept, for a value that it does not
+    ///   accept, and for too few or too many steps.
+    /// - [`Failure::Answer`] with the place of another fault in the scenario.
+    pub fn answer_sweep(
+        &self,
+        scenario: &Scenario,
+        goes_on: impl Fn(f64) -> bool + Sync + Send,
+    ) -> Result<Sweep, Failure> {
+        let range = self.sweep.as_ref();
+        let range = range.ok_or_else(|| Failure::missing("--sweep", "a key and its values are required"))?;
+        sweep(&scenario.document, &scenario.beside, range, self.steps(), goes_on).map_err(|error| match error
+        {
+            Error::Places { .. } => Failure::of_option("--steps", &error),
+            Error::Sweep { why } => Failure::named("sweep", "--sweep", why),
+            error => error.into(),
+        })
+    }
+
+    fn steps(&self) -> u32 {
+        self.steps.unwrap_or(STEPS)
+    }
 }
 
 /// Runs the command. The first Ctrl-C ends the motion and shows the part that is calculated.
@@ -64,13 +112,13 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         let message = "it is for a drawing: let --output end in .svg, .pdf, .png or .dxf".to_owned();
         return Err(Failure::invalid("--view", message));
     }
-    let read = Read::of(call, &args.file)?;
-    if let Some(range) = &args.sweep {
-        return swept(call, args, &read, range);
+    let scenario = Scenario::of(call, &args.file)?;
+    if args.request.sweep.is_some() {
+        return swept(call, args, &scenario);
     }
     let (hearing, shown) = (Hearing::new(call), Progress::of_runs(call));
     let mut is_whole = true;
-    let simulation = answers::answer_watched(&read.document, &read.file, &read.beside, |share| {
+    let simulation = args.request.answer(&scenario, |share| {
         is_whole = shown.at(share).is_continue();
         is_whole
     });
@@ -98,57 +146,18 @@ fn interrupted() -> Failure {
 }
 
 /// Runs with several values of a key. The first Ctrl-C keeps what is done.
-fn swept(call: &Call<'_>, args: &Args, read: &Read, range: &Range) -> Result<(), Failure> {
+fn swept(call: &Call<'_>, args: &Args, scenario: &Scenario) -> Result<(), Failure> {
     if let Some((file, _)) = args.output.drawing() {
         let message = format!("{}: a sweep has tables; leave --sweep out for a drawing", file.display());
         return Err(Failure::conflict("--output", message));
     }
-    let (from, to) = (&range.from, &range.to);
-    let wanted = Wanted {
-        key: range.key.clone(),
-        from: from.value,
-        to: to.value,
-        unit: (from.dimension() != Dimension::Dimensionless || from.unit.symbol != "1")
-            .then(|| from.unit.symbol.to_owned()),
-        steps: args.steps.unwrap_or(11),
-    };
     let (hearing, shown) = (Hearing::new(call), Progress::of_runs(call));
-    let goes_on = |share: f64| shown.at(share).is_continue();
-    let found = sweep::sweep(&read.document, &read.beside, &wanted, goes_on);
+    let found = args.request.answer_sweep(scenario, |share| shown.at(share).is_continue());
     drop((shown, hearing));
-    let found = found.map_err(|error| match error {
-        crate::error::Error::Places { .. } => Failure::of_option("--steps", &error),
-        crate::error::Error::Sweep { why } => Failure::named("sweep", "--sweep", why),
-        error => error.into(),
-    })?;
-    let is_whole = found.runs.len() == wanted.steps as usize;
+    let found = found?;
+    let is_whole = found.runs.len() == args.request.steps() as usize;
     args.output.deliver(call, &found)?;
     if is_whole { Ok(()) } else { Err(interrupted()) }
-}
-
-/// A key and its values.
-#[derive(Debug, Clone)]
-struct Range {
-    key: String,
-    from: Measured,
-    to: Measured,
-}
-
-impl FromStr for Range {
-    type Err = String;
-
-    fn from_str(written: &str) -> Result<Self, String> {
-        let form =
-            || format!("{}: write a key and two values, as shifts[0].overlap=0ms..300ms", one_line(written));
-        let (key, values) = written.split_once('=').ok_or_else(form)?;
-        let (from, to) = values.split_once("..").ok_or_else(form)?;
-        let value = |text: &str| quantity::parse(text.trim()).map_err(|error| error.to_string());
-        let (from, to) = (value(from)?, value(to)?);
-        if from.unit != to.unit {
-            return Err(format!("{}: both values in one unit", one_line(written)));
-        }
-        Ok(Self { key: key.trim().to_owned(), from, to })
-    }
 }
 
 fn plot(simulation: &Simulation, view: Option<PlotView>) -> Result<epicyclic_drawing::Scene, Failure> {

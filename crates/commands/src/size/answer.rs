@@ -11,7 +11,7 @@ use crate::analyze::answer::warnings::tilting;
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::fault::Named;
-use crate::shared::gearbox::{Choice, Gearbox, alone, one};
+use crate::shared::gearbox::{Choice, Gearbox, one};
 use crate::shared::tooth_checks::answer::ToothChecks;
 use crate::strength::answer::Asked;
 use crate::strength::answer::duty::{WorkedStep, steps};
@@ -27,9 +27,7 @@ use epicyclic_gears::involute::set::Limits;
 use epicyclic_gears::mesh::USUAL_PLANET_GAP;
 use epicyclic_strength::factor::Edition;
 use epicyclic_strength::sizing::Objective;
-pub use epicyclic_strength::sizing::bearing::Bearing;
-use epicyclic_strength::sizing::bearing::parse;
-pub use epicyclic_strength::sizing::bearing::{listed, listed_rollers};
+use epicyclic_strength::sizing::bearing::Bearing;
 use epicyclic_strength::sizing::{
     HeldShifts, STANDARD_MODULES_MM, SetOverload, SetStep, Sizing, Space, size,
 };
@@ -50,7 +48,7 @@ const GREATEST_MODULE_MM: f64 = 20.0;
 
 /// Search space and objective of the sizing.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Wanted {
+pub struct Search {
     /// Allowed modules.
     pub modules: Vec<Length>,
     /// Allowed face widths.
@@ -79,31 +77,18 @@ pub struct Wanted {
     pub most: usize,
 }
 
-impl Default for Wanted {
-    /// Default space: modules of series I of ISO 54 up to 20 mm, face widths of 10 to 80 mm in steps of 5, 3
-    /// to 6 planets. Centre distances are in steps of 0.5 mm, bearings are those of the table, single and in
-    /// pairs. The mass is minimized.
-    fn default() -> Self {
-        let mm = Length::from_mm;
-        Self {
-            modules: STANDARD_MODULES_MM.into_iter().filter(|m| *m <= GREATEST_MODULE_MM).map(mm).collect(),
-            face_widths: (2..=16).map(|fives| mm(5.0 * f64::from(fives))).collect(),
-            planets: 3..=6,
-            centre_distance_step: mm(0.5),
-            width_ratio: None,
-            aim: Aim::BalancedSliding,
-            tip_thickness: 0.2,
-            planet_rim: 3.0,
-            ring_rim: 3.5,
-            bearings: listed().to_vec(),
-            bearing_rows: 2,
-            minimise: Objective::Mass,
-            most: 3,
-        }
-    }
+/// Modules of series I of ISO 54 that are allowed unless others are requested.
+pub(crate) fn usual_modules() -> Vec<Length> {
+    let usual = STANDARD_MODULES_MM.into_iter().filter(|module| *module <= GREATEST_MODULE_MM);
+    usual.map(Length::from_mm).collect()
 }
 
-impl Wanted {
+/// Face widths that are allowed unless others are requested: 10 to 80 mm in steps of 5 mm.
+pub(crate) fn usual_face_widths() -> Vec<Length> {
+    (2..=16).map(|fives| Length::from_mm(5.0 * f64::from(fives))).collect()
+}
+
+impl Search {
     fn space(&self) -> Space {
         Space {
             modules: self.modules.clone(),
@@ -135,14 +120,6 @@ impl Wanted {
         }
         Ok(self.limits().check()?)
     }
-}
-
-/// Reads a table of bearings.
-///
-/// # Errors
-/// [`Error::Sizing`], with line and column.
-pub fn bearings(table: &str) -> Result<Vec<Bearing>, Error> {
-    Ok(parse(table)?)
 }
 
 /// Sizes of a gearbox's simple sets with sufficient strength over the duty and the least mass or ring.
@@ -183,14 +160,6 @@ impl Answer for Size {
     const NAME: &'static str = "size";
 }
 
-/// Reads the gearbox of a file to be sized.
-///
-/// # Errors
-/// [`Error::Document`] for a description that is not a gearbox, and for a list of transmissions.
-pub fn subject(document: &Document) -> Result<Gearbox, Error> {
-    alone(document, "size", "no teeth, materials or loads")
-}
-
 /// Sizes the sets of a gearbox from a file. The closure `goes_on` is called now and then, and may end the
 /// calculation.
 ///
@@ -198,12 +167,12 @@ pub fn subject(document: &Document) -> Result<Gearbox, Error> {
 /// - [`Error::Sizing`] and [`Error::Gear`] for an empty space and impossible limits.
 /// - [`Error::NoLoad`] without a duty; [`Error::Document`] for invalid data in the file, with the place.
 /// - [`Error::NothingToSize`] if no set can be sized.
-pub fn answer(
+pub(crate) fn answer(
     subject: &Gearbox,
-    wanted: &Wanted,
+    search: &Search,
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<Size, Error> {
-    wanted.check()?;
+    search.check()?;
     let file: GearboxFile = subject.document.read()?;
     let (to_size, others) = sets_to_size(subject, &file)?;
     let mut not_sized: Vec<NotSized> = others.into_iter().map(NotSized::of).collect();
@@ -233,9 +202,9 @@ pub fn answer(
             not_sized.push(NotSized::of(NotRated::new(set.id, Reason::NoTorquesFollow)));
             continue;
         };
-        let (task, held) = task(set, load, life, required, wanted);
-        match size(&task, wanted.most.max(1), goes_on) {
-            Ok(found) => sets.push(SizedSet::of(set, held, &found, wanted.most)),
+        let (task, held) = task(set, load, life, required, search);
+        match size(&task, search.most.max(1), goes_on) {
+            Ok(found) => sets.push(SizedSet::of(set, held, &found, search.most)),
             Err(
                 error @ (strength::Error::Cancelled
                 | strength::Error::NothingToSearch { .. }
@@ -261,9 +230,9 @@ pub fn answer(
         life_s: life.si(),
         oil_viscosity_m2_s: viscosity.si(),
         required,
-        minimise: wanted.minimise,
-        aim: wanted.aim,
-        sought: Sought::of(wanted),
+        minimise: search.minimise,
+        aim: search.aim,
+        sought: Sought::of(search),
         designs: sets.iter().map(|set| set.designs).sum(),
         mass_kg: sets.iter().map(|set| Some(set.found.first()?.mass_kg)).sum(),
         sets,
@@ -295,9 +264,9 @@ fn task(
     (duty, overloads): (Vec<SetStep>, Vec<SetOverload>),
     life: Time,
     required: Required,
-    wanted: &Wanted,
+    search: &Search,
 ) -> (Sizing, Vec<HeldKey>) {
-    let mut space = wanted.space();
+    let mut space = search.space();
     let mut held = vec![];
     let entry = set.entry;
     if let Some(module) = entry.module {
@@ -346,9 +315,9 @@ fn task(
     let task = Sizing {
         teeth: set.teeth,
         profiles: set.profiles,
-        aim: wanted.aim,
+        aim: search.aim,
         held_shifts: set.shifts.map(|shifts| HeldShifts { profile: shifts.profile, tips: shifts.tips }),
-        limits: wanted.limits(),
+        limits: search.limits(),
         gears: set.gears,
         methods: set.methods,
         viscosity: set.viscosity,
@@ -357,13 +326,13 @@ fn task(
         life,
         required_contact: required.flank,
         required_root: required.root,
-        planet_rim: wanted.planet_rim,
+        planet_rim: search.planet_rim,
         least_planet_rim,
-        ring_rim: wanted.ring_rim,
+        ring_rim: search.ring_rim,
         held_ring_rim,
         planet_bore: bore,
         least_planet_angle: set.least_planet_angle,
-        objective: wanted.minimise,
+        objective: search.minimise,
         space,
     };
     (task, held)

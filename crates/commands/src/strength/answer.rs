@@ -35,14 +35,14 @@ mod sharing;
 
 use crate::analyze::answer::pins;
 use crate::analyze::answer::warnings::tilting;
-use crate::analyze::answer::{Input, OperatingPoint, Worked};
+use crate::analyze::answer::{OperatingPoint, Worked};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::fault::Named;
-#[cfg(doc)]
-use crate::shared::gearbox::one;
-use crate::shared::gearbox::{Gearbox, alone};
+use crate::shared::gearbox::Gearbox;
+use crate::shared::load::Load;
 use crate::shared::tooth_checks::answer::ToothChecks;
+use crate::strength::request::Request;
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::{Document, Path};
 use epicyclic_strength::factor::Edition;
@@ -60,17 +60,6 @@ use records::{
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{AngularVelocity, KinematicViscosity, Time, Torque};
-
-/// Requirements of a strength calculation.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Wanted {
-    /// Name of one gear for the operating point; `None` for all.
-    pub gear: Option<String>,
-    /// Speed and load of the input; without a load the duty of the file is used.
-    pub input: Input,
-    /// Whether the factors of each mesh are listed.
-    pub with_factors: bool,
-}
 
 /// Stresses, limits and safeties of the teeth of simple sets by ISO 6336, method B.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -132,14 +121,6 @@ impl Answer for Strength {
     const NAME: &'static str = "strength";
 }
 
-/// Reads the gearbox of a file for its strength.
-///
-/// # Errors
-/// Errors of [`one`], and [`Error::Document`] for a list of transmissions.
-pub fn subject(document: &Document) -> Result<Gearbox, Error> {
-    alone(document, "strength", "no modules, materials or loads")
-}
-
 /// Computes the strength of a gearbox from a file.
 ///
 /// # Errors
@@ -148,8 +129,8 @@ pub fn subject(document: &Document) -> Result<Gearbox, Error> {
 /// - [`Error::Document`] for invalid data in the file, with the place; [`Error::NothingRated`] if neither
 ///   teeth nor planet bearings can be rated.
 /// - [`Error::NoGear`], [`Error::Load`].
-pub fn answer(subject: &Gearbox, wanted: &Wanted) -> Result<Strength, Error> {
-    let strength = rated(subject, wanted, true)?;
+pub(crate) fn answer(subject: &Gearbox, request: &Request) -> Result<Strength, Error> {
+    let strength = rated(subject, request, true)?;
     // A duty may load no rated teeth, but still wear planet bearings of compound sets.
     let is_borne = strength.bearings.iter().any(|bearing| bearing.greatest_force_n.is_some());
     if !strength.is_rated() && !is_borne {
@@ -163,7 +144,7 @@ pub fn answer(subject: &Gearbox, wanted: &Wanted) -> Result<Strength, Error> {
 ///
 /// # Errors
 /// Errors of [`answer`] except [`Error::NothingRated`].
-pub fn chapters(subject: &Gearbox, input: Input) -> Result<Vec<Strength>, Error> {
+pub(crate) fn chapters(subject: &Gearbox, load: Load) -> Result<Vec<Strength>, Error> {
     if subject.document.value().get("transmissions").is_some() {
         return Ok(vec![]);
     }
@@ -172,12 +153,13 @@ pub fn chapters(subject: &Gearbox, input: Input) -> Result<Vec<Strength>, Error>
     if !is_stated || file.sets.iter().all(|set| set.strength.is_none()) {
         return Ok(vec![]);
     }
-    let at_point = Some(input).filter(|input| input.load.is_some() && input.speed.is_some());
+    let input = load.input();
+    let at_point = Some(load).filter(|_| input.load.is_some() && input.speed.is_some());
     let is_due = !file.duty.is_empty() || at_point.is_none() && !file.overload.is_empty();
-    let in_life = Some(Input::default()).filter(|_| is_due);
-    let chapter = |(place, input)| {
+    let in_life = Some(Load::default()).filter(|_| is_due);
+    let chapter = |(place, load)| {
         // The overloads appear once, in the first chapter.
-        rated(subject, &Wanted { gear: None, input, with_factors: true }, place == 0)
+        rated(subject, &Request { gear: None, factors: true, load }, place == 0)
     };
     at_point.into_iter().chain(in_life).enumerate().map(chapter).collect()
 }
@@ -240,31 +222,32 @@ impl Asked {
     }
 }
 
-fn rated(subject: &Gearbox, wanted: &Wanted, with_overloads: bool) -> Result<Strength, Error> {
+fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<Strength, Error> {
+    let (gear, input) = (request.gear.as_deref(), request.load.input());
     let file: GearboxFile = subject.document.read()?;
     let (sets, not_rated) = prepared::sets(subject, &file)?;
     let Asked { life, viscosity, required } = Asked::of(&subject.document, &file)?;
     let mut found = Found { not_rated, ..Found::default() };
     let mut bearings = vec![];
-    let is_at_point = wanted.input.load.is_some();
+    let is_at_point = input.load.is_some();
     if is_at_point {
-        at_point(subject, &sets, wanted, life, &mut found)?;
+        at_point(subject, &sets, request, life, &mut found)?;
     } else {
         if file.duty.is_empty() && file.overload.is_empty() {
             return Err(Error::NoLoad);
         }
-        if wanted.gear.is_some() || wanted.input.speed.is_some() {
+        if gear.is_some() || input.speed.is_some() {
             return Err(Error::OfOnePoint);
         }
     }
     let is_over_duty = !is_at_point && !file.duty.is_empty();
     let steps = if is_over_duty { duty::steps(subject, &file.duty)? } else { vec![] };
-    let peaks = overload::peaks(subject, &file.overload, wanted.gear.as_deref())?;
+    let peaks = overload::peaks(subject, &file.overload, gear)?;
     if is_over_duty {
         bearings = bearings::rated(subject, &file, &steps, &peaks)?;
         found.axial = axial::over_duty(&sets, &steps, life);
         for set in &sets {
-            let rated = duty::rated(subject, set, &steps, life, wanted.with_factors);
+            let rated = duty::rated(subject, set, &steps, life, request.factors);
             found.take(rated, |all| &mut all.over_duty, |row| row.against(Against::Duty))?;
         }
     }
@@ -302,7 +285,7 @@ fn rated(subject: &Gearbox, wanted: &Wanted, with_overloads: bool) -> Result<Str
     Ok(Strength {
         gearbox: subject.train.name().to_owned(),
         edition: Edition::default().to_string(),
-        operating_point: wanted.input.load.map(|_| OperatingPoint::of(wanted.input)),
+        operating_point: input.load.map(|_| OperatingPoint::of(input)),
         life_s: life.si(),
         oil_viscosity_m2_s: viscosity.si(),
         required,
@@ -344,17 +327,18 @@ fn sharing(
 fn at_point(
     subject: &Gearbox,
     sets: &[RatedSet<'_>],
-    wanted: &Wanted,
+    request: &Request,
     life: Time,
     found: &mut Found,
 ) -> Result<(), Error> {
-    let speed = wanted.input.speed.ok_or(Error::LoadWithoutSpeed)?;
-    let names: Vec<&str> = match &wanted.gear {
+    let input = request.load.input();
+    let speed = input.speed.ok_or(Error::LoadWithoutSpeed)?;
+    let names: Vec<&str> = match &request.gear {
         Some(name) => vec![name],
         None => subject.train.gears().iter().map(Gear::name).collect(),
     };
     for name in names {
-        let worked = Worked::new(&subject.train, name, wanted.input)?;
+        let worked = Worked::new(&subject.train, name, input)?;
         for set in sets {
             let load =
                 set_load(set, &worked, speed).map_err(|reason| Fault::Row(NotRated::new(set.id, reason)));
@@ -363,7 +347,7 @@ fn at_point(
             }
             let meshes = load.and_then(|(torque, speed)| at_load(subject, set, torque, speed, life));
             let rated = meshes.map(|Partly { rated, mut not_rated }| {
-                let both = |mesh: &MeshAtPoint| mesh.both(name, set.id, wanted.with_factors);
+                let both = |mesh: &MeshAtPoint| mesh.both(name, set.id, request.factors);
                 not_rated.extend(rated.iter().flat_map(|mesh| mesh.not_rated(set.id)));
                 Partly { rated: rated.iter().flat_map(both).collect(), not_rated }
             });

@@ -5,8 +5,9 @@ use crate::error::Error;
 use crate::failure::Failure;
 use crate::input;
 use crate::output::OutputArgs;
+use crate::shared::gearbox::{Gearbox, alone};
 use crate::shared::{gearbox_choice::refuse, load::Load};
-use crate::strength::answer::{self as answers, Wanted};
+use crate::strength::answer::{self as answers, Strength};
 use std::path::PathBuf;
 
 /// Strength of the teeth of simple sets by ISO 6336, method B: safeties of flanks and roots.
@@ -22,37 +23,53 @@ pub struct Args {
     #[arg(value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
     file: PathBuf,
 
-    /// One gear at the load; all without.
-    #[arg(long, value_name = "NAME")]
-    gear: Option<String>,
-
-    /// The factors of each mesh, with where each comes from; over a duty the least and greatest of its steps.
-    #[arg(long)]
-    factors: bool,
-
     #[command(flatten)]
-    load: Load,
+    request: Request,
 
     #[command(flatten)]
     output: OutputArgs,
 }
 
-/// Runs the command.
-pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
-    let document = input::document(call, &args.file)?;
-    let subject = answers::subject(&document)?;
-    let wanted = Wanted { gear: args.gear.clone(), input: args.load.input(), with_factors: args.factors };
-    args.output.deliver(call, &answers::answer(&subject, &wanted).map_err(|error| refuse_of(error, args))?)
+/// Request for the strength of teeth, at a load or over the duty of the file.
+#[derive(Debug, Clone, Default, clap::Args)]
+pub struct Request {
+    /// One gear at the load; all without.
+    #[arg(long, value_name = "NAME")]
+    pub gear: Option<String>,
+
+    /// The factors of each mesh, with where each comes from; over a duty the least and greatest of its steps.
+    #[arg(long)]
+    pub factors: bool,
+
+    /// Speed and load of the input; without a load the duty of the file is used.
+    #[command(flatten)]
+    pub load: Load,
 }
 
-/// Converts an error to a failure with the option that caused it.
-fn refuse_of(error: Error, args: &Args) -> Failure {
-    let option = match &error {
-        Error::NoLoad => "--torque",
-        Error::LoadWithoutSpeed => "--speed",
-        Error::OfOnePoint if args.gear.is_some() => "--gear",
-        Error::OfOnePoint => "--speed",
-        _ => return refuse(error),
-    };
-    Failure::of_option(option, &error)
+impl Request {
+    /// Computes the strength at the load, or without one over the duty of the file.
+    ///
+    /// # Errors
+    /// - [`Failure::Option`] for a gear or speed without a load, a load without a speed, a gear that the
+    ///   gearbox does not have, and if there is no load, duty or overload.
+    /// - [`Failure::Answer`] if nothing can be rated, or with the place of invalid data in the file.
+    pub fn answer(&self, gearbox: &Gearbox) -> Result<Strength, Failure> {
+        answers::answer(gearbox, self).map_err(|error| {
+            let option = match &error {
+                Error::NoLoad => "--torque",
+                Error::LoadWithoutSpeed => "--speed",
+                Error::OfOnePoint if self.gear.is_some() => "--gear",
+                Error::OfOnePoint => "--speed",
+                _ => return refuse(error),
+            };
+            Failure::of_option(option, &error)
+        })
+    }
+}
+
+/// Runs the command.
+pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
+    let Args { file, request, output } = args;
+    let gearbox = alone(&input::document(call, file)?, "strength", "no modules, materials or loads")?;
+    output.deliver(call, &request.answer(&gearbox)?)
 }

@@ -4,7 +4,7 @@
 //! | module | is |
 //! |---|---|
 //! | [`records`] | modes, orders, resonances |
-//! | [`wanted`] | requirements from options or from the file |
+//! | `settled` | speeds and excitation from options or from the file |
 //! | `prepared` | a set of a file as bodies and springs |
 //! | `orders` | orders of excitation of a set in a gear |
 //! | `spacing` | places of the planets |
@@ -27,21 +27,22 @@ mod orders;
 mod prepared;
 pub mod records;
 mod response;
+mod settled;
 mod shapes;
 mod spacing;
 mod torsional;
 pub mod train_records;
-pub mod wanted;
 
 use crate::analyze::answer::{analysis, warnings};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
+use crate::shared::exciting::Exciting;
 use crate::shared::fault::Named;
-use crate::shared::gearbox::{Gearbox, alone};
+use crate::shared::gearbox::Gearbox;
 use crate::shared::toothed::simple_sets;
 use crate::tolerance::rounded;
+use crate::vibrate::request::Request;
 use branches::Branches;
-use epicyclic_formats::Document;
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_pictures::modes::Part;
 use epicyclic_train::{self as train, Gear, LinkId, PlanetSet};
@@ -56,10 +57,9 @@ use records::{
 use response::Excited;
 use schemars::JsonSchema;
 use serde::Serialize;
+use settled::Settled;
 use std::ops::ControlFlow;
 use train_records::{CoupledModes, TorsionalModes};
-use wanted::Settled;
-pub use wanted::Wanted;
 
 /// Natural frequencies and modes of the simple sets of a gearbox, torsional ones of the whole gearbox, and
 /// excitation at given speeds.
@@ -93,27 +93,19 @@ impl Answer for Vibration {
     const NAME: &'static str = "vibrate";
 }
 
-/// Reads the gearbox of a file for its vibration.
-///
-/// # Errors
-/// Errors of [`one`](crate::shared::gearbox::one), and [`Error::Document`] for a list of transmissions.
-pub fn subject(document: &Document) -> Result<Gearbox, Error> {
-    alone(document, "vibrate", "no masses and no stiffness")
-}
-
 /// Computes the vibration of the sets of a gearbox. The closure `goes_on` is called now and then, and may end
 /// the calculation.
 ///
 /// # Errors
 /// - [`Error::NoGear`]; [`Error::NoSet`]; [`Error::NothingVibrates`] if no set has enough data; errors of
-///   [`Wanted`].
+///   [`Settled::of`].
 /// - [`Error::Document`] for invalid data in the file, with the place.
-pub fn answer(
+pub(crate) fn answer(
     subject: &Gearbox,
-    wanted: &Wanted,
+    request: &Request,
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<Vibration, Error> {
-    let found = vibrating(subject, wanted, goes_on)?;
+    let found = vibrating(subject, request, goes_on)?;
     if found.sets.is_empty() && found.torsional.is_empty() {
         let why = |one: &NotCalculated| {
             let gear = one.gear.as_ref().map_or_else(String::new, |gear| format!(" in gear {gear}"));
@@ -130,9 +122,9 @@ pub fn answer(
 /// # Errors
 /// Errors of [`answer`] except [`Error::NothingVibrates`]: the reasons why sets are not calculated are listed
 /// instead.
-pub fn chapter(
+pub(crate) fn chapter(
     subject: &Gearbox,
-    wanted: &Wanted,
+    exciting: &Exciting,
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<Option<Vibration>, Error> {
     if subject.document.value().get("transmissions").is_some() {
@@ -142,23 +134,24 @@ pub fn chapter(
     if file.sets.iter().all(|set| set.vibration.is_none()) {
         return Ok(None);
     }
-    vibrating(subject, wanted, goes_on).map(Some)
+    let request = Request { exciting: exciting.clone(), ..Request::default() };
+    vibrating(subject, &request, goes_on).map(Some)
 }
 
 fn vibrating(
     subject: &Gearbox,
-    wanted: &Wanted,
+    request: &Request,
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<Vibration, Error> {
     let file: GearboxFile = subject.document.read()?;
     let gearbox = &subject.train;
-    let settled = Settled::of(subject, &file, wanted)?;
-    subject.check_set(wanted.set.as_deref())?;
-    if let Some(name) = &wanted.gear {
+    let settled = Settled::of(subject, &file, &request.exciting)?;
+    subject.check_set(request.set.as_deref())?;
+    if let Some(name) = &request.gear {
         analysis(gearbox, name)?;
     }
-    let is_wanted = |gear: &&Gear| wanted.gear.as_ref().is_none_or(|name| name == gear.name());
-    let gears: Vec<&Gear> = gearbox.gears().iter().filter(is_wanted).collect();
+    let is_included = |gear: &&Gear| request.gear.as_ref().is_none_or(|name| name == gear.name());
+    let gears: Vec<&Gear> = gearbox.gears().iter().filter(is_included).collect();
     let mut all = Vibration {
         gearbox: gearbox.name().to_owned(),
         sets: vec![],
@@ -174,7 +167,7 @@ fn vibrating(
     let train = Train::new(subject, &file)?;
     let mut in_train: Vec<TrainSet<'_>> = vec![];
     for (place, (set, simple)) in simple_sets(subject, &file).enumerate() {
-        if wanted.set.as_ref().is_some_and(|name| name != set.id()) {
+        if request.set.as_ref().is_some_and(|name| name != set.id()) {
             continue;
         }
         let mut without = |gear: Option<&str>, what, reason, missing| {
@@ -234,7 +227,7 @@ fn vibrating(
                 Ok(modes) => all.torsional.push(modes),
                 Err(missing) => all.not_calculated.push(missing),
             }
-            if wanted.coupled {
+            if request.exciting.coupled {
                 match coupled::modes(&train, gear, &in_train)? {
                     Ok(modes) => all.coupled.push(modes),
                     // A reason that applies to all gears is listed once.

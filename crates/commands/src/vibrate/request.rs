@@ -7,9 +7,11 @@ use crate::failure::Failure;
 use crate::input;
 use crate::output::OutputArgs;
 use crate::shared::exciting::Exciting;
-use crate::vibrate::answer::{self as answers, Vibration, Wanted};
+use crate::shared::gearbox::{Gearbox, alone};
+use crate::vibrate::answer::{self as answers, Vibration};
 use crate::vibrate::table as views;
 use epicyclic_drawing::Scene;
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 /// Natural frequencies and modes of simple sets, and the speeds at which they resonate.
@@ -25,16 +27,8 @@ pub struct Args {
     #[arg(value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
     file: PathBuf,
 
-    /// One gear; all without.
-    #[arg(long, value_name = "NAME")]
-    gear: Option<String>,
-
-    /// One set; all without.
-    #[arg(long, value_name = "NAME")]
-    set: Option<String>,
-
     #[command(flatten)]
-    exciting: Exciting,
+    request: Request,
 
     /// File for a picture of the forces by the transmission error of one set in one gear over the speed, as
     /// for --campbell.
@@ -58,33 +52,61 @@ pub struct Args {
     output: OutputArgs,
 }
 
+/// Request for the vibration of a gearbox.
+#[derive(Debug, Clone, Default, clap::Args)]
+pub struct Request {
+    /// One gear; all without.
+    #[arg(long, value_name = "NAME")]
+    pub gear: Option<String>,
+
+    /// One set; all without.
+    #[arg(long, value_name = "NAME")]
+    pub set: Option<String>,
+
+    /// Excitation and its speeds; the file may state those that are not given.
+    #[command(flatten)]
+    pub exciting: Exciting,
+}
+
+impl Request {
+    /// Computes the vibration. The closure is called now and then, and may end the calculation.
+    ///
+    /// # Errors
+    /// - [`Failure::Option`] for an invalid option, alone or with the others and the file.
+    /// - [`Failure::Answer`] if no set has enough data, or with the place of invalid data in the file.
+    pub fn answer(
+        &self,
+        gearbox: &Gearbox,
+        goes_on: &dyn Fn() -> ControlFlow<()>,
+    ) -> Result<Vibration, Failure> {
+        // Coupled modes are of the whole gearbox, so one set alone has none.
+        if self.set.is_some() && self.exciting.coupled {
+            return Err(Failure::conflict("--coupled", "it is of all sets; leave --set out"));
+        }
+        answers::answer(gearbox, self, goes_on).map_err(|error| match error {
+            Error::NoSet { .. } => Failure::of_option("--set", &error),
+            // Shared with `report`, which has these options but no `--set`.
+            error => Exciting::refuse(error),
+        })
+    }
+}
+
 /// Runs the command.
 pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
-    let document = input::document(call, &args.file)?;
-    let subject = answers::subject(&document)?;
-    // Coupled modes are of the whole gearbox, so one set alone has none.
-    if args.set.is_some() && args.exciting.coupled {
-        let message = "it is of all sets; leave --set out".to_owned();
-        return Err(Failure::conflict("--coupled", message));
-    }
-    let wanted = Wanted { gear: args.gear.clone(), set: args.set.clone(), ..args.exciting.wanted()? };
-    let answer = answers::answer(&subject, &wanted, &|| call.goes_on()).map_err(|error| match error {
-        Error::NoSet { .. } => Failure::of_option("--set", &error),
-        // Shared with `report`, which has these options but no `--set`.
-        error => Exciting::refuse(error),
-    })?;
+    let gearbox = alone(&input::document(call, &args.file)?, "vibrate", "no masses and no stiffness")?;
+    let answer = args.request.answer(&gearbox, &|| call.goes_on())?;
+    type Picture = fn(&Vibration, &'static str) -> Result<Scene, Failure>;
+    let pictures: [(&Option<PathBuf>, &'static str, Picture); 4] = [
+        (&args.campbell, "--campbell", campbell),
+        (&args.torsional_campbell, "--torsional-campbell", torsional_campbell),
+        (&args.response, "--response", response),
+        (&args.shapes, "--shapes", shapes),
+    ];
     let mut files = vec![];
-    if let Some(file) = &args.campbell {
-        files.push(drawn(file, "--campbell", &campbell(&answer)?)?);
-    }
-    if let Some(file) = &args.torsional_campbell {
-        files.push(drawn(file, "--torsional-campbell", &torsional_campbell(&answer)?)?);
-    }
-    if let Some(file) = &args.response {
-        files.push(drawn(file, "--response", &response(&answer)?)?);
-    }
-    if let Some(file) = &args.shapes {
-        files.push(drawn(file, "--shapes", &shapes(&answer)?)?);
+    for (file, option, picture) in pictures {
+        if let Some(file) = file {
+            files.push(drawn(file, option, &picture(&answer, option)?)?);
+        }
     }
     args.output.deliver_with(call, files, &answer)
 }
@@ -110,17 +132,16 @@ fn only(option: &'static str, by: &str, all: &[String]) -> Result<(), Failure> {
 }
 
 /// The Campbell diagram.
-fn campbell(answer: &Vibration) -> Result<Scene, Failure> {
+fn campbell(answer: &Vibration, option: &'static str) -> Result<Scene, Failure> {
     let all = answer.campbell.iter().map(|one| format!("set {} in gear {}", one.set, one.gear));
-    only("--campbell", "--set and --gear", &all.collect::<Vec<_>>())?;
+    only(option, "--set and --gear", &all.collect::<Vec<_>>())?;
     let picture = views::campbell(answer, 0)
-        .ok_or_else(|| none("--campbell", "a set with modes over speeds of the input"))?;
+        .ok_or_else(|| none(option, "a set with modes over speeds of the input"))?;
     Ok(picture.scene().map_err(epicyclic_pictures::Error::from)?)
 }
 
 /// The Campbell diagram of the torsional modes.
-fn torsional_campbell(answer: &Vibration) -> Result<Scene, Failure> {
-    let option = "--torsional-campbell";
+fn torsional_campbell(answer: &Vibration, option: &'static str) -> Result<Scene, Failure> {
     let all: Vec<String> = answer.torsional.iter().map(|one| format!("gear {}", one.gear)).collect();
     only(option, "--gear", &all)?;
     let picture = views::torsional_campbell(answer, 0)
@@ -129,19 +150,18 @@ fn torsional_campbell(answer: &Vibration) -> Result<Scene, Failure> {
 }
 
 /// The forces over the speed.
-fn response(answer: &Vibration) -> Result<Scene, Failure> {
+fn response(answer: &Vibration, option: &'static str) -> Result<Scene, Failure> {
     let all = answer.responses.iter().map(|one| format!("set {} in gear {}", one.set, one.gear));
-    only("--response", "--set and --gear", &all.collect::<Vec<_>>())?;
-    let picture = views::response(answer, 0).ok_or_else(|| {
-        none("--response", "a set with modes, a transmission error and speeds of the input")
-    })?;
+    only(option, "--set and --gear", &all.collect::<Vec<_>>())?;
+    let picture = views::response(answer, 0)
+        .ok_or_else(|| none(option, "a set with modes, a transmission error and speeds of the input"))?;
     Ok(picture.scene().map_err(epicyclic_pictures::Error::from)?)
 }
 
 /// The modes along the axis.
-fn shapes(answer: &Vibration) -> Result<Scene, Failure> {
+fn shapes(answer: &Vibration, option: &'static str) -> Result<Scene, Failure> {
     let all = answer.sets.iter().map(|one| format!("set {} in gear {}", one.set, one.gears.join(" and ")));
-    only("--shapes", "--set and --gear", &all.collect::<Vec<_>>())?;
-    let (title, modes) = views::shapes(answer, 0).ok_or_else(|| none("--shapes", "a set with modes"))?;
+    only(option, "--set and --gear", &all.collect::<Vec<_>>())?;
+    let (title, modes) = views::shapes(answer, 0).ok_or_else(|| none(option, "a set with modes"))?;
     Ok(epicyclic_pictures::modes::scene(&title, &modes).map_err(epicyclic_pictures::Error::from)?)
 }

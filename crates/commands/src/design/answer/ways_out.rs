@@ -222,13 +222,13 @@ impl Search<'_> {
 
     /// Search with more sizes, if there are tooth numbers.
     fn of_sizes(&self, has_teeth: bool) -> Result<Vec<WayOut>, Error> {
-        let (own, usual) = (&self.wanted.size, size::Wanted::default());
+        let own = &self.wanted.size;
         let most = MOST_SHARING;
         let planets =
             RelaxedLimit { greatest: Some(f64::from(most)), ..RelaxedLimit::lifted(Limit::Planets) };
         let all = [
-            (RelaxedLimit::lifted(Limit::Modules), own.modules != usual.modules),
-            (RelaxedLimit::lifted(Limit::FaceWidths), own.face_widths != usual.face_widths),
+            (RelaxedLimit::lifted(Limit::Modules), own.modules != size::usual_modules()),
+            (RelaxedLimit::lifted(Limit::FaceWidths), own.face_widths != size::usual_face_widths()),
             (planets, *own.planets.end() < most),
         ];
         let mut ways = vec![];
@@ -306,8 +306,8 @@ impl RelaxedLimit {
             Limit::RingTeeth => wanted.bounds.ring = *wanted.bounds.ring.start()..=*TEETH.end(),
             Limit::RingOffset => wanted.ring_offsets = Some(OFFSETS),
             Limit::WidthRatio => wanted.size.width_ratio = self.greatest,
-            Limit::Modules => wanted.size.modules = size::Wanted::default().modules,
-            Limit::FaceWidths => wanted.size.face_widths = size::Wanted::default().face_widths,
+            Limit::Modules => wanted.size.modules = size::usual_modules(),
+            Limit::FaceWidths => wanted.size.face_widths = size::usual_face_widths(),
             Limit::Planets => {
                 let most = greatest as u32;
                 wanted.size.planets = *wanted.size.planets.start()..=most;

@@ -3,15 +3,17 @@
 use crate::analyze::answer::gear::OneGear;
 use crate::analyze::answer::overview::Overview;
 use crate::analyze::answer::shifts::{self, Shifts};
-use crate::analyze::answer::{Input, analysis, gear, moving, overview};
+use crate::analyze::answer::{analysis, gear, moving, overview};
 use crate::error::Error;
 use crate::losses::answer::{self as losses, LossChapter};
 use crate::shared::drawability::answer::Conflict;
+use crate::shared::exciting::Exciting;
 use crate::shared::gearbox::Gearbox;
+use crate::shared::load::Load;
 use crate::shared::number::plain;
 use crate::sheet::answer::{self as sheet, DataSheets};
 use crate::strength::answer::{self as strength, Strength};
-use crate::vibrate::answer::{self as vibration, Vibration, Wanted};
+use crate::vibrate::answer::{self as vibration, Vibration};
 use epicyclic_layout::{self as layout, Layout, Verdict};
 use epicyclic_train::set::{Gearing, SetKind, SetSpec};
 use epicyclic_train::{self as train, Analysis, PlanetSet};
@@ -106,15 +108,14 @@ pub struct Shown<'g> {
 /// now and then, and may end the calculation.
 ///
 /// # Errors
-/// Those of [`overview::answer`], [`gear::answer`], [`strength::chapters`], [`losses::chapter`],
-/// [`sheet::chapter`] and [`vibration::chapter`].
-pub fn answer<'g>(
+/// Errors of the chapters, with the place of invalid data in the file.
+pub(crate) fn answer<'g>(
     subject: &'g Gearbox,
-    input: Input,
-    wanted: &Wanted,
+    load: Load,
+    exciting: &Exciting,
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<(GearboxReport, Shown<'g>), Error> {
-    let gearbox = &subject.train;
+    let (gearbox, input) = (&subject.train, load.input());
     let names = || gearbox.gears().iter().map(epicyclic_train::Gear::name);
     let (layout, conflict) = match layout::draw(gearbox, layout::Options::default()) {
         Verdict::Drawable(layout) => (Some(layout), None),
@@ -129,10 +130,10 @@ pub fn answer<'g>(
             Err(Error::ManyGears { .. }) => None,
             shifts => Some(shifts?),
         },
-        strength: strength::chapters(subject, input)?,
+        strength: strength::chapters(subject, load)?,
         losses: losses::chapter(subject, input)?,
         sheets: sheet::chapter(subject)?,
-        vibration: vibration::chapter(subject, wanted, goes_on)?,
+        vibration: vibration::chapter(subject, exciting, goes_on)?,
         conflict,
         over_k: over_k(gearbox),
     };

@@ -5,26 +5,50 @@ use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use epicyclic_formats::Document;
 use epicyclic_formats::scenario::{changed, path_of, read_changed};
+use epicyclic_units::visible::one_line;
+use epicyclic_units::{self as quantity, Dimension, Measured};
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::str::FromStr;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Maximum number of values.
-pub const MOST: u32 = 1000;
+const MOST: u32 = 1000;
 
-/// Values of a key, from one to another, both included.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Wanted {
+/// Values of a key, from one to another, both included: `shifts[0].overlap=0ms..300ms`.
+#[derive(Debug, Clone)]
+pub struct Range {
     /// Key to be changed, such as `shifts[0].overlap`, `elements[C].holding`.
-    pub key: String,
-    /// First value in the unit.
-    pub from: f64,
-    /// Last value in the unit.
-    pub to: f64,
-    /// Unit as written; `None` for a plain number.
-    pub unit: Option<String>,
-    /// Number of values.
-    pub steps: u32,
+    key: String,
+    /// First value.
+    from: Measured,
+    /// Last value, in the unit of the first.
+    to: Measured,
+}
+
+impl FromStr for Range {
+    type Err = String;
+
+    fn from_str(written: &str) -> Result<Self, String> {
+        let form =
+            || format!("{}: write a key and two values, as shifts[0].overlap=0ms..300ms", one_line(written));
+        let (key, values) = written.split_once('=').ok_or_else(form)?;
+        let (from, to) = values.split_once("..").ok_or_else(form)?;
+        let value = |text: &str| quantity::parse(text.trim()).map_err(|error| error.to_string());
+        let (from, to) = (value(from)?, value(to)?);
+        if from.unit != to.unit {
+            return Err(format!("{}: both values in one unit", one_line(written)));
+        }
+        Ok(Self { key: key.trim().to_owned(), from, to })
+    }
+}
+
+impl Range {
+    /// Unit as written; `None` for plain numbers.
+    fn unit(&self) -> Option<&'static str> {
+        let symbol = self.from.unit.symbol;
+        (self.from.dimension() != Dimension::Dimensionless || symbol != "1").then_some(symbol)
+    }
 }
 
 /// Scenario with several values of a key.
@@ -82,31 +106,32 @@ impl Answer for Sweep {
 /// [`Error::Places`] for too few or too many steps, [`Error::Sweep`] for a key that cannot be swept, and
 /// [`Error::Document`] for a value that the key does not accept. A refused motion is not an error: its run
 /// gives the reason.
-pub fn sweep(
+pub(crate) fn sweep(
     document: &Document,
     beside: &Beside,
-    wanted: &Wanted,
+    range: &Range,
+    steps: u32,
     goes_on: impl Fn(f64) -> bool + Sync + Send,
 ) -> Result<Sweep, Error> {
-    if !(2..=MOST).contains(&wanted.steps) {
-        return Err(Error::Places { places: wanted.steps, most: MOST });
+    if !(2..=MOST).contains(&steps) {
+        return Err(Error::Places { places: steps, most: MOST });
     }
     let refuse = |why: String| Error::Sweep { why };
-    let path = path_of(document, &wanted.key).map_err(refuse)?;
-    if wanted.key.starts_with("gearbox") || wanted.key.starts_with("transmission") {
-        return Err(refuse(format!("{}: the gearbox stays as it is", wanted.key)));
+    let (key, unit) = (&range.key, range.unit());
+    let path = path_of(document, key).map_err(refuse)?;
+    if key.starts_with("gearbox") || key.starts_with("transmission") {
+        return Err(refuse(format!("{key}: the gearbox stays as it is")));
     }
-    let last = f64::from(wanted.steps - 1);
-    let values: Vec<f64> = (0..wanted.steps)
-        .map(|step| wanted.from + (wanted.to - wanted.from) * (f64::from(step) / last))
-        .collect();
+    let (from, to) = (range.from.value, range.to.value);
+    let last = f64::from(steps - 1);
+    let values: Vec<f64> = (0..steps).map(|step| from + (to - from) * (f64::from(step) / last)).collect();
     let files = values.iter().map(|&value| {
-        let whole = changed(document, &path, value, wanted.unit.as_deref());
+        let whole = changed(document, &path, value, unit);
         Ok((value, read_changed(document, &whole)?))
     });
     let files = files.collect::<Result<Vec<_>, epicyclic_formats::Error>>().map_err(|error| {
         // The file has another value at that place, so the message names the swept value.
-        Error::Sweep { why: format!("{}: {}", wanted.key, error.problem()) }
+        Error::Sweep { why: format!("{key}: {}", error.problem()) }
     })?;
     let scenario = files.first().map(|(_, file)| file.scenario.clone()).unwrap_or_default();
     let done = AtomicUsize::new(0);
@@ -135,7 +160,7 @@ pub fn sweep(
         let message = format!("{refused} of {} runs are refused", files.len());
         warnings.push(Warning { name: "refused", message });
     }
-    Ok(Sweep { scenario, key: wanted.key.clone(), unit: wanted.unit.clone(), runs, warnings })
+    Ok(Sweep { scenario, key: key.clone(), unit: unit.map(str::to_owned), runs, warnings })
 }
 
 impl SweptRun {

@@ -216,30 +216,18 @@ fn a_capacity_follows_its_pressure() {
 #[test]
 fn a_sweep_is_its_single_runs() {
     let document = document(SHIFT);
-    let wanted = sweep::Wanted {
-        key: "shifts[0].overlap".into(),
-        from: 0.0,
-        to: 80.0,
-        unit: Some("ms".into()),
-        steps: 3,
-    };
-    let found = sweep::sweep(&document, &Beside::default(), &wanted, |_| true).unwrap();
+    let range = "shifts[0].overlap=0ms..80ms".parse().unwrap();
+    let found = sweep::sweep(&document, &Beside::default(), &range, 3, |_| true).unwrap();
     assert_eq!(found.runs.iter().map(|run| run.value).collect::<Vec<_>>(), [0.0, 40.0, 80.0]);
     for run in &found.runs {
         let one = simulated(&SHIFT.replace("overlap: 0.06 s", &format!("overlap: {} ms", run.value)));
         assert_eq!((&run.shifts, &run.elements, &run.end), (&one.shifts, &one.elements, &one.end));
     }
-    let by_name = sweep::Wanted {
-        key: "elements[C].holding".into(),
-        unit: Some("N·m".into()),
-        from: -1.0,
-        to: 150.0,
-        steps: 2,
-    };
-    let found = sweep::sweep(&document, &Beside::default(), &by_name, |_| true).unwrap();
+    let by_name = "elements[C].holding=-1 N·m..150 N·m".parse().unwrap();
+    let found = sweep::sweep(&document, &Beside::default(), &by_name, 2, |_| true).unwrap();
     assert!(found.runs[0].refused.is_some() && found.runs[1].refused.is_none());
     assert_eq!(found.warnings[0].name, "refused");
-    let stopped = sweep::sweep(&document, &Beside::default(), &wanted, |_| false).unwrap();
+    let stopped = sweep::sweep(&document, &Beside::default(), &range, 3, |_| false).unwrap();
     assert!(stopped.runs.is_empty() && stopped.warnings[0].name == "interrupted");
 }
 

@@ -1,6 +1,6 @@
 //! Records of sizes: designs, numbers left out, keys kept from the file.
 
-use super::Wanted;
+use super::Search;
 use crate::answer::Warning;
 use crate::shared::tool::CuttingTool;
 use crate::strength::answer::prepared::SetToSize;
@@ -45,19 +45,19 @@ pub struct Sought {
 }
 
 impl Sought {
-    pub(super) fn of(wanted: &Wanted) -> Self {
+    pub(super) fn of(search: &Search) -> Self {
         let si = |lengths: &[Length]| lengths.iter().map(|length| length.si()).collect();
         Self {
-            modules_m: si(&wanted.modules),
-            face_widths_m: si(&wanted.face_widths),
-            planets: wanted.planets.clone().collect(),
-            centre_distance_step_m: wanted.centre_distance_step.si(),
+            modules_m: si(&search.modules),
+            face_widths_m: si(&search.face_widths),
+            planets: search.planets.clone().collect(),
+            centre_distance_step_m: search.centre_distance_step.si(),
             reach_in_modules: super::REACH,
-            width_ratio: wanted.width_ratio,
-            least_tip_thickness_in_modules: wanted.tip_thickness,
-            planet_rim_in_modules: wanted.planet_rim,
-            ring_rim_in_modules: wanted.ring_rim,
-            bearings: wanted.space().bearings.len(),
+            width_ratio: search.width_ratio,
+            least_tip_thickness_in_modules: search.tip_thickness,
+            planet_rim_in_modules: search.planet_rim,
+            ring_rim_in_modules: search.ring_rim,
+            bearings: search.space().bearings.len(),
         }
     }
 }

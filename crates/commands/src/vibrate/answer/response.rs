@@ -19,7 +19,7 @@
 
 use super::branches::Branches;
 use super::records::{Greatest, HarmonicResponse, Order, Response, Source};
-use super::wanted::Excitation;
+use super::settled::Excitation;
 use super::{Found, Of, Prepared};
 use crate::error::Error;
 use crate::shared::number::plain;

@@ -7,11 +7,11 @@
 
 use super::links::{Bodies, Train, TrainSet};
 use super::records::{NotCalculated, Order, Source, What};
+use super::settled::Settled;
 use super::train_records::{
     StrainPart, TorsionalKinetic, TorsionalMode, TorsionalModes, TorsionalOrder, TorsionalResonance,
     TorsionalStrain,
 };
-use super::wanted::Settled;
 use super::{Prepared, number, orders};
 use crate::analyze::answer::analysis;
 use crate::error::Error;

@@ -1,48 +1,23 @@
-//! Requirements of a vibration: from options, or otherwise from the keys of the file.
+//! Speeds and excitation of a vibration: from options, or otherwise from the keys of the file.
 
 use crate::error::Error;
+use crate::shared::exciting::Exciting;
 use crate::shared::gearbox::Gearbox;
 use crate::shared::places::Places;
 use crate::strength::answer::place::refused;
 use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::{GearboxFile, VibrationOfGearbox};
 use epicyclic_units::{Physical, Quantity};
-use uom::si::f64::{AngularVelocity, Length};
+use uom::si::f64::Length;
 
-/// Requirements of a vibration. Values that are not given here are taken from the file.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Wanted {
-    /// Name of one gear; `None` for all.
-    pub gear: Option<String>,
-    /// Name of one set; `None` for all.
-    pub set: Option<String>,
-    /// Input speeds, for resonances and frequencies over the speed.
-    pub speeds: Option<Places<AngularVelocity>>,
-    /// Number of harmonics of the meshes.
-    pub harmonics: Option<u32>,
-    /// Amplitudes of the transmission error of the meshes, the first harmonic first, for forces over the
-    /// speeds.
-    pub transmission_error: Vec<Length>,
-    /// Amplitudes of the transmission error of the ring meshes; if empty, those of all meshes apply.
-    pub ring_transmission_error: Vec<Length>,
-    /// Damping ratio of every mode, for these forces.
-    pub damping: Option<f64>,
-    /// Whether forces leave out the gyroscopic effect of the carrier speed.
-    pub without_gyroscopic: bool,
-    /// Whether the modes of the whole gearbox in the plane are computed, too.
-    pub coupled: bool,
-}
+/// Maximum number of harmonics, more than the teeth of real gears excite.
+const MOST_HARMONICS: u32 = 20;
+/// Number of harmonics if neither options nor the file give it.
+const HARMONICS: u32 = 3;
+/// Number of places in a range of speeds of the file.
+const PLACES: u32 = 61;
 
-impl Wanted {
-    /// Maximum number of harmonics, more than the teeth of real gears excite.
-    pub const MOST_HARMONICS: u32 = 20;
-    /// Number of harmonics if neither options nor the file give it.
-    const HARMONICS: u32 = 3;
-    /// Number of places in a range of speeds of the file.
-    const PLACES: u32 = 61;
-}
-
-/// Requirements from options and file together.
+/// Speeds and excitation from options and file together.
 pub(super) struct Settled {
     /// Input speeds in rad/s; empty if none are given.
     pub(super) speeds: Vec<f64>,
@@ -67,41 +42,40 @@ impl Settled {
     ///
     /// # Errors
     /// - [`Error::Harmonics`], [`Error::DampingRatio`], [`Error::TransmissionError`],
-    /// - [`Error::Harmonics`], [`Error::DampingRatio`], [`Error::TransmissionError`],
     ///   [`Error::ExcitationWithout`] for options.
     /// - [`Error::Document`] for such faults in the file.
-    pub(super) fn of(subject: &Gearbox, file: &GearboxFile, wanted: &Wanted) -> Result<Self, Error> {
+    pub(super) fn of(subject: &Gearbox, file: &GearboxFile, options: &Exciting) -> Result<Self, Error> {
         let none = VibrationOfGearbox::default();
         let keys = file.vibration.as_ref().unwrap_or(&none);
         let at = |key: &str, error: &Error| {
             let path = Path::root().key("vibration");
             refused(&subject.document, &path, &[key], error)
         };
-        let of_file = keys.speeds.map(|[from, to]| Places::new(from.0, to.0, Wanted::PLACES)).transpose()?;
-        let speeds = wanted.speeds.as_ref().or(of_file.as_ref());
+        let of_file = keys.speeds.map(|[from, to]| Places::new(from.0, to.0, PLACES)).transpose()?;
+        let speeds = options.speeds.as_ref().or(of_file.as_ref());
         let has_speeds = speeds.is_some();
         let speeds = speeds.map_or_else(Vec::new, |all| all.values().map(Physical::si).collect());
-        let harmonics = wanted.harmonics.or(keys.harmonics).unwrap_or(Wanted::HARMONICS);
-        if wanted.harmonics.is_some() && !has_speeds {
+        let harmonics = options.harmonics.or(keys.harmonics).unwrap_or(HARMONICS);
+        if options.harmonics.is_some() && !has_speeds {
             return Err(Error::ExcitationWithout { given: "harmonics", lacks: "speeds of the input" });
         }
-        if !(1..=Wanted::MOST_HARMONICS).contains(&harmonics) {
-            let error = Error::Harmonics { harmonics, most: Wanted::MOST_HARMONICS };
-            return Err(if wanted.harmonics.is_some() { error } else { at("harmonics", &error) });
+        if !(1..=MOST_HARMONICS).contains(&harmonics) {
+            let error = Error::Harmonics { harmonics, most: MOST_HARMONICS };
+            return Err(if options.harmonics.is_some() { error } else { at("harmonics", &error) });
         }
-        let excitation = match Excitation::of(keys, wanted, has_speeds) {
+        let excitation = match Excitation::of(keys, options, has_speeds) {
             Ok(excitation) => excitation,
             Err((error, None)) => return Err(error),
             Err((error, Some(key))) => return Err(at(key, &error)),
         };
         let excitation = excitation.filter(|_| has_speeds);
-        if wanted.without_gyroscopic && excitation.is_none() {
+        if options.without_gyroscopic && excitation.is_none() {
             return Err(Error::ExcitationWithout {
                 given: "without-gyroscopic",
                 lacks: "a transmission error and speeds of the input",
             });
         }
-        Ok(Self { speeds, harmonics, excitation, gyroscopic: !wanted.without_gyroscopic })
+        Ok(Self { speeds, harmonics, excitation, gyroscopic: !options.without_gyroscopic })
     }
 
     /// Least and greatest input speed in rad/s.
@@ -120,16 +94,13 @@ impl Excitation {
     const DAMPING_RATIOS: [f64; 2] = [1e-4, 1.0];
 
     /// Combines the values of options and file.
-    fn of(keys: &VibrationOfGearbox, wanted: &Wanted, has_speeds: bool) -> Result<Option<Self>, Fault> {
+    fn of(keys: &VibrationOfGearbox, options: &Exciting, has_speeds: bool) -> Result<Option<Self>, Fault> {
         let given = |all: &[Quantity<Length>]| -> Vec<Length> { all.iter().map(|one| one.0).collect() };
-        let (of_options, of_ring) = (&wanted.transmission_error, &wanted.ring_transmission_error);
-        let (sun, is_of_file) = if of_options.is_empty() {
-            (given(&keys.transmission_error), true)
-        } else {
-            (of_options.clone(), false)
-        };
+        let is_of_file = options.transmission_error.is_empty();
+        let sun = given(if is_of_file { &keys.transmission_error } else { &options.transmission_error });
+        let of_ring = &options.ring_transmission_error;
         let (ring, is_ring_of_file) = match (of_ring.is_empty(), keys.ring_transmission_error.is_empty()) {
-            (false, _) => (of_ring.clone(), false),
+            (false, _) => (given(of_ring), false),
             (true, false) if is_of_file => (given(&keys.ring_transmission_error), true),
             _ => (sun.clone(), is_of_file),
         };
@@ -137,7 +108,7 @@ impl Excitation {
         if sun.is_empty() {
             let given = [
                 ("ring-transmission-error", !of_ring.is_empty(), None),
-                ("damping", wanted.damping.is_some(), None),
+                ("damping", options.damping.is_some(), None),
                 (
                     "ring_transmission_error",
                     !keys.ring_transmission_error.is_empty(),
@@ -150,28 +121,27 @@ impl Excitation {
                 None => Ok(None),
             };
         }
-        let damping = wanted.damping.or(keys.damping.map(|damping| damping.0.si()));
+        let damping = options.damping.or(keys.damping).map(|damping| damping.0.si());
         let Some(damping_ratio) = damping else {
             let key = is_of_file.then_some("transmission_error");
             return Err((without("transmission-error", "a damping ratio"), key));
         };
         // Values of the file apply only once speeds are given; options require speeds.
-        let asked = [
+        let of_options = [
             ("transmission-error", !is_of_file),
             ("ring-transmission-error", !of_ring.is_empty()),
-            ("damping", wanted.damping.is_some()),
+            ("damping", options.damping.is_some()),
         ];
-        if let Some((given, _)) = asked.into_iter().find(|(_, is_asked)| *is_asked && !has_speeds) {
+        if let Some((given, _)) = of_options.into_iter().find(|(_, is_given)| *is_given && !has_speeds) {
             return Err((without(given, "speeds of the input"), None));
         }
-        let most = Wanted::MOST_HARMONICS;
         for (all, is_of_file, key) in
             [(&sun, is_of_file, "transmission_error"), (&ring, is_ring_of_file, "ring_transmission_error")]
         {
             let key = is_of_file.then_some(key);
             let harmonics = all.len() as u32;
-            if harmonics > most {
-                return Err((Error::Harmonics { harmonics, most }, key));
+            if harmonics > MOST_HARMONICS {
+                return Err((Error::Harmonics { harmonics, most: MOST_HARMONICS }, key));
             }
             let amplitudes = all.iter().map(|amplitude| amplitude.si());
             if let Some(given_m) = amplitudes.clone().find(|one| !(0.0..f64::INFINITY).contains(one)) {
@@ -184,7 +154,7 @@ impl Excitation {
         }
         let [low, high] = Self::DAMPING_RATIOS;
         if !(low..=high).contains(&damping_ratio) {
-            let key = wanted.damping.is_none().then_some("damping");
+            let key = options.damping.is_none().then_some("damping");
             return Err((Error::DampingRatio { given: damping_ratio, low, high }, key));
         }
         Ok(Some(Self { sun, ring, damping_ratio }))
