@@ -33,8 +33,8 @@ pub struct OutputArgs {
     target: Target,
 }
 
-// A request of a command without a file, and where its answer goes. A doc comment would become the help text of
-// the command in place of the request's.
+/// Request of a command without a file, and where its answer goes. The variant of the subcommand has the help
+/// text: of the types here the last one would give it.
 #[derive(Debug, clap::Args)]
 pub(crate) struct WithOutput<Request: clap::Args> {
     #[command(flatten)]

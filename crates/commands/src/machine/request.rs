@@ -21,14 +21,25 @@ pub struct Args {
 
 #[derive(Debug, clap::Subcommand)]
 enum Command {
+    /// Machines in service with their numbers of speeds, beside the number recommended for their ranges.
     List(WithOutput<List>),
+    /// Ratios of a gearbox for some speeds, and how many speeds are recommended for their range.
+    ///
+    /// Direct drive may serve the fastest speed (the gearbox then only slows down), the slowest, or one between.
+    /// Ratios are listed the fastest speed first.
     Speeds(WithOutput<Speeds>),
+    /// Cutting speed of a chain cutter, and of the same cutter in other rock.
     ChainCutter(WithOutput<ChainCutter>),
+    /// Cutting speed of a drum or auger, and of the same in other rock.
     Drum(WithOutput<Drum>),
+    /// Greatest and least speed of a bucket wheel, and how many speeds their range asks for.
+    ///
+    /// The greatest still empties the buckets when the boom slews at its side, the least still throws onto the
+    /// chute. Angles are about the wheel's axis from the horizontal, in the sense of rotation.
     Rotor(WithOutput<Rotor>),
 }
 
-/// Machines in service with their numbers of speeds, beside the number recommended for their ranges.
+/// Machines in service to list.
 #[derive(Debug, Clone, Default, clap::Args)]
 pub struct List {
     /// One machine.
@@ -36,10 +47,7 @@ pub struct List {
     pub name: Option<String>,
 }
 
-/// Ratios of a gearbox for some speeds, and how many speeds are recommended for their range.
-///
-/// Direct drive may serve the fastest speed (the gearbox then only slows down), the slowest, or one between.
-/// Ratios are listed the fastest speed first.
+/// Speeds for which ratios are listed.
 #[derive(Debug, Clone, clap::Args)]
 #[command(after_help = "Example:\n  epicyclic machine speeds '0.8 m/s, 3.15 m/s'")]
 pub struct Speeds {
@@ -48,7 +56,7 @@ pub struct Speeds {
     pub speeds: Quantities<Velocity>,
 }
 
-/// Cutting speed of a chain cutter, and of the same cutter in other rock.
+/// Chain cutter, its feed and its chip.
 #[derive(Debug, Clone, clap::Args)]
 pub struct ChainCutter {
     /// Mean spacing of the picks in a cutting line.
@@ -68,7 +76,7 @@ pub struct ChainCutter {
     pub rock: Rock,
 }
 
-/// Cutting speed of a drum or auger, and of the same in other rock.
+/// Drum or auger, its feed and its chip.
 #[derive(Debug, Clone, clap::Args)]
 pub struct Drum {
     /// Diameter over the picks.
@@ -104,10 +112,7 @@ pub struct Rock {
     pub other_forces: Option<Quantities<Force>>,
 }
 
-/// Greatest and least speed of a bucket wheel, and how many speeds their range asks for.
-///
-/// The greatest still empties the buckets when the boom slews at its side, the least still throws onto the
-/// chute. Angles are about the wheel's axis from the horizontal, in the sense of rotation.
+/// Bucket wheel on its boom, and its throw onto the chute.
 #[derive(Debug, Clone, clap::Args)]
 #[command(override_usage = "\
 epicyclic machine rotor [OPTIONS] --boom-radius <BOOM_RADIUS>

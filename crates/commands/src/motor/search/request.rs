@@ -42,7 +42,8 @@ pub struct Args {
 
 /// Requirements of motors with teeth of one form, and objectives of their search.
 #[derive(Debug, Clone, clap::Args)]
-#[command(next_display_order = 0)]
+// Not under the last heading of `Shown`, and before its options.
+#[command(next_display_order = 0, next_help_heading = clap::builder::Resettable::Reset)]
 pub struct Request {
     /// Requirements of a motor, and bounds of its numbers.
     #[command(flatten)]
