@@ -95,7 +95,11 @@ def of_messages(code: int, messages: str) -> Error:
     """The exception of what was said beside an answer that is no JSON."""
     lines = messages.splitlines()
     starts = [at for at, line in enumerate(lines) if line.startswith("error: ")]
-    text = "\n".join(lines[starts[-1] :]) if starts else messages
-    text = text.removeprefix("error: ").split("\n\nUsage: ")[0].split("\n\nFor more information")[0].strip()
+    # All faults of a file are said, a line each, one below the other.
+    first = starts[-1] if starts else 0
+    while first - 1 in starts:
+        first -= 1
+    text = "\n".join(line.removeprefix("error: ") for line in lines[first:])
+    text = text.split("\n\nUsage: ")[0].split("\n\nFor more information")[0].strip()
     named = re.match(r"invalid value .*? for '(--[a-z0-9-]+)", text, re.S)
     return _KINDS.get(code, Refused)(text, option=named[1] if named else None, exit_code=code)
