@@ -14,7 +14,7 @@ const PIECE: usize = 4096;
 
 /// Gears and basic ratios to calculate.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Wanted<'a> {
+pub struct Request<'a> {
     /// Names of the gears; an empty list means all gears.
     pub gears: Vec<String>,
     /// Sets by name, each with its `k = |i₀|` in every variant; of a simple set `k = z_ring/z_sun`.
@@ -40,88 +40,91 @@ pub struct Columns {
     pub has_efficiency: Vec<bool>,
 }
 
-/// Solves every variant; `None` where `proceed` said no.
-///
-/// `proceed` is asked before each piece with 0 and after it with the number of its variants, from any thread.
-///
-/// ```
-/// use epicyclic_commands::sweep::{Wanted, answer};
-/// use epicyclic_train::{Gearbox, set::SetSpec};
-/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
-/// let gearbox = Gearbox::builder("scheme I")
-///     .links(["D", "B", "T1"])
-///     .set(SetSpec::simple("1", ["D", "T1", "B"], 3.0))
-///     .brake("K1", "T1")
-///     .input("D")
-///     .output("B")
-///     .gear("1", ["K1"])
-///     .build()?;
-/// let wanted = Wanted { gears: vec![], k: vec![("1".into(), &[2.0, 3.0])] };
-/// let found = answer(&gearbox, &wanted, &|_| true)?.expect("nothing ends it");
-/// assert_eq!(found.ratios, [3.0, 4.0]);
-/// # Ok(())
-/// # }
-/// ```
-///
-/// # Errors
-/// - [`Error::NoGear`] for a gear that there is not, [`Error::Gearbox`] for a set whose `k` cannot vary.
-/// - [`Error::SweptLength`] unless every set has as many values.
-/// - [`Error::SweptVariant`] with the first variant that has a `k` which its set cannot have.
-pub fn answer(
-    gearbox: &Gearbox,
-    wanted: &Wanted<'_>,
-    proceed: &(dyn Fn(usize) -> bool + Sync),
-) -> Result<Option<Columns>, Error> {
-    let gears = gears(gearbox, &wanted.gears)?;
-    let names: Vec<&str> = wanted.k.iter().map(|(set, _)| set.as_str()).collect();
-    let sweep = Sweep::new(gearbox, &gears, &names)?;
-    // Without columns of `k` the gearbox as described is the only variant.
-    let variants = wanted.k.first().map_or(1, |(_, values)| values.len());
-    for (set, values) in &wanted.k {
-        if values.len() != variants {
-            let (name, given, first) = (set.clone(), values.len(), names[0].to_owned());
-            return Err(Error::SweptLength { name, given, first, expected: variants });
-        }
-    }
-    let piece = |place: usize| -> Piece<Swept> {
-        if !proceed(0) {
-            return Ok(None);
-        }
-        // Solving changes the sweep's buffers, so every thread works on its own copy.
-        let mut sweep = sweep.clone();
-        let range = place * PIECE..variants.min((place + 1) * PIECE);
-        let mut all = Vec::with_capacity(range.len() * gears.len());
-        let mut k = vec![0.0; wanted.k.len()];
-        let mut found = Vec::with_capacity(gears.len());
-        for variant in range.clone() {
-            for (k, (_, values)) in k.iter_mut().zip(&wanted.k) {
-                *k = values[variant];
+impl Request<'_> {
+    /// Solves every variant; `None` where `proceed` said no.
+    ///
+    /// `proceed` is asked before each piece with 0 and after it with the number of its variants, from any
+    /// thread.
+    ///
+    /// ```
+    /// use epicyclic_commands::sweep::Request;
+    /// use epicyclic_train::{Gearbox, set::SetSpec};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let gearbox = Gearbox::builder("scheme I")
+    ///     .links(["D", "B", "T1"])
+    ///     .set(SetSpec::simple("1", ["D", "T1", "B"], 3.0))
+    ///     .brake("K1", "T1")
+    ///     .input("D")
+    ///     .output("B")
+    ///     .gear("1", ["K1"])
+    ///     .build()?;
+    /// let request = Request { gears: vec![], k: vec![("1".into(), &[2.0, 3.0])] };
+    /// let found = request.answer(&gearbox, &|_| true)?.expect("nothing ends it");
+    /// assert_eq!(found.ratios, [3.0, 4.0]);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// - [`Error::NoGear`] for a gear that there is not, [`Error::Gearbox`] for a set whose `k` cannot vary.
+    /// - [`Error::SweptLength`] unless every set has as many values.
+    /// - [`Error::SweptVariant`] with the first variant that has a `k` which its set cannot have.
+    pub fn answer(
+        &self,
+        gearbox: &Gearbox,
+        proceed: &(dyn Fn(usize) -> bool + Sync),
+    ) -> Result<Option<Columns>, Error> {
+        let gears = gears(gearbox, &self.gears)?;
+        let names: Vec<&str> = self.k.iter().map(|(set, _)| set.as_str()).collect();
+        let sweep = Sweep::new(gearbox, &gears, &names)?;
+        // Without columns of `k` the gearbox as described is the only variant.
+        let variants = self.k.first().map_or(1, |(_, values)| values.len());
+        for (set, values) in &self.k {
+            if values.len() != variants {
+                let (name, given, first) = (set.clone(), values.len(), names[0].to_owned());
+                return Err(Error::SweptLength { name, given, first, expected: variants });
             }
-            sweep.solve(&k, &mut found).map_err(|why| Error::SweptVariant { variant, why })?;
-            all.extend_from_slice(&found);
         }
-        Ok(proceed(range.len()).then_some(all))
-    };
-    let pieces = pieces(variants.div_ceil(PIECE), &piece);
-    let count = variants * gears.len();
-    let mut columns = Columns {
-        gears: gears.iter().map(|gear| gear.name().to_owned()).collect(),
-        variants,
-        states: Vec::with_capacity(count),
-        ratios: Vec::with_capacity(count),
-        has_ratio: Vec::with_capacity(count),
-        efficiencies: Vec::with_capacity(count),
-        has_efficiency: Vec::with_capacity(count),
-    };
-    for piece in pieces {
-        let Some(piece) = piece? else { return Ok(None) };
-        columns.states.extend(piece.iter().map(|one| one.state));
-        columns.ratios.extend(piece.iter().map(|one| one.ratio.unwrap_or(0.0)));
-        columns.has_ratio.extend(piece.iter().map(|one| one.ratio.is_some()));
-        columns.efficiencies.extend(piece.iter().map(|one| one.efficiency.unwrap_or(0.0)));
-        columns.has_efficiency.extend(piece.iter().map(|one| one.efficiency.is_some()));
+        let piece = |place: usize| -> Piece<Swept> {
+            if !proceed(0) {
+                return Ok(None);
+            }
+            // Solving changes the sweep's buffers, so every thread works on its own copy.
+            let mut sweep = sweep.clone();
+            let range = place * PIECE..variants.min((place + 1) * PIECE);
+            let mut all = Vec::with_capacity(range.len() * gears.len());
+            let mut k = vec![0.0; self.k.len()];
+            let mut found = Vec::with_capacity(gears.len());
+            for variant in range.clone() {
+                for (k, (_, values)) in k.iter_mut().zip(&self.k) {
+                    *k = values[variant];
+                }
+                sweep.solve(&k, &mut found).map_err(|why| Error::SweptVariant { variant, why })?;
+                all.extend_from_slice(&found);
+            }
+            Ok(proceed(range.len()).then_some(all))
+        };
+        let pieces = pieces(variants.div_ceil(PIECE), &piece);
+        let count = variants * gears.len();
+        let mut columns = Columns {
+            gears: gears.iter().map(|gear| gear.name().to_owned()).collect(),
+            variants,
+            states: Vec::with_capacity(count),
+            ratios: Vec::with_capacity(count),
+            has_ratio: Vec::with_capacity(count),
+            efficiencies: Vec::with_capacity(count),
+            has_efficiency: Vec::with_capacity(count),
+        };
+        for piece in pieces {
+            let Some(piece) = piece? else { return Ok(None) };
+            columns.states.extend(piece.iter().map(|one| one.state));
+            columns.ratios.extend(piece.iter().map(|one| one.ratio.unwrap_or(0.0)));
+            columns.has_ratio.extend(piece.iter().map(|one| one.ratio.is_some()));
+            columns.efficiencies.extend(piece.iter().map(|one| one.efficiency.unwrap_or(0.0)));
+            columns.has_efficiency.extend(piece.iter().map(|one| one.efficiency.is_some()));
+        }
+        Ok(Some(columns))
     }
-    Ok(Some(columns))
 }
 
 fn gears(gearbox: &Gearbox, names: &[String]) -> Result<Vec<Gear>, Error> {
@@ -176,7 +179,7 @@ mod tests {
         let k1: Vec<f64> = (0..count).map(|place| 1.5 + place as f64 / count as f64).collect();
         let k2: Vec<f64> = k1.iter().rev().copied().collect();
         let k = vec![("1".to_owned(), k1.as_slice()), ("2".to_owned(), k2.as_slice())];
-        let found = answer(&scheme(), &Wanted { gears: vec![], k }, &|_| true).unwrap().unwrap();
+        let found = Request { gears: vec![], k }.answer(&scheme(), &|_| true).unwrap().unwrap();
         assert_eq!(
             (found.variants, found.gears.as_slice()),
             (count, ["1", "2", "N"].map(String::from).as_slice())
@@ -195,8 +198,8 @@ mod tests {
 
     #[test]
     fn gears_are_those_named_in_their_order() {
-        let wanted = Wanted { gears: vec!["2".into(), "1".into()], k: vec![("2".into(), &[3.0])] };
-        let found = answer(&scheme(), &wanted, &|_| true).unwrap().unwrap();
+        let request = Request { gears: vec!["2".into(), "1".into()], k: vec![("2".into(), &[3.0])] };
+        let found = request.answer(&scheme(), &|_| true).unwrap().unwrap();
         assert_eq!(found.gears, ["2", "1"]);
         assert!((found.ratios[0] - (1.0 + 2.15 + 3.0) / 2.15).abs() < 1e-12);
     }
@@ -206,7 +209,7 @@ mod tests {
         let refused = |gears: &[&str], k: Vec<(&str, &[f64])>| {
             let gears = gears.iter().map(|&gear| gear.to_owned()).collect();
             let k = k.into_iter().map(|(set, values)| (set.to_owned(), values)).collect();
-            let error = answer(&scheme(), &Wanted { gears, k }, &|_| true).unwrap_err();
+            let error = Request { gears, k }.answer(&scheme(), &|_| true).unwrap_err();
             (error.name(), error.to_string())
         };
         let (name, text) = refused(&[], vec![("1", &[2.0, 3.0, 0.5])]);
@@ -224,7 +227,7 @@ mod tests {
     #[test]
     fn what_is_not_to_go_on_ends() {
         let k = vec![2.0; 3 * PIECE];
-        let wanted = Wanted { gears: vec![], k: vec![("1".into(), &k)] };
-        assert_eq!(answer(&scheme(), &wanted, &|_| false).unwrap(), None);
+        let request = Request { gears: vec![], k: vec![("1".into(), &k)] };
+        assert_eq!(request.answer(&scheme(), &|_| false).unwrap(), None);
     }
 }

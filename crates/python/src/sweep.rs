@@ -5,9 +5,8 @@ use epicyclic_commands::answer::to_json;
 use epicyclic_commands::error::Error;
 use epicyclic_commands::refused::{Place, Refused};
 use epicyclic_commands::shared::gearbox::{Choice, one};
-use epicyclic_commands::sweep as ratios;
-use epicyclic_commands::sweep::Columns;
-use epicyclic_commands::sweep::points::{Columns as PointColumns, Wanted as Points, answer as answer_points};
+use epicyclic_commands::sweep::points::{Columns as PointColumns, Request as Points};
+use epicyclic_commands::sweep::{Columns, Request as Variants};
 use epicyclic_formats::Document;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_train::Gearbox;
@@ -146,8 +145,8 @@ pub(crate) fn sweep<'py>(
     let k = owned(k);
     let count = k.first().map_or(1, |(_, values)| values.len());
     let found = solved(py, progress, count, move |proceed| {
-        let wanted = ratios::Wanted { gears, k: borrowed(&k) };
-        Ok(ratios::answer(&description.gearbox()?, &wanted, proceed)?)
+        let request = Variants { gears, k: borrowed(&k) };
+        Ok(request.answer(&description.gearbox()?, proceed)?)
     })?;
     Ok(match found {
         Ok(columns) => (Some(of_ratios(py, columns)), None),
@@ -182,8 +181,8 @@ pub(crate) fn points<'py>(
     let count = speeds.first().map_or(1, |(_, values)| values.len());
     let found = solved(py, progress, count, move |proceed| {
         let (speeds_rad_s, torques_n_m) = (borrowed(&speeds), borrowed(&torques));
-        let wanted = Points { gear, speeds_rad_s, torques_n_m };
-        Ok(answer_points(&description.gearbox()?, &wanted, proceed)?)
+        let request = Points { gear, speeds_rad_s, torques_n_m };
+        Ok(request.answer(&description.gearbox()?, proceed)?)
     })?;
     Ok(match found {
         Ok(columns) => (Some(of_points(py, columns)), None),

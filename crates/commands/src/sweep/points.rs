@@ -14,7 +14,7 @@ use uom::si::f64::{AngularVelocity, Torque};
 /// Speeds and torques to calculate: as many speeds as the gear keeps degrees of freedom, and torques at the
 /// other terminals, or no torques.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Wanted<'a> {
+pub struct Request<'a> {
     /// The gear.
     pub gear: String,
     /// Speeds by link, rad/s, of every point.
@@ -51,91 +51,100 @@ pub struct Columns {
     pub has_efficiency: Vec<bool>,
 }
 
-/// Solves every point; `None` if `proceed` returned false, which is called as in [`super::answer`].
-///
-/// ```
-/// use epicyclic_commands::sweep::points::{Wanted, answer};
-/// use epicyclic_train::{Gearbox, set::{SetKind, SetSpec}};
-/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
-/// let gearbox = Gearbox::builder("split")
-///     .links(["engine", "mg1", "ring"])
-///     .set(SetSpec::teeth("PSD", SetKind::Simple, ["mg1", "ring", "engine"], 30, 78)?)
-///     .input("engine")
-///     .output("ring")
-///     .gear("split", [""; 0])
-///     .build()?;
-/// let speeds_rad_s = vec![("engine".into(), &[100.0, 100.0][..]), ("mg1".into(), &[0.0, 360.0][..])];
-/// let wanted = Wanted { gear: "split".into(), speeds_rad_s, torques_n_m: vec![] };
-/// let found = answer(&gearbox, &wanted, &|_| true)?.expect("nothing ends it");
-/// assert_eq!(found.links, ["engine", "mg1", "ring"]);
-/// // 108·ω_engine = 30·ω_mg1 + 78·ω_ring
-/// assert!((found.speeds_rad_s[2] - 10800.0 / 78.0).abs() < 1e-12 && found.speeds_rad_s[5].abs() < 1e-12);
-/// # Ok(())
-/// # }
-/// ```
-///
-/// # Errors
-/// - [`Error::NoGear`], [`Error::NoLink`] for an unknown name.
-/// - [`Error::SweptLength`] unless all columns are equally long.
-/// - [`Error::Inputs`] if the speeds or torques are too few, too many or dependent.
-/// - [`Error::SweptVariant`] with the first point that has an infinite, undefined or too large number.
-pub fn answer(
-    gearbox: &Gearbox,
-    wanted: &Wanted<'_>,
-    proceed: &(dyn Fn(usize) -> bool + Sync),
-) -> Result<Option<Columns>, Error> {
-    let gear = gears(gearbox, std::slice::from_ref(&wanted.gear))?.remove(0);
-    let speeds = links(gearbox, &wanted.speeds_rad_s, Given::Speeds)?;
-    let torques = links(gearbox, &wanted.torques_n_m, Given::Torques)?;
-    let mut all = wanted.speeds_rad_s.iter().chain(&wanted.torques_n_m);
-    let (first, points) =
-        all.next().map_or((String::new(), 1), |(link, values)| (link.clone(), values.len()));
-    if let Some((name, values)) = all.find(|(_, values)| values.len() != points) {
-        return Err(Error::SweptLength { name: name.clone(), given: values.len(), first, expected: points });
-    }
-    let at = |variant: usize| -> Result<Option<MultiState>, Error> {
-        let speeds: Vec<_> =
-            speeds.iter().map(|(link, values)| (*link, AngularVelocity::from_si(values[variant]))).collect();
-        let torques: Vec<_> =
-            torques.iter().map(|(link, values)| (*link, Torque::from_si(values[variant]))).collect();
-        match gearbox.with_inputs(&gear, &speeds, &torques) {
-            Ok(state) => Ok(Some(state)),
-            Err(train::Error::Inputs(InputsFault::SelfLocking)) => {
-                // Its speeds follow all the same.
-                gearbox.with_inputs(&gear, &speeds, &[]).map(Some).map_err(Error::from)
+impl Request<'_> {
+    /// Solves every point; `None` if `proceed` returned false, which is called as in [`super::Request::answer`].
+    ///
+    /// ```
+    /// use epicyclic_commands::sweep::points::Request;
+    /// use epicyclic_train::{Gearbox, set::{SetKind, SetSpec}};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let gearbox = Gearbox::builder("split")
+    ///     .links(["engine", "mg1", "ring"])
+    ///     .set(SetSpec::teeth("PSD", SetKind::Simple, ["mg1", "ring", "engine"], 30, 78)?)
+    ///     .input("engine")
+    ///     .output("ring")
+    ///     .gear("split", [""; 0])
+    ///     .build()?;
+    /// let speeds_rad_s = vec![("engine".into(), &[100.0, 100.0][..]), ("mg1".into(), &[0.0, 360.0][..])];
+    /// let request = Request { gear: "split".into(), speeds_rad_s, torques_n_m: vec![] };
+    /// let found = request.answer(&gearbox, &|_| true)?.expect("nothing ends it");
+    /// assert_eq!(found.links, ["engine", "mg1", "ring"]);
+    /// // 108·ω_engine = 30·ω_mg1 + 78·ω_ring
+    /// assert!((found.speeds_rad_s[2] - 10800.0 / 78.0).abs() < 1e-12 && found.speeds_rad_s[5].abs() < 1e-12);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// - [`Error::NoGear`], [`Error::NoLink`] for an unknown name.
+    /// - [`Error::SweptLength`] unless all columns are equally long.
+    /// - [`Error::Inputs`] if the speeds or torques are too few, too many or dependent.
+    /// - [`Error::SweptVariant`] with the first point that has an infinite, undefined or too large number.
+    pub fn answer(
+        &self,
+        gearbox: &Gearbox,
+        proceed: &(dyn Fn(usize) -> bool + Sync),
+    ) -> Result<Option<Columns>, Error> {
+        let gear = gears(gearbox, std::slice::from_ref(&self.gear))?.remove(0);
+        let speeds = links(gearbox, &self.speeds_rad_s, Given::Speeds)?;
+        let torques = links(gearbox, &self.torques_n_m, Given::Torques)?;
+        let mut all = self.speeds_rad_s.iter().chain(&self.torques_n_m);
+        let (first, points) =
+            all.next().map_or((String::new(), 1), |(link, values)| (link.clone(), values.len()));
+        if let Some((name, values)) = all.find(|(_, values)| values.len() != points) {
+            return Err(Error::SweptLength {
+                name: name.clone(),
+                given: values.len(),
+                first,
+                expected: points,
+            });
+        }
+        let at = |variant: usize| -> Result<Option<MultiState>, Error> {
+            let speeds: Vec<_> = speeds
+                .iter()
+                .map(|(link, values)| (*link, AngularVelocity::from_si(values[variant])))
+                .collect();
+            let torques: Vec<_> =
+                torques.iter().map(|(link, values)| (*link, Torque::from_si(values[variant]))).collect();
+            match gearbox.with_inputs(&gear, &speeds, &torques) {
+                Ok(state) => Ok(Some(state)),
+                Err(train::Error::Inputs(InputsFault::SelfLocking)) => {
+                    // Its speeds follow all the same.
+                    gearbox.with_inputs(&gear, &speeds, &[]).map(Some).map_err(Error::from)
+                }
+                Err(train::Error::Inputs(fault)) => {
+                    let of_torques =
+                        matches!(fault, InputsFault::Torques { .. } | InputsFault::DependentTorques { .. });
+                    let given = if of_torques { Given::Torques } else { Given::Speeds };
+                    Err(Error::Inputs { given, fault })
+                }
+                Err(why) => Err(Error::SweptVariant { variant, why }),
             }
-            Err(train::Error::Inputs(fault)) => {
-                let of_torques =
-                    matches!(fault, InputsFault::Torques { .. } | InputsFault::DependentTorques { .. });
-                let given = if of_torques { Given::Torques } else { Given::Speeds };
-                Err(Error::Inputs { given, fault })
+        };
+        let piece = |place: usize| {
+            if !proceed(0) {
+                return Ok(None);
             }
-            Err(why) => Err(Error::SweptVariant { variant, why }),
+            let range = place * PIECE..points.min((place + 1) * PIECE);
+            let count = range.len();
+            let found = range.map(at).collect::<Result<Option<Vec<MultiState>>, Error>>()?;
+            Ok(found.filter(|_| proceed(count)))
+        };
+        let links = gearbox.links().iter().skip(1).cloned().collect();
+        let mut columns = Columns { points, links, ..Columns::default() };
+        for piece in pieces(points.div_ceil(PIECE), &piece) {
+            let Some(piece) = piece? else { return Ok(None) };
+            for state in &piece {
+                columns.push(gearbox, state);
+            }
         }
-    };
-    let piece = |place: usize| {
-        if !proceed(0) {
-            return Ok(None);
+        // A load that no point has leaves no terminals to tell of.
+        let count = columns.terminals.len();
+        if count > 0 && columns.torques_n_m.len() < points * count {
+            columns.spread(count);
         }
-        let range = place * PIECE..points.min((place + 1) * PIECE);
-        let count = range.len();
-        let found = range.map(at).collect::<Result<Option<Vec<MultiState>>, Error>>()?;
-        Ok(found.filter(|_| proceed(count)))
-    };
-    let links = gearbox.links().iter().skip(1).cloned().collect();
-    let mut columns = Columns { points, links, ..Columns::default() };
-    for piece in pieces(points.div_ceil(PIECE), &piece) {
-        let Some(piece) = piece? else { return Ok(None) };
-        for state in &piece {
-            columns.push(gearbox, state);
-        }
+        Ok(Some(columns))
     }
-    // A load that no point has leaves no terminals to tell of.
-    let count = columns.terminals.len();
-    if count > 0 && columns.torques_n_m.len() < points * count {
-        columns.spread(count);
-    }
-    Ok(Some(columns))
 }
 
 impl Columns {
@@ -211,12 +220,12 @@ mod tests {
     fn points_are_what_one_point_alone_is() {
         let gearbox = locking();
         let (speeds, torques) = ([100.0, -50.0, 20.0, 20.0], [1.0, 2.0, -3.0, 4.0]);
-        let wanted = Wanted {
+        let request = Request {
             gear: "1".into(),
             speeds_rad_s: vec![("sun".into(), &speeds)],
             torques_n_m: vec![("carrier".into(), &torques)],
         };
-        let found = answer(&gearbox, &wanted, &|_| true).unwrap().unwrap();
+        let found = request.answer(&gearbox, &|_| true).unwrap().unwrap();
         assert_eq!(found.links, ["sun", "carrier"]);
         assert_eq!(found.terminals, ["sun", "carrier"]);
         let mut locked = 0;
@@ -255,12 +264,12 @@ mod tests {
                 all.into_iter().map(|(link, values)| (link.to_owned(), values.to_vec())).collect()
             };
             let (speeds, torques) = (fixed(speeds), fixed(torques));
-            let wanted = Wanted {
+            let request = Request {
                 gear: gear.into(),
                 speeds_rad_s: speeds.iter().map(|(link, values)| (link.clone(), values.as_slice())).collect(),
                 torques_n_m: torques.iter().map(|(link, values)| (link.clone(), values.as_slice())).collect(),
             };
-            answer(&gearbox, &wanted, &|_| true).unwrap_err().name()
+            request.answer(&gearbox, &|_| true).unwrap_err().name()
         };
         assert_eq!(refused("9", vec![("sun", &[1.0])], vec![]), "no-gear");
         assert_eq!(refused("1", vec![("moon", &[1.0])], vec![]), "no-link");
