@@ -22,11 +22,14 @@ use std::path::{Path, PathBuf};
 /// The fewest columns of tables, below which most numbers have no room beside their names.
 const NARROWEST: usize = 20;
 
+/// For options that stand under no heading, where those before them have one.
+pub(crate) const NO_HEADING: Option<&'static str> = None;
+
 /// How the answer is written and where.
 #[derive(Debug, clap::Args)]
 pub struct OutputArgs {
     /// How the answer is written. Default: by the end of the name of --output, .json or .csv; else tables.
-    #[arg(long, value_enum)]
+    #[arg(long, value_enum, help_heading = NO_HEADING)]
     format: Option<Format>,
 
     #[command(flatten)]
@@ -48,7 +51,7 @@ pub(crate) struct WithOutput<Request: clap::Args> {
 #[derive(Debug, clap::Args)]
 pub struct Target {
     /// File for the answer, written whole or not at all. Default: standard output.
-    #[arg(short, long, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE", help_heading = NO_HEADING)]
     output: Option<PathBuf>,
 }
 

@@ -7,7 +7,7 @@ use crate::answer::write_json;
 use crate::desk::{Call, Content};
 use crate::error::Error;
 use crate::failure::Failure;
-use crate::output::{Format, OutputArgs};
+use crate::output::{Format, NO_HEADING, OutputArgs};
 use crate::progress::Progress;
 use crate::select::answer::duty::{Duty, Load};
 use crate::select::answer::page::drawn;
@@ -51,7 +51,7 @@ pub struct Args {
     request: Request,
 
     /// Write the best design as a gearbox file that analyze, draw and report read.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", help_heading = NO_HEADING)]
     save: Option<PathBuf>,
 
     #[command(flatten)]

@@ -111,7 +111,7 @@ pub(crate) fn refuse(error: Error) -> Failure {
 }
 
 /// Reads the gearbox of a file; refuses a list of several transmissions without a choice of one.
-pub(crate) fn subject<'d>(choice: &Choice, document: &'d Document) -> Result<Gearbox, Failure> {
+pub(crate) fn subject(choice: &Choice, document: &Document) -> Result<Gearbox, Failure> {
     gearbox::one(document, &choice.question()?).map_err(refuse)
 }
 

@@ -3,7 +3,7 @@
 use crate::desk::{Call, Content, Hearing};
 use crate::failure::Failure;
 use crate::input;
-use crate::output::{Format, OutputArgs};
+use crate::output::{Format, NO_HEADING, OutputArgs};
 use crate::progress::Progress;
 use crate::shared::gearbox::{Choice, Gearbox, one};
 use crate::shared::lists::List;
@@ -57,34 +57,34 @@ pub struct Args {
 
     /// Write the best gearbox as a file that analyze, draw and report read, with its tooth numbers where
     /// --teeth found any.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", help_heading = NO_HEADING)]
     save: Option<PathBuf>,
 
     /// With --save: the gearbox with this number, of all found, in place of the best.
-    #[arg(long, value_name = "N", requires = "save", default_value = "1")]
+    #[arg(long, value_name = "N", requires = "save", default_value = "1", help_heading = NO_HEADING)]
     nth: usize,
 
     /// A gearbox to be placed beside the search: which ratio it misses, its number among those found, or why
     /// it is not found.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", help_heading = NO_HEADING)]
     explain: Option<PathBuf>,
 
     /// With --explain: one transmission of a list, its name or a part that no other name has.
-    #[arg(long, value_name = "NAME", requires = "explain")]
+    #[arg(long, value_name = "NAME", requires = "explain", help_heading = NO_HEADING)]
     transmission: Option<String>,
 
     /// Search a share of the structures, the first of eight: 1/8. What it finds is a part, a Parquet table,
     /// in the file of --output. If it is ended, the same command goes on from --output with .progress at its
     /// end.
-    #[arg(long, value_name = "I/N", requires = "output", conflicts_with_all = ["merge", "format", "limit"])]
+    #[arg(long, value_name = "I/N", requires = "output", conflicts_with_all = ["merge", "format", "limit"], help_heading = NO_HEADING)]
     shard: Option<Share>,
 
     /// Begin a search only if it is estimated to take at most this long. Default: 1 h, and at most 4 GB.
-    #[arg(long, value_name = "TIME", conflicts_with_all = ["shard", "merge"])]
+    #[arg(long, value_name = "TIME", conflicts_with_all = ["shard", "merge"], help_heading = NO_HEADING)]
     longest: Option<Quantity<Time>>,
 
     /// Take what was found from these parts of a search, all of its shares, instead of searching.
-    #[arg(long, value_name = "PART", num_args = 1.., value_hint = clap::ValueHint::FilePath)]
+    #[arg(long, value_name = "PART", num_args = 1.., value_hint = clap::ValueHint::FilePath, help_heading = NO_HEADING)]
     merge: Vec<PathBuf>,
 
     #[command(flatten)]

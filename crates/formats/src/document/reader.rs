@@ -207,7 +207,7 @@ impl<'de> Reader<'de> {
     /// A fault without a place is at this node.
     fn here<T>(self, read: Result<T, Fault>) -> Result<T, Fault> {
         read.map_err(|mut fault| {
-            fault.0.place.get_or_insert_with(|| FaultPlace {
+            fault.0.place.get_or_insert(FaultPlace {
                 at: self.node.at,
                 node: self.node,
                 is_key: false,

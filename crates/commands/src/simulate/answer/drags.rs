@@ -87,7 +87,7 @@ impl Scenario<'_> {
         let of_gearbox = epicyclic_train::Error::Drag { drag: found.name.clone(), fault };
         let document = &self.subject.document;
         let told = DescriptionError::Gearbox(of_gearbox);
-        let path = located(&document, &self.subject.base, &told).at().path.clone();
+        let path = located(document, &self.subject.base, &told).at().path.clone();
         let message = format!("at {}: {told}", Quantity(Time::from_si(time_s)));
         let at = document.error(&path, Problem::refused(why.name(), message));
         Error::Placed { at: Box::new(at), why: Box::new(why.into()) }

@@ -114,7 +114,7 @@ fn of_set(analysis: &Analysis<'_>, place: usize, one: &TrainSet<'_>, harmonics: 
                 source: order.source,
                 harmonic: order.harmonic,
                 of_input: order.of_input,
-                excites: excites,
+                excites,
             }
         })
         .collect()
