@@ -1,5 +1,6 @@
 //! `machine`: speeds of mining machines.
 
 pub mod answer;
+pub mod options;
 pub mod request;
 pub mod table;

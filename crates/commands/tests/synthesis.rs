@@ -2,9 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
+use epicyclic_commands::shared::profile_shift::WantedShifts;
 use epicyclic_commands::synthesize::answer::teeth::TeethWanted;
 use epicyclic_commands::synthesize::answer::{Set, Solution, Wanted, answer, saved, solve};
-use epicyclic_commands::teeth::answer::shifted::WantedShifts;
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::wanted_ratio::Wanted as Ratio;
 use epicyclic_formats::{Document, WantedRatio};

@@ -23,7 +23,7 @@ pub const ARROWS: &[(&str, &[&str])] = &[
     ("hydromotor", &[]),
     ("formats", &["dynamics", "train", "gears", "hydromotor"]),
     ("drawing", &[]),
-    ("pictures", &["drawing", "layout", "train", "schemes", "gears", "hydromotor"]),
+    ("pictures", &["drawing", "layout", "train", "schemes", "gears", "hydromotor", "vibration"]),
     (
         "commands",
         &[

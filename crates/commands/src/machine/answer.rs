@@ -2,7 +2,7 @@
 
 use crate::answer::Answer;
 use crate::error::Error;
-use crate::machine::request;
+use crate::machine::options;
 use crate::tolerance::SAME;
 use epicyclic_schemes::cutting::{chain_speed, drum_speed, matching_feed, speed_at_force};
 use epicyclic_schemes::machines::{self as tables, recommended_speeds};
@@ -283,7 +283,7 @@ impl Answer for Drum {
 /// # Errors
 /// [`Error::Design`] for a quantity that is not above 0.
 pub(super) fn chain_cutter(
-    cutter: &request::ChainCutter,
+    cutter: &options::ChainCutter,
     forces: Option<Forces>,
 ) -> Result<ChainCutter, Error> {
     let speed = chain_speed(cutter.pick_spacing.0, cutter.feed.0, cutter.chip.0)?;
@@ -295,7 +295,7 @@ pub(super) fn chain_cutter(
 ///
 /// # Errors
 /// [`Error::Design`] for a quantity that is not above 0.
-pub(super) fn drum(drum: &request::Drum, forces: Option<Forces>) -> Result<Drum, Error> {
+pub(super) fn drum(drum: &options::Drum, forces: Option<Forces>) -> Result<Drum, Error> {
     let speed = drum_speed(drum.diameter.0, drum.feed.0, drum.chip.0, drum.picks)?;
     let (cutting, rocks, range) = in_rocks(speed, drum.feed.0, forces)?;
     Ok(Drum { cutting, rocks, range })
@@ -386,7 +386,7 @@ impl Answer for Rotor {
 /// # Errors
 /// [`Error::Design`] for a quantity that is not above 0, and for a throw that does not reach the chute;
 /// [`Error::NoChute`].
-pub(super) fn rotor(wheel: &request::Rotor, throw: &Throw) -> Result<Rotor, Error> {
+pub(super) fn rotor(wheel: &options::Rotor, throw: &Throw) -> Result<Rotor, Error> {
     let (slewing, angle) = (wheel.slewing.0, wheel.boom_angle.0);
     let optimal = optimal_speed(wheel.boom_radius.0, slewing, wheel.chip_width.0, wheel.buckets, angle)?;
     let greatest = greatest_speed(optimal)?;
@@ -439,7 +439,7 @@ mod tests {
 
     #[test]
     fn a_throw_without_a_chute_is_refused() {
-        let wheel = request::Rotor {
+        let wheel = options::Rotor {
             boom_radius: "20 m".parse().unwrap(),
             slewing: "0.02 rad/s".parse().unwrap(),
             chip_width: "0.3 m".parse().unwrap(),

@@ -2,8 +2,11 @@
 
 use crate::failure::Failure;
 use crate::shared::options::of_teeth;
-use crate::teeth::answer::shifted::WantedShifts;
+use epicyclic_gears::involute::Profile;
+use epicyclic_gears::involute::closing::Closing;
 use epicyclic_gears::involute::family::Aim;
+use epicyclic_gears::involute::search::ProfileShift;
+use epicyclic_gears::involute::set::Limits;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_units::Number;
 use std::ops::RangeInclusive;
@@ -29,6 +32,33 @@ pub struct ShiftOptions {
         allow_negative_numbers = true
     )]
     pub tip_thickness: Number,
+}
+
+/// Requirements of the profile shifts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WantedShifts {
+    /// Ring offsets, `z_r − z_s − 2·z_p`.
+    pub offsets: RangeInclusive<i32>,
+    /// Aim of the profile shifts.
+    pub aim: Aim,
+    /// Minimum normal tip thickness, in modules.
+    pub tip_thickness: f64,
+}
+
+impl WantedShifts {
+    /// Profile shift for these bounds, with their rack and their gap between planets.
+    #[must_use]
+    pub fn within(&self, bounds: &Bounds) -> ProfileShift {
+        let limits =
+            Limits { tip_thickness: self.tip_thickness, planet_gap: bounds.tip_gap, ..Limits::default() };
+        let closing = Closing {
+            profiles: Profile::of_rack(bounds.rack).into(),
+            aim: self.aim,
+            limits,
+            ..Closing::default()
+        };
+        ProfileShift { offsets: self.offsets.clone(), closing }
+    }
 }
 
 impl ShiftOptions {

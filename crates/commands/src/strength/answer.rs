@@ -42,7 +42,7 @@ use crate::shared::fault::Named;
 use crate::shared::gearbox::Gearbox;
 use crate::shared::load::Load;
 use crate::shared::tooth_checks::answer::ToothChecks;
-use crate::strength::request::Request;
+use crate::strength::options::Request;
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::{Document, Path};
 use epicyclic_strength::factor::Edition;

@@ -6,8 +6,9 @@ use crate::failure::Failure;
 use crate::input;
 use crate::output::OutputArgs;
 use crate::shared::gearbox::{Gearbox, alone};
-use crate::shared::{gearbox_choice::refuse, load::Load};
+use crate::shared::gearbox_choice::refuse;
 use crate::strength::answer::{self as answers, Strength};
+use crate::strength::options::Request;
 use std::path::PathBuf;
 
 /// Strength of the teeth of simple sets by ISO 6336, method B: safeties of flanks and roots.
@@ -28,22 +29,6 @@ pub struct Args {
 
     #[command(flatten)]
     output: OutputArgs,
-}
-
-/// Request for the strength of teeth, at a load or over the duty of the file.
-#[derive(Debug, Clone, Default, clap::Args)]
-pub struct Request {
-    /// One gear at the load; all without.
-    #[arg(long, value_name = "NAME")]
-    pub gear: Option<String>,
-
-    /// The factors of each mesh, with where each comes from; over a duty the least and greatest of its steps.
-    #[arg(long)]
-    pub factors: bool,
-
-    /// Speed and load of the input; without a load the duty of the file is used.
-    #[command(flatten)]
-    pub load: Load,
 }
 
 impl Request {

@@ -14,7 +14,7 @@ use crate::answer::Answer;
 use crate::error::Error;
 use crate::shared::records::{Fraction, Motion};
 use crate::shared::tooth_checks::answer::{TeethLeftOut, ToothChecks};
-use crate::teeth::request::Request;
+use crate::teeth::options::Request;
 use crate::tolerance::ROUNDED;
 use epicyclic_gears::ToothCount;
 pub use epicyclic_gears::mesh::USUAL_PLANET_GAP;

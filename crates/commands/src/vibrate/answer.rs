@@ -41,7 +41,7 @@ use crate::shared::fault::Named;
 use crate::shared::gearbox::Gearbox;
 use crate::shared::toothed::simple_sets;
 use crate::tolerance::rounded;
-use crate::vibrate::request::Request;
+use crate::vibrate::options::Request;
 use branches::Branches;
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_pictures::modes::Part;

@@ -9,6 +9,7 @@ use crate::output::OutputArgs;
 use crate::shared::exciting::Exciting;
 use crate::shared::gearbox::{Gearbox, alone};
 use crate::vibrate::answer::{self as answers, Vibration};
+use crate::vibrate::options::Request;
 use crate::vibrate::table as views;
 use epicyclic_drawing::Scene;
 use std::ops::ControlFlow;
@@ -50,22 +51,6 @@ pub struct Args {
 
     #[command(flatten)]
     output: OutputArgs,
-}
-
-/// Request for the vibration of a gearbox.
-#[derive(Debug, Clone, Default, clap::Args)]
-pub struct Request {
-    /// One gear; all without.
-    #[arg(long, value_name = "NAME")]
-    pub gear: Option<String>,
-
-    /// One set; all without.
-    #[arg(long, value_name = "NAME")]
-    pub set: Option<String>,
-
-    /// Excitation and its speeds; the file may state those that are not given.
-    #[command(flatten)]
-    pub exciting: Exciting,
 }
 
 impl Request {

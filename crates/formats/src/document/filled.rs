@@ -4,7 +4,7 @@ use serde::de::value::{MapDeserializer, SeqDeserializer, StrDeserializer};
 use serde::de::{DeserializeSeed, EnumAccess, IntoDeserializer, VariantAccess, Visitor};
 use serde::{Deserializer, forward_to_deserialize_any};
 
-use super::reader::Fault;
+use super::fault::Fault;
 use epicyclic_units::{Dimension, token_dimension};
 
 /// Deserializer of an allowed value: 1, a text, an empty list, the first name.

@@ -3,6 +3,7 @@
 //! One parser makes a tree of nodes with places, and every type is read from this tree. Repeated keys, merge keys,
 //! anchors and aliases, tags, and numbers that are not finite are refused, each by name.
 
+mod fault;
 mod filled;
 pub(crate) mod path;
 pub(crate) mod position;

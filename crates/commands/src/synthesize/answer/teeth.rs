@@ -3,9 +3,10 @@
 use super::gear::WantedGear;
 use super::{Kept, saved};
 use crate::error::Error;
+use crate::shared::profile_shift::WantedShifts;
 use crate::shared::records::Fraction;
 use crate::shared::tooth_checks::answer::TeethLeftOut;
-use crate::teeth::answer::shifted::{RequiredShifts, SetShifts, WantedShifts};
+use crate::teeth::answer::shifted::{RequiredShifts, SetShifts};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::synthesis::Bounds as ToothBounds;

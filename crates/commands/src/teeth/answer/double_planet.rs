@@ -5,7 +5,7 @@ use crate::answer::Answer;
 use crate::error::Error;
 use crate::shared::records::{Fraction, Motion};
 use crate::shared::tooth_checks::answer::{TeethLeftOut, ToothChecks};
-use crate::teeth::request::Request;
+use crate::teeth::options::Request;
 use crate::tolerance::ROUNDED;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::double_planet::DoublePlanetCandidate;

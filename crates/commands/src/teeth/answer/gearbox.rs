@@ -1,7 +1,7 @@
 //! Set of tooth numbers as a gearbox, for its checks and for a file that `analyze`, `draw` and `report` read.
 
 use crate::error::Error;
-use crate::teeth::request::Request;
+use crate::teeth::options::Request;
 use epicyclic_gears::simple_set::{Member, Mode};
 use epicyclic_train::set::SetSpec;
 use epicyclic_train::spacing::Spacing;

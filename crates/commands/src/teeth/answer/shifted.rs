@@ -3,52 +3,24 @@
 use super::{Listed, gearbox, listed};
 use crate::answer::Answer;
 use crate::error::Error;
+use crate::shared::profile_shift::WantedShifts;
 use crate::shared::records::{Fraction, Motion};
 use crate::shared::tool::CuttingTool;
 use crate::shared::tooth_checks::answer::{TeethLeftOut, ToothChecks};
-use crate::teeth::request::Request;
+use crate::teeth::options::Request;
 use crate::tolerance::{ROUNDED, rounded};
 use epicyclic_gears::ToothCount;
-use epicyclic_gears::involute::closing::Closing;
+use epicyclic_gears::involute::InvoluteGear;
 use epicyclic_gears::involute::family::Aim;
 use epicyclic_gears::involute::profile::Cutting;
 use epicyclic_gears::involute::search::{ProfileShift, Shifted};
-use epicyclic_gears::involute::set::Limits;
-use epicyclic_gears::involute::{InvoluteGear, Profile};
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
 use epicyclic_train::Gearbox;
 use epicyclic_train::set::{SetKind, SetSpec, Shifts};
 use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::ops::{ControlFlow, RangeInclusive};
-
-/// Requirements of the profile shifts.
-#[derive(Debug, Clone, PartialEq)]
-pub struct WantedShifts {
-    /// Ring offsets, `z_r − z_s − 2·z_p`.
-    pub offsets: RangeInclusive<i32>,
-    /// Aim of the profile shifts.
-    pub aim: Aim,
-    /// Minimum normal tip thickness, in modules.
-    pub tip_thickness: f64,
-}
-
-impl WantedShifts {
-    /// Profile shift for these bounds, with their rack and their gap between planets.
-    #[must_use]
-    pub fn within(&self, bounds: &Bounds) -> ProfileShift {
-        let limits =
-            Limits { tip_thickness: self.tip_thickness, planet_gap: bounds.tip_gap, ..Limits::default() };
-        let closing = Closing {
-            profiles: Profile::of_rack(bounds.rack).into(),
-            aim: self.aim,
-            limits,
-            ..Closing::default()
-        };
-        ProfileShift { offsets: self.offsets.clone(), closing }
-    }
-}
+use std::ops::ControlFlow;
 
 /// Requirements of the profile shifts of a search.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
