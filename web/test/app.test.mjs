@@ -148,7 +148,7 @@ on('a link opens the same gearbox in the same gear', async (page, context) => {
   await page.click('#share');
   await until(page, () => location.hash.startsWith('#s='));
   const other = await open(context, url(), new URL(page.url()).hash);
-  assert.equal(await other.page.locator('#gears input:checked').getAttribute('value'), '5');
+  await until(other.page, () => document.querySelector('#gears input:checked')?.value === '5');
   assert.match(await other.page.inputValue('#text'), /z_s: 48, z_r: 99/);
   assert.deepEqual(other.faults, []);
 });
