@@ -1,7 +1,8 @@
 //! Planetary gear mechanisms as a library: what the program `epicyclic` answers, as types.
 //!
-//! Each command is a module: its `Request` has the options of the command line as fields, and `answer` gives the
-//! record that the program prints. Numbers of records are in SI units, and the names of keys end in the unit.
+//! Each command is a module: its `Request` has the options of the command line as fields, and `answer` gives
+//! the record that the program prints. Numbers of records are in SI units, and the names of keys end in the
+//! unit.
 //!
 //! ```
 //! use epicyclic::{Gearbox, losses};
@@ -30,9 +31,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! [`to_json`] and [`AsReport`] write any answer as the program does. [`call`] answers a whole command line: all
-//! input and output goes through a [`Desk`], a terminal for the program, memory for a page in a browser, both for
-//! other languages.
+//! [`to_json`] and [`AsReport`] write any answer as the program does. [`call`] answers a whole command line:
+//! all input and output goes through a [`Desk`], a terminal for the program, memory for a page in a browser,
+//! both for other languages.
 //!
 //! ```
 //! use epicyclic::{Memory, call};

@@ -22,7 +22,7 @@ use std::path::{Path, PathBuf};
 /// The fewest columns of tables, below which most numbers have no room beside their names.
 const NARROWEST: usize = 20;
 
-/// For options that stand under no heading, where those before them have one.
+/// Heading of options without one, if the options before them have a heading.
 pub(crate) const NO_HEADING: Option<&'static str> = None;
 
 /// How the answer is written and where.

@@ -1,4 +1,5 @@
-//! Every YAML file of the repository, and texts with each form of scalar, have the values that `serde_yaml` reads.
+//! Every YAML file of the repository, and texts with each form of scalar, have the values that `serde_yaml`
+//! reads.
 
 #![allow(clippy::unwrap_used, reason = "tests")]
 

@@ -97,11 +97,12 @@ impl ToothNumbers {
 
 /// Placement of the planets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "names", derive(clap::ValueEnum))]
 pub enum Placement {
     /// Equal angles only.
     #[default]
     Equal,
-    /// Equal angles, or, if the planets do not assemble at them, the nearest at which they do.
+    /// The assembly positions nearest to equal angles, where equal angles do not assemble.
     LeastUnequal,
 }
 

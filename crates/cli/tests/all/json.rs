@@ -18,8 +18,8 @@ use std::sync::LazyLock;
 /// Keys by command.
 type Keys = BTreeMap<String, BTreeSet<String>>;
 
-/// Command lines that together write all keys of their answers, a line each: the answer's section, and the words
-/// as a shell reads them.
+/// Command lines that together write all keys of their answers, a line each: the answer's section, and the
+/// words as a shell reads them.
 const RUNS: &str = include_str!("json/runs.txt");
 
 /// A gear that nothing holds, and one whose losses bear themselves out in two ways.

@@ -99,8 +99,8 @@ pub fn order_of_teeth() -> Order {
 /// - [`Error::NoLoad`] without load, [`Error::LoadWithoutSpeed`] without speed of the input.
 /// - [`Error::NoSuchDesign`] for a number of a tooth design that does not exist.
 /// - [`Error::Shares`] unless there is one share per gear; errors of [`select::answer`],
-///   [`select::teeth::search`] and [`size::Request::answer`](crate::size::Request::answer), which refer to the file `basis` or to the unfinished
-///   gearbox.
+///   [`select::teeth::search`] and [`size::Request::answer`](crate::size::Request::answer), which refer to
+///   the file `basis` or to the unfinished gearbox.
 pub fn answer(wanted: &Wanted, watch: &Watch) -> Result<Design, Error> {
     let (mut design, relaxations) = attempted(wanted, watch)?;
     if design.file.is_none() && wanted.tooth_design.is_none() {

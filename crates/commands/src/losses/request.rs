@@ -31,7 +31,7 @@ pub struct Args {
     output: OutputArgs,
 }
 
-/// What is asked about the losses of a gearbox: a speed and one load, or a map of one gear.
+/// Request for the losses of a gearbox: a speed and one load, or a map of one gear.
 #[derive(Debug, Clone, Default, clap::Args)]
 pub struct Request {
     /// One gear; all without.

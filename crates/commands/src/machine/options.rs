@@ -1,4 +1,4 @@
-//! What is asked of mining machines.
+//! Requests about mining machines.
 
 use crate::shared::lists::Quantities;
 use epicyclic_units::{Number, Quantity};

@@ -23,8 +23,8 @@ enum Command {
     List(WithOutput<List>),
     /// Ratios of a gearbox for some speeds, and how many speeds are recommended for their range.
     ///
-    /// Direct drive may serve the fastest speed (the gearbox then only slows down), the slowest, or one between.
-    /// Ratios are listed the fastest speed first.
+    /// Direct drive may serve the fastest speed (the gearbox then only slows down), the slowest, or one
+    /// between. Ratios are listed the fastest speed first.
     Speeds(WithOutput<Speeds>),
     /// Cutting speed of a chain cutter, and of the same cutter in other rock.
     ChainCutter(WithOutput<ChainCutter>),
@@ -32,8 +32,8 @@ enum Command {
     Drum(WithOutput<Drum>),
     /// Greatest and least speed of a bucket wheel, and how many speeds their range asks for.
     ///
-    /// The greatest still empties the buckets when the boom slews at its side, the least still throws onto the
-    /// chute. Angles are about the wheel's axis from the horizontal, in the sense of rotation.
+    /// The greatest still empties the buckets when the boom slews at its side, the least still throws onto
+    /// the chute. Angles are about the wheel's axis from the horizontal, in the sense of rotation.
     Rotor(WithOutput<Rotor>),
 }
 

@@ -61,7 +61,7 @@ pub struct Args {
     page: PageArgs,
 }
 
-/// What is asked of a choice for two or three speeds.
+/// Request for a gearbox of two or three speeds.
 #[derive(Debug, Clone, clap::Args)]
 pub struct Request {
     /// Speeds or ratios, and the mechanisms to choose among.
@@ -94,7 +94,7 @@ pub struct Request {
     #[command(flatten)]
     pub ratios: RatioOptions,
 
-    /// What a design has to meet.
+    /// Criteria of a design.
     #[command(flatten)]
     pub criteria: Criteria,
 
@@ -103,11 +103,11 @@ pub struct Request {
     #[arg(long, help_heading = "Criteria")]
     pub same_direction: bool,
 
-    /// What is known of the input.
+    /// Speed and load of the input.
     #[command(flatten)]
     pub duty: DutyOptions,
 
-    /// What sizes are measured by.
+    /// Load factor and limits of sizes.
     #[command(flatten)]
     pub size: Size,
 
@@ -116,7 +116,7 @@ pub struct Request {
     pub teeth_bounds: BoundOptions,
 }
 
-/// What sizes are measured by.
+/// Load factor and limits of sizes.
 #[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "Size")]
 pub struct Size {
@@ -156,7 +156,7 @@ pub struct Size {
     pub greatest_module: Option<Quantity<Length>>,
 }
 
-/// What is known of the input.
+/// Speed and load of the input.
 #[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "Duty")]
 #[group(id = "duty")]
@@ -220,7 +220,7 @@ impl Request {
         found.map_err(|error| refuse(self, error))
     }
 
-    /// What is required of the designs, and the order that ranks them.
+    /// Requirements on the designs, the order that ranks them, and the duty.
     fn required(&self) -> Result<(Requirements, Order, Duty), Failure> {
         self.teeth_bounds.shifts.only_with_teeth(self.teeth)?;
         let duty = self.duty.duty();

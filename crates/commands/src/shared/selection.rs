@@ -1,5 +1,5 @@
-//! Options of the choice of a gearbox for two or three speeds: what it gives, how its ratios are taken, what it
-//! has to meet, and what is refused of them.
+//! Options for the choice of a gearbox of two or three speeds: its speeds, its ratios and its criteria, and
+//! the refusal of wrong ones.
 
 use crate::failure::Failure;
 use crate::shared::lists::{List, Quantities};
@@ -14,7 +14,7 @@ use epicyclic_units::{Number, Physical, Quantity};
 use std::ops::RangeInclusive;
 use uom::si::f64::{Ratio, Velocity};
 
-/// What the gearbox shall give, and of which mechanisms.
+/// Speeds or ratios of the gearbox, and the mechanisms to choose among.
 #[derive(Debug, Clone, clap::Args)]
 pub struct Speeds {
     /// Speeds of the machine, the slowest first.
@@ -44,7 +44,7 @@ pub struct RatioOptions {
     pub signs: Option<Signs>,
 }
 
-/// What a design has to meet.
+/// Criteria of a design.
 #[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "Criteria")]
 pub struct Criteria {

@@ -155,7 +155,8 @@ impl Request {
     ///
     /// # Errors
     /// - [`Failure::Option`] and [`Failure::Range`] for an empty space and impossible limits.
-    /// - [`Failure::Answer`] if no set can be sized, or with the place of missing or invalid data in the file.
+    /// - [`Failure::Answer`] if no set can be sized, or with the place of missing or invalid data in the
+    ///   file.
     pub fn answer(&self, gearbox: &Gearbox, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Size, Failure> {
         answer(gearbox, &self.search()?, goes_on).map_err(refuse)
     }

@@ -1,4 +1,4 @@
-//! What is asked of the strength of teeth.
+//! Request for the strength of teeth.
 
 use crate::shared::load::Load;
 

@@ -52,7 +52,8 @@ pub struct Columns {
 }
 
 impl Request<'_> {
-    /// Solves every point; `None` if `proceed` returned false, which is called as in [`super::Request::answer`].
+    /// Solves every point; `None` if `proceed` returned false, which is called as in
+    /// [`super::Request::answer`].
     ///
     /// ```
     /// use epicyclic_commands::sweep::points::Request;

@@ -94,7 +94,7 @@ pub struct Args {
     page: PageArgs,
 }
 
-/// What is asked of a search for gearboxes.
+/// Request for a search for gearboxes.
 #[derive(Debug, Clone, clap::Args)]
 pub struct Request {
     /// Wanted ratios, input speed over output speed; negative for reverse. Commas, semicolons or spaces part
@@ -260,9 +260,10 @@ pub enum ShiftChoice {
 }
 
 impl Request {
-    /// Searches, and tells the gearboxes that have the ratios; `limit` of them, or the most that are told. One
-    /// may be placed beside the search. The closure is told how far the class that is searched is, from 0 to
-    /// 1, and whether it ends the search: what is found until then is the answer.
+    /// Searches for the gearboxes that have the ratios, and lists `limit` of them, or as many as may be
+    /// listed. With `explain` the answer also compares a given gearbox with the search. The closure receives
+    /// the finished part of the present class, from 0 to 1, and may end the search; the answer then has the
+    /// gearboxes found so far.
     ///
     /// # Errors
     /// [`Failure::Option`] for an option that cannot be, alone or with the others.

@@ -1,4 +1,4 @@
-//! What is asked of a search for tooth numbers.
+//! Request for a search for tooth numbers.
 
 use crate::shared::profile_shift::ShiftOptions;
 use epicyclic_formats::Span;
@@ -53,8 +53,8 @@ pub struct Request {
     pub k: Span<f64>,
 
     /// Spacing of the planets.
-    #[arg(long, value_enum, default_value_t = Spacing::Equal)]
-    pub spacing: Spacing,
+    #[arg(long, value_enum, default_value_t = Placement::Equal)]
+    pub spacing: Placement,
 
     /// Least gap between the tips of neighbouring planets, in modules.
     #[arg(long, default_value = "0", allow_negative_numbers = true)]
@@ -79,24 +79,6 @@ pub struct Request {
     /// Number of the set whose checks are listed, from 1; the first if there are fewer sets.
     #[arg(skip = 1_usize)]
     pub checked: usize,
-}
-
-/// Where the planets may stand.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub enum Spacing {
-    /// Equal angles only.
-    Equal,
-    /// The assembly positions nearest to equal angles, where equal angles do not assemble.
-    LeastUnequal,
-}
-
-impl From<Spacing> for Placement {
-    fn from(spacing: Spacing) -> Self {
-        match spacing {
-            Spacing::Equal => Self::Equal,
-            Spacing::LeastUnequal => Self::LeastUnequal,
-        }
-    }
 }
 
 fn mode(text: &str) -> Result<Mode, String> {

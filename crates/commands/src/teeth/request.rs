@@ -112,7 +112,7 @@ impl Request {
             ring_to_sun_ratio: closed("--k", self.k, usual.ring_to_sun_ratio)?,
             rack,
             tip_gap: self.tip_gap.get(),
-            placement: self.spacing.into(),
+            placement: self.spacing,
         })
     }
 }

@@ -1,4 +1,4 @@
-//! What is asked of the vibration of a gearbox.
+//! Request for the vibration of a gearbox.
 
 use crate::shared::exciting::Exciting;
 

@@ -1,4 +1,4 @@
-//! An allowed value of any type. It stands in for a value with a fault, so that the reading can go on.
+//! An allowed value of any type, which replaces a faulty value so that the reader finds the faults after it.
 
 use serde::de::value::{MapDeserializer, SeqDeserializer, StrDeserializer};
 use serde::de::{DeserializeSeed, EnumAccess, IntoDeserializer, VariantAccess, Visitor};

@@ -1,7 +1,7 @@
 //! YAML documents with the place of every key and value.
 //!
-//! One parser makes a tree of nodes with places, and every type is read from this tree. Repeated keys, merge keys,
-//! anchors and aliases, tags, and numbers that are not finite are refused, each by name.
+//! One parser makes a tree of nodes with places, and every type is read from this tree. Repeated keys, merge
+//! keys, anchors and aliases, tags, and numbers that are not finite are refused, each by name.
 
 mod fault;
 mod filled;
@@ -68,9 +68,6 @@ impl Document {
         let text = decode(bytes).map_err(|(position, problem)| at_root(position, problem))?;
         let text = &*joined_surrogates(text);
         let roots = tree::documents(text).map_err(fail)?;
-        if roots.is_empty() {
-            return Err(at_root(Position::START, Problem::EmptyFile));
-        }
         if roots.iter().all(Node::is_null) {
             return Err(at_root(Position::START, Problem::EmptyFile));
         }

@@ -1,13 +1,13 @@
 //! Reader of a tree of nodes as a Rust type. Every fault has the place and the path of its value.
 //!
-//! An unknown key comes with the allowed keys, a decimal comma is recognised where a number is required, and a
-//! [`Quantity`](epicyclic_units::Quantity) is parsed here, so that its error keeps its name. A number is not
-//! text, and an empty value is no empty sequence.
+//! An unknown key comes with the allowed keys, a decimal comma is recognised where a number is required, and
+//! a [`Quantity`](epicyclic_units::Quantity) is parsed here, so that its error keeps its name. A number is
+//! not text, and an empty value is no empty sequence.
 //!
 //! After a fault the type is read again with an allowed value in place of the wrong one. So all independent
 //! faults are found.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::slice::Iter;
 
 use serde::de::value::StrDeserializer;
@@ -57,8 +57,8 @@ pub(super) fn read<T: DeserializeOwned>(root: &Node) -> Result<T, Vec<Found>> {
 /// Changes with which the reading goes on after a fault, by the node that has the fault.
 #[derive(Default)]
 struct Repairs {
-    filled: HashMap<*const Node, ()>,
-    left_out: HashMap<*const Node, ()>,
+    filled: HashSet<*const Node>,
+    left_out: HashSet<*const Node>,
     /// Keys added to a map.
     added: HashMap<*const Node, Vec<String>>,
     /// Keys that a wrong key probably means. Their absence is no fault of its own.
@@ -78,7 +78,7 @@ impl Repairs {
                 }
                 _ => {}
             }
-            return self.left_out.insert(node, ()).is_none().then_some(true);
+            return self.left_out.insert(node).then_some(true);
         }
         if let Problem::MissingKey { key } = problem {
             let added = self.added.entry(node).or_default();
@@ -92,7 +92,7 @@ impl Repairs {
         if matches!(problem, Problem::Refused { .. }) && has_faults && !is_scalar {
             return None;
         }
-        self.filled.insert(node, ()).is_none().then_some(true)
+        self.filled.insert(node).then_some(true)
     }
 }
 
@@ -129,7 +129,7 @@ impl<'de> Reader<'de> {
         segment: impl FnOnce() -> Segment,
     ) -> Result<S::Value, Fault> {
         let part = self.of(node);
-        let read = if self.repairs.filled.contains_key(&std::ptr::from_ref(node)) {
+        let read = if self.repairs.filled.contains(&std::ptr::from_ref(node)) {
             seed.deserialize(Filled)
         } else {
             seed.deserialize(part)
@@ -224,7 +224,7 @@ impl<'de> MapAccess<'de> for Entries<'de> {
 
     fn next_key_seed<S: DeserializeSeed<'de>>(&mut self, seed: S) -> Result<Option<S::Value>, Fault> {
         let left_out = &self.reader.repairs.left_out;
-        self.value = self.entries.find(|entry| !left_out.contains_key(&std::ptr::from_ref(&entry.value)));
+        self.value = self.entries.find(|entry| !left_out.contains(&std::ptr::from_ref(&entry.value)));
         match (self.value, self.value.is_none().then(|| self.added.next()).flatten()) {
             (Some(entry), _) => self.reader.key(entry, seed).map(Some),
             (None, Some(key)) => seed.deserialize(StrDeserializer::<Fault>::new(key)).map(Some),

@@ -410,8 +410,8 @@ impl Builder {
         }
     }
 
-    /// Decimal comma in braces, `{ mass: 31,5 kg }`: for YAML a value of 31 and a key without a value directly
-    /// after the comma.
+    /// Decimal comma in braces, `{ mass: 31,5 kg }`: for YAML a value of 31 and a key without a value
+    /// directly after the comma.
     fn decimal_comma(&self) -> Option<Found> {
         let Open { content: Content::Map(map), key: Some((key, key_at, _)), .. } = self.open.last()? else {
             return None;

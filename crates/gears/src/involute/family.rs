@@ -54,10 +54,10 @@ use std::ops::RangeInclusive;
 
 /// Aim by which the free shift is picked.
 ///
-/// With balanced sliding tips are shortened for clearance and fillets alone. With the least tip alteration tips
-/// of all gears are shortened as little as clearance, tip thickness and the fillets of their mates allow, by the
-/// sum of the three. The search starts at the best of 64 equal steps of the range. Among shifts with equal sums
-/// the one with balanced sliding is taken.
+/// With balanced sliding tips are shortened for clearance and fillets alone. With the least tip alteration
+/// tips of all gears are shortened as little as clearance, tip thickness and the fillets of their mates
+/// allow, by the sum of the three. The search starts at the best of 64 equal steps of the range. Among shifts
+/// with equal sums the one with balanced sliding is taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema, clap::ValueEnum))]
 #[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "ShiftAim"))]

@@ -30,7 +30,7 @@ pub(super) fn built(request: &Request, set: SetSpec) -> Result<Gearbox, Error> {
     let [input, output] = [mode.input(), mode.output()].map(|member| link(mode, member));
     let name = format!("Ratio {ratio} ({mode})");
     // Planets that can be assembled equally spaced are placed so under either bound.
-    let set = set.spaced(Spacing::Placed(request.spacing.into()));
+    let set = set.spaced(Spacing::Placed(request.spacing));
     let gearbox = Gearbox::builder(&name).links([input, output]).set(set).input(input).output(output);
     Ok(gearbox.gear(NAME, [] as [&str; 0]).build()?)
 }
