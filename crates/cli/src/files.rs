@@ -25,7 +25,7 @@ fn what_is_read_and_written_is_known_of_every_command() {
     let arguments = [
         "analyze <FILE>",
         "compare <GEARBOX>...",
-        "draw <GEARBOX>",
+        "draw <FILE>",
         "drive <FILE>",
         "losses <FILE>",
         "motor [FILE]",

@@ -54,6 +54,7 @@
 //!
 //! | module | is |
 //! |---|---|
+//! | [`examples`] | an example of each command |
 //! | [`desk`] | what a call needs of the world around it |
 //! | `schema` | the command `schema`: JSON Schemas of the files and answers |
 //! | `serve` | the command `serve`: the app in a browser |
@@ -67,6 +68,8 @@
 #[cfg(feature = "terminal")]
 mod completions;
 pub mod desk;
+#[doc = include_str!("examples.md")]
+pub mod examples {}
 #[cfg(test)]
 mod files;
 #[cfg(feature = "terminal")]

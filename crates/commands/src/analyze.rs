@@ -3,3 +3,5 @@
 pub mod answer;
 pub mod request;
 pub mod table;
+
+pub use request::{Analysis, Request};

@@ -4,3 +4,6 @@ pub mod answer;
 pub mod page;
 pub mod request;
 pub mod table;
+
+pub use answer::Design;
+pub use request::Request;

@@ -3,3 +3,6 @@
 pub mod answer;
 pub mod request;
 pub mod table;
+
+pub use answer::Drawing;
+pub use request::Request;

@@ -10,3 +10,6 @@ pub mod request;
 pub mod satellites;
 pub mod search;
 pub mod table;
+
+pub use answer::Motor;
+pub use options::Request;

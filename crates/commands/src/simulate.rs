@@ -5,6 +5,7 @@ pub mod page;
 pub mod request;
 pub mod table;
 
+pub use crate::shared::scenario::Scenario;
 pub use answer::Simulation;
 pub use answer::sweep::Sweep;
 pub use request::Request;

@@ -1,8 +1,9 @@
 //! `size`: sizes of sets that hold over a duty.
 
 pub mod answer;
+pub mod options;
 pub mod request;
 pub mod table;
 
 pub use answer::{Size, saved};
-pub use request::Request;
+pub use options::Request;

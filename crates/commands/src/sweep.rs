@@ -8,6 +8,7 @@ pub mod points;
 use crate::error::Error;
 use epicyclic_train::sweep::{StateName, Sweep, Swept};
 use epicyclic_train::{Gear, Gearbox};
+use std::ops::ControlFlow;
 
 /// How many variants are solved between two questions whether to go on.
 const PIECE: usize = 4096;
@@ -41,14 +42,15 @@ pub struct Columns {
 }
 
 impl Request<'_> {
-    /// Solves every variant; `None` where `proceed` said no.
+    /// Solves every variant; `None` where `goes_on` ended it.
     ///
-    /// `proceed` is asked before each piece with 0 and after it with the number of its variants, from any
+    /// `goes_on` is asked before each piece with 0 and after it with the number of its variants, from any
     /// thread.
     ///
     /// ```
     /// use epicyclic_commands::sweep::Request;
     /// use epicyclic_train::{Gearbox, set::SetSpec};
+    /// use std::ops::ControlFlow::Continue;
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
     /// let gearbox = Gearbox::builder("scheme I")
     ///     .links(["D", "B", "T1"])
@@ -59,7 +61,7 @@ impl Request<'_> {
     ///     .gear("1", ["K1"])
     ///     .build()?;
     /// let request = Request { gears: vec![], k: vec![("1".into(), &[2.0, 3.0])] };
-    /// let found = request.answer(&gearbox, &|_| true)?.expect("nothing ends it");
+    /// let found = request.answer(&gearbox, &|_| Continue(()))?.expect("nothing ends it");
     /// assert_eq!(found.ratios, [3.0, 4.0]);
     /// # Ok(())
     /// # }
@@ -72,7 +74,7 @@ impl Request<'_> {
     pub fn answer(
         &self,
         gearbox: &Gearbox,
-        proceed: &(dyn Fn(usize) -> bool + Sync),
+        goes_on: &(dyn Fn(usize) -> ControlFlow<()> + Sync),
     ) -> Result<Option<Columns>, Error> {
         let gears = gears(gearbox, &self.gears)?;
         let names: Vec<&str> = self.k.iter().map(|(set, _)| set.as_str()).collect();
@@ -86,7 +88,7 @@ impl Request<'_> {
             }
         }
         let piece = |place: usize| -> Piece<Swept> {
-            if !proceed(0) {
+            if goes_on(0).is_break() {
                 return Ok(None);
             }
             // Solving changes the sweep's buffers, so every thread works on its own copy.
@@ -102,7 +104,7 @@ impl Request<'_> {
                 sweep.solve(&k, &mut found).map_err(|why| Error::SweptVariant { variant, why })?;
                 all.extend_from_slice(&found);
             }
-            Ok(proceed(range.len()).then_some(all))
+            Ok(goes_on(range.len()).is_continue().then_some(all))
         };
         let pieces = pieces(variants.div_ceil(PIECE), &piece);
         let count = variants * gears.len();
@@ -179,7 +181,8 @@ mod tests {
         let k1: Vec<f64> = (0..count).map(|place| 1.5 + place as f64 / count as f64).collect();
         let k2: Vec<f64> = k1.iter().rev().copied().collect();
         let k = vec![("1".to_owned(), k1.as_slice()), ("2".to_owned(), k2.as_slice())];
-        let found = Request { gears: vec![], k }.answer(&scheme(), &|_| true).unwrap().unwrap();
+        let found =
+            Request { gears: vec![], k }.answer(&scheme(), &|_| ControlFlow::Continue(())).unwrap().unwrap();
         assert_eq!(
             (found.variants, found.gears.as_slice()),
             (count, ["1", "2", "N"].map(String::from).as_slice())
@@ -199,7 +202,7 @@ mod tests {
     #[test]
     fn gears_are_those_named_in_their_order() {
         let request = Request { gears: vec!["2".into(), "1".into()], k: vec![("2".into(), &[3.0])] };
-        let found = request.answer(&scheme(), &|_| true).unwrap().unwrap();
+        let found = request.answer(&scheme(), &|_| ControlFlow::Continue(())).unwrap().unwrap();
         assert_eq!(found.gears, ["2", "1"]);
         assert!((found.ratios[0] - (1.0 + 2.15 + 3.0) / 2.15).abs() < 1e-12);
     }
@@ -209,7 +212,7 @@ mod tests {
         let refused = |gears: &[&str], k: Vec<(&str, &[f64])>| {
             let gears = gears.iter().map(|&gear| gear.to_owned()).collect();
             let k = k.into_iter().map(|(set, values)| (set.to_owned(), values)).collect();
-            let error = Request { gears, k }.answer(&scheme(), &|_| true).unwrap_err();
+            let error = Request { gears, k }.answer(&scheme(), &|_| ControlFlow::Continue(())).unwrap_err();
             (error.name(), error.to_string())
         };
         let (name, text) = refused(&[], vec![("1", &[2.0, 3.0, 0.5])]);
@@ -228,6 +231,6 @@ mod tests {
     fn what_is_not_to_go_on_ends() {
         let k = vec![2.0; 3 * PIECE];
         let request = Request { gears: vec![], k: vec![("1".into(), &k)] };
-        assert_eq!(request.answer(&scheme(), &|_| false).unwrap(), None);
+        assert_eq!(request.answer(&scheme(), &|_| ControlFlow::Break(())).unwrap(), None);
     }
 }

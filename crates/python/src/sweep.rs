@@ -13,6 +13,7 @@ use epicyclic_train::Gearbox;
 use epicyclic_units::{Physical, Quantity};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
+use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use uom::si::f64::Ratio;
 
@@ -117,16 +118,16 @@ fn solved<T: Send + 'static>(
     py: Python<'_>,
     progress: Option<&Bound<'_, PyAny>>,
     count: usize,
-    solve: impl FnOnce(&(dyn Fn(usize) -> bool + Sync)) -> Result<Option<T>, Failure> + Send + 'static,
+    solve: impl FnOnce(&(dyn Fn(usize) -> ControlFlow<()> + Sync)) -> Result<Option<T>, Failure> + Send + 'static,
 ) -> PyResult<Result<T, String>> {
     let found = work::done(py, progress, move |shared| {
         let done = AtomicUsize::new(0);
-        let proceed = |more: usize| {
+        let goes_on = |more: usize| {
             let done = done.fetch_add(more, Ordering::Relaxed) + more;
             shared.tell(format!("{done} of {count}"));
-            !shared.is_ended()
+            if shared.is_ended() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        solve(&proceed)
+        solve(&goes_on)
     })?;
     // Only a signal ends it, and then nobody waits for what it found.
     Ok(found.map_err(|failure| failure.json()).and_then(|found| found.ok_or_else(String::new)))
@@ -144,9 +145,9 @@ pub(crate) fn sweep<'py>(
 ) -> PyResult<Answered<Ratios<'py>>> {
     let k = owned(k);
     let count = k.first().map_or(1, |(_, values)| values.len());
-    let found = solved(py, progress, count, move |proceed| {
+    let found = solved(py, progress, count, move |goes_on| {
         let request = Variants { gears, k: borrowed(&k) };
-        Ok(request.answer(&description.gearbox()?, proceed)?)
+        Ok(request.answer(&description.gearbox()?, goes_on)?)
     })?;
     Ok(match found {
         Ok(columns) => (Some(of_ratios(py, columns)), None),
@@ -179,10 +180,10 @@ pub(crate) fn points<'py>(
 ) -> PyResult<Answered<AtPoints<'py>>> {
     let (speeds, torques) = (owned(speeds_rad_s), owned(torques_n_m));
     let count = speeds.first().map_or(1, |(_, values)| values.len());
-    let found = solved(py, progress, count, move |proceed| {
+    let found = solved(py, progress, count, move |goes_on| {
         let (speeds_rad_s, torques_n_m) = (borrowed(&speeds), borrowed(&torques));
         let request = Points { gear, speeds_rad_s, torques_n_m };
-        Ok(request.answer(&description.gearbox()?, proceed)?)
+        Ok(request.answer(&description.gearbox()?, goes_on)?)
     })?;
     Ok(match found {
         Ok(columns) => (Some(of_points(py, columns)), None),

@@ -1,20 +1,26 @@
 //! The command `analyze`: what a gearbox does in each of its gears.
 
-mod several;
+pub mod several;
 
+use crate::analyze::answer as answers;
+use crate::analyze::answer::combinations::Combinations;
+use crate::analyze::answer::formulas::Formulas;
+use crate::analyze::answer::gear::OneGear;
+use crate::analyze::answer::inputs::Inputs;
 use crate::analyze::answer::inputs::map::{self, SpeedMap};
-use crate::analyze::answer::{self as answers};
+use crate::analyze::answer::overview::Overview;
+use crate::analyze::answer::shifts::Shifts;
 use crate::analyze::table::inputs::map_csv;
 use crate::answer::write_json;
 use crate::desk::Call;
 use crate::failure::Failure;
 use crate::output::{Format, OutputArgs};
 use crate::shared::gearbox::{self, Content, Gearbox};
-use crate::shared::gearbox_choice::{Choice, below_each_other, refuse};
+use crate::shared::gearbox_choice::{Choice, below_each_other, refuse, subject};
 use crate::shared::load::Load;
-use crate::shared::named_gearbox as named;
 use crate::shared::transmissions::answer as transmissions;
 use epicyclic_units::Number;
+use several::Several;
 
 /// A planetary gearbox from a file, or a scheme by its name: ratios, speeds, torques, powers and losses of
 /// its gears.
@@ -31,26 +37,36 @@ pub struct Args {
     #[command(flatten)]
     choice: Choice,
 
+    #[command(flatten)]
+    request: Request,
+
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+/// Request for the analysis of a gearbox: all gears, one of them, its formulas, its shifts.
+#[derive(Debug, Clone, Default, clap::Args)]
+pub struct Request {
     /// One gear, in full.
     #[arg(long, value_name = "NAME")]
-    gear: Option<String>,
+    pub gear: Option<String>,
 
     /// Every combination of shift elements, with its state.
     #[arg(long, conflicts_with_all = ["gear", "torque", "power", "speed"])]
-    all_combinations: bool,
+    pub all_combinations: bool,
 
     /// Ratios as formulas in the basic ratios of the sets: of all gears, or of one with --gear.
     #[arg(long, conflicts_with_all = ["all_combinations", "torque", "power", "speed", "speeds", "torques", "map"])]
-    formula: bool,
+    pub formula: bool,
 
     /// The formulas and the way to them: equations with their numbers, conditions, substitutions, torques.
     #[arg(long, conflicts_with_all = ["all_combinations", "torque", "power", "speed", "speeds", "torques", "map"])]
-    steps: bool,
+    pub steps: bool,
 
     /// All shifts between gears, also those that pass gears over: what is released and applied, and how the
     /// input and each shift element change their speeds.
     #[arg(long, conflicts_with_all = ["gear", "all_combinations", "formula", "steps", "torque", "power", "speeds", "torques", "map"])]
-    shifts: bool,
+    pub shifts: bool,
 
     /// Progression factor of the ideal progression: each of its steps over the next. Default: the factor that
     /// fits the ratios best.
@@ -60,85 +76,108 @@ pub struct Args {
         allow_negative_numbers = true,
         conflicts_with_all = ["gear", "all_combinations", "formula", "steps", "shifts"],
     )]
-    progression: Option<Number>,
+    pub progression: Option<Number>,
 
+    /// Speeds and torques of several links.
     #[command(flatten)]
-    several: several::Several,
+    pub several: Several,
 
+    /// Speed and load of the input.
     #[command(flatten)]
-    load: Load,
+    pub load: Load,
+}
 
-    #[command(flatten)]
-    output: OutputArgs,
+/// What was asked of a gearbox.
+#[derive(Debug)]
+pub enum Analysis<'g> {
+    /// All gears.
+    Overview(Overview),
+    /// One gear with one input.
+    Gear(OneGear),
+    /// One gear at speeds of several links.
+    Inputs(Inputs),
+    /// One gear over ranges of two speeds.
+    Map(SpeedMap<'g>),
+    /// Every combination of shift elements.
+    Combinations(Combinations),
+    /// Ratios as formulas.
+    Formulas(Formulas),
+    /// Shifts between gears.
+    Shifts(Shifts),
 }
 
 /// Runs the command.
 pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
-    let named::Read { document, is_sized, .. } = args.choice.document(call, args.formula && !args.steps)?;
-    let choice = args.choice.question()?;
-    let wants_formulas = args.formula || args.steps;
-    // These answers are about one gearbox; otherwise a list of transmissions gets an overview of its own.
-    let subject = if args.gear.is_some() || args.all_combinations || wants_formulas || args.shifts {
-        gearbox::one(&document, &choice).map_err(refuse)?
-    } else {
-        match gearbox::read(&document, &choice).map_err(refuse)? {
-            Content::One(subject) => *subject,
-            Content::Several(all) => {
-                let answer = transmissions::answer(&all);
-                let progression = args.progression.map(|_| "--progression");
-                return match args.choice.given().or(args.load.given()).or(progression) {
-                    Some(option) => Err(for_one_gearbox(option, &answer)),
-                    None => args.output.deliver(call, &answer),
-                };
-            }
-        }
-    };
-    if wants_formulas {
-        let answer = answers::formulas::answer(&subject, args.gear.as_deref(), args.steps).map_err(refuse)?;
-        return args.output.deliver(call, &if is_sized { answer } else { answer.without_numbers() });
+    let Args { choice, request, output } = args;
+    let read = choice.document(call, request.formula && !request.steps)?;
+    if !request.is_of_one_gearbox()
+        && let Content::Several(all) = gearbox::read(&read.document, &choice.question()?).map_err(refuse)?
+    {
+        let answer = transmissions::answer(&all);
+        let progression = request.progression.map(|_| "--progression");
+        return match choice.given().or(request.load.given()).or(progression) {
+            Some(option) => Err(for_one_gearbox(option, &answer)),
+            None => output.deliver(call, &answer),
+        };
     }
-    let input = args.load.input();
-    match &args.gear {
-        Some(name) if args.several.is_given() => inputs(call, args, &subject, name),
-        // Inputs stated in the file apply only if the command line gives no load.
-        Some(name) if args.load.given().is_none() && subject.has_inputs(name) => {
-            inputs(call, args, &subject, name)
-        }
-        Some(name) => {
-            args.output.deliver(call, &answers::gear::answer(&subject, name, input).map_err(refuse)?)
-        }
-        None if args.all_combinations => {
-            args.output.deliver(call, &answers::combinations::answer(&subject).map_err(refuse)?)
-        }
-        None if args.shifts => {
-            args.output.deliver(call, &answers::shifts::answer(&subject, input.speed).map_err(refuse)?)
-        }
-        None => {
-            let factor = args.progression.map(Number::get);
-            args.output.deliver(call, &answers::overview::answer(&subject, input, factor).map_err(refuse)?)
-        }
+    match request.answer(&subject(choice, &read)?)? {
+        Analysis::Overview(answer) => output.deliver(call, &answer),
+        Analysis::Gear(answer) => output.deliver(call, &answer),
+        Analysis::Inputs(answer) => output.deliver(call, &answer),
+        Analysis::Map(map) => deliver_map(call, output, &map),
+        Analysis::Combinations(answer) => output.deliver(call, &answer),
+        Analysis::Formulas(answer) => output.deliver(call, &answer),
+        Analysis::Shifts(answer) => output.deliver(call, &answer),
     }
 }
 
-fn inputs(call: &Call<'_>, args: &Args, subject: &Gearbox, gear: &str) -> Result<(), Failure> {
-    match args.several.map()? {
-        Some(ranges) => {
-            let torques = args.several.torques();
-            let map = map::map(subject, gear, ranges, torques.as_deref()).map_err(refuse)?;
-            deliver_map(call, args, &map)
+impl Request {
+    /// Whether a list of transmissions, which otherwise gets an overview of its own, has to be narrowed.
+    fn is_of_one_gearbox(&self) -> bool {
+        self.gear.is_some() || self.all_combinations || self.formula || self.steps || self.shifts
+    }
+
+    /// Analyses a gearbox.
+    ///
+    /// # Errors
+    /// [`Failure::Option`] for a gear, link or load that cannot be, [`Failure::Answer`] with the place of
+    /// missing data in the file.
+    pub fn answer<'g>(&self, gearbox: &'g Gearbox) -> Result<Analysis<'g>, Failure> {
+        let input = self.load.input();
+        let gear = self.gear.as_deref();
+        let is_given = |gear: &&str| {
+            // Inputs stated in the file apply only if the request gives no load.
+            self.several.is_given() || (self.load.given().is_none() && gearbox.has_inputs(gear))
+        };
+        if let Some((gear, ranges)) = gear.zip(self.several.map()?) {
+            let torques = self.several.torques();
+            return map::map(gearbox, gear, ranges, torques.as_deref()).map(Analysis::Map).map_err(refuse);
         }
-        None => {
-            let answer = answers::inputs::answer(subject, gear, &args.several.wanted()).map_err(refuse)?;
-            args.output.deliver(call, &answer)
-        }
+        let answer = if self.formula || self.steps {
+            answers::formulas::answer(gearbox, gear, self.steps).map(|answer| {
+                Analysis::Formulas(if gearbox.is_sized { answer } else { answer.without_numbers() })
+            })
+        } else if let Some(gear) = gear.filter(is_given) {
+            answers::inputs::answer(gearbox, gear, &self.several.wanted()).map(Analysis::Inputs)
+        } else if let Some(gear) = gear {
+            answers::gear::answer(gearbox, gear, input).map(Analysis::Gear)
+        } else if self.all_combinations {
+            answers::combinations::answer(gearbox).map(Analysis::Combinations)
+        } else if self.shifts {
+            answers::shifts::answer(gearbox, input.speed).map(Analysis::Shifts)
+        } else {
+            let factor = self.progression.map(Number::get);
+            answers::overview::answer(gearbox, input, factor).map(Analysis::Overview)
+        };
+        answer.map_err(refuse)
     }
 }
 
 /// A map as it is calculated; as a table, which is put together before it is shown, up to a size.
-fn deliver_map(call: &Call<'_>, args: &Args, map: &SpeedMap<'_>) -> Result<(), Failure> {
+fn deliver_map(call: &Call<'_>, output: &OutputArgs, map: &SpeedMap<'_>) -> Result<(), Failure> {
     /// Lines of a table. Each takes about a kilobyte until all are written.
     const MOST_LINES: usize = 50_000;
-    let (output, count) = (&args.output, map.count());
+    let count = map.count();
     match output.format() {
         Format::Table if count > MOST_LINES => {
             let message = format!(

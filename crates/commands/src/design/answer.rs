@@ -18,7 +18,7 @@ use crate::error::Error;
 use crate::select::answer as select;
 use crate::select::answer::reached::ReachedSpeed;
 use crate::select::answer::teeth::Watch;
-use crate::size::answer as size;
+use crate::size::options::Request as SizeRequest;
 use attempt::Attempt;
 use basis::Basis;
 use epicyclic_gears::synthesis::Bounds;
@@ -52,7 +52,7 @@ pub struct Wanted {
     /// Materials, factors, oil and life.
     pub basis: Basis,
     /// Search space of sizes.
-    pub size: size::Search,
+    pub size: SizeRequest,
 }
 
 /// Design of a gearbox from speeds and power, with sufficient strength. The first step that finds nothing is
@@ -99,7 +99,7 @@ pub fn order_of_teeth() -> Order {
 /// - [`Error::NoLoad`] without load, [`Error::LoadWithoutSpeed`] without speed of the input.
 /// - [`Error::NoSuchDesign`] for a number of a tooth design that does not exist.
 /// - [`Error::Shares`] unless there is one share per gear; errors of [`select::answer`],
-///   [`select::teeth::search`] and [`size::Request::answer`](crate::size::Request::answer), which refer to
+///   [`select::teeth::search`] and [`size::Request::answer`](SizeRequest::answer), which refer to
 ///   the file `basis` or to the unfinished gearbox.
 pub fn answer(wanted: &Wanted, watch: &Watch) -> Result<Design, Error> {
     let (mut design, relaxations) = attempted(wanted, watch)?;

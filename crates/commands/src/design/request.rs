@@ -7,12 +7,13 @@ use crate::desk::Call;
 use crate::error::Error;
 use crate::failure::Failure;
 use crate::input;
-use crate::output::OutputArgs;
+use crate::output::{NO_HEADING, OutputArgs};
 use crate::page::sheet::Sheet;
 use crate::progress::Progress;
 use crate::report::answer::gearbox;
 use crate::select::answer as select;
 use crate::select::answer::duty::{Duty, Load};
+use crate::select::answer::teeth::Watch;
 use crate::shared::gearbox::one;
 use crate::shared::gearbox_choice::refuse;
 use crate::shared::lists::List;
@@ -20,7 +21,8 @@ use crate::shared::options;
 use crate::shared::page_options::{self as imprint, PageArgs};
 use crate::shared::profile_shift::offsets;
 use crate::shared::selection::{Criteria, RatioOptions, Speeds, refuse_selection, requirements};
-use crate::size::request as sizing;
+use crate::size::Request as SizeRequest;
+use crate::size::request::{self as sizing, BearingsFile};
 use crate::strength::answer::factors::twice;
 use epicyclic_formats::{Document, Span};
 use epicyclic_gears::synthesis::Bounds;
@@ -46,104 +48,20 @@ use uom::si::f64::{AngularVelocity, Power, Ratio, Time, Torque};
 #[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
     #[command(flatten)]
-    speeds: Speeds,
-
-    /// Speed of the input.
-    #[arg(long, visible_alias = "speed", value_name = "SPEED", allow_hyphen_values = true)]
-    input: Quantity<AngularVelocity>,
-
-    /// Power into the input in every gear.
-    #[arg(long, required_unless_present = "torque", conflicts_with = "torque", allow_hyphen_values = true)]
-    power: Option<Quantity<Power>>,
-
-    /// Torque on the input in every gear, in place of --power.
-    #[arg(long, allow_hyphen_values = true)]
-    torque: Option<Quantity<Torque>>,
-
-    /// Shares of the time of the gears, the slowest first, then reverse gears. Default: equal.
-    #[arg(long, value_name = "SHARES")]
-    shares: Option<List<Quantity<Ratio>>>,
-
-    /// The greatest torque of the life over that of the load, in every gear: teeth are held against it
-    /// statically.
-    #[arg(long, value_name = "FACTOR", allow_hyphen_values = true)]
-    overload: Option<Quantity<Ratio>>,
-
-    /// This scheme or structure in place of the best: II-3, D.T1.B+T2.B.T1.
-    #[arg(long, value_name = "NAME")]
-    scheme: Option<Named>,
-
-    /// The objective that decides first among schemes, then the next for equal values.
-    #[arg(long, value_name = "OBJECTIVES", default_value = "efficiency, speed, k, error, size")]
-    order: List<Objective>,
-
-    /// Number of tooth designs that get sizes, those with the smallest ring at one load of the teeth; the
-    /// lightest is taken. They are taken within a tenth of --tolerance; only where none holds within a third
-    /// of it, then within all of it.
-    #[arg(long, value_name = "N", default_value = "50")]
-    tries: usize,
-
-    /// The tooth design with this number in place of the lightest. It counts the designs of --tries.
-    #[arg(long, value_name = "N")]
-    tooth_design: Option<usize>,
-
-    /// Teeth of the suns.
-    #[arg(long, value_name = "RANGE", default_value = "17..60")]
-    sun: Span<u32>,
-
-    /// Teeth of the planets.
-    #[arg(long, value_name = "RANGE", default_value = "17..80")]
-    planet: Span<u32>,
-
-    /// Teeth of the rings.
-    #[arg(long, value_name = "RANGE", default_value = "50..140")]
-    ring: Span<u32>,
-
-    /// Simple sets with profile shift: teeth of the ring less those of the sun and twice those of a planet, a
-    /// range from -9 to 9; --aim and --tip-thickness decide which close. Without it only sets that need no
-    /// shift get sizes.
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, value_parser = offsets)]
-    ring_offset: Option<RangeInclusive<i32>>,
+    request: Request,
 
     /// A gearbox file whose strength, materials, oil, life and required safeties are taken; what it lacks is
     /// as without it.
-    #[arg(long, value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
+    #[arg(long, value_name = "FILE", value_hint = clap::ValueHint::FilePath, help_heading = NO_HEADING)]
     basis: Option<PathBuf>,
 
-    /// Factors of both meshes by their symbols, 'K_A 1.5, K_v 1.1', in place of those of --basis; each once.
-    #[arg(long, value_name = "FACTORS")]
-    factors: Option<List<Factor>>,
-
-    /// Required life.
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    life: Option<Quantity<Time>>,
+    #[command(flatten)]
+    bearings: BearingsFile,
 
     /// Write the gearbox with its sizes, its duty and what no speed tells; size, strength, analyze, draw and
     /// report read it.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", help_heading = NO_HEADING)]
     save: Option<PathBuf>,
-
-    /// Greatest deviation of a ratio, and of a speed, from the one asked for: 3%, or 0.03.
-    #[arg(long, default_value = "3%", allow_hyphen_values = true, help_heading = "Ratios")]
-    tolerance: Quantity<Ratio>,
-
-    #[command(flatten)]
-    ratios: RatioOptions,
-
-    #[command(flatten)]
-    criteria: Criteria,
-
-    /// Allow schemes whose output turns forward in some gears and backward in others; they are taken where no
-    /// other is left. Default: refused, unless a ratio is given with a minus.
-    #[arg(long, help_heading = "Criteria")]
-    may_reverse: bool,
-
-    /// Refuse such schemes even where a ratio has a minus.
-    #[arg(long, hide = true, conflicts_with = "may_reverse")]
-    same_direction: bool,
-
-    #[command(flatten)]
-    sizes: sizing::Request,
 
     #[command(flatten)]
     output: OutputArgs,
@@ -152,26 +70,124 @@ pub struct Args {
     page: PageArgs,
 }
 
+/// Request for the design of a gearbox.
+#[derive(Debug, Clone, clap::Args)]
+pub struct Request {
+    /// Speeds or ratios, and the mechanisms to choose among.
+    #[command(flatten)]
+    pub speeds: Speeds,
+
+    /// Speed of the input.
+    #[arg(long, visible_alias = "speed", value_name = "SPEED", allow_hyphen_values = true)]
+    pub input: Quantity<AngularVelocity>,
+
+    /// Power into the input in every gear.
+    #[arg(long, required_unless_present = "torque", conflicts_with = "torque", allow_hyphen_values = true)]
+    pub power: Option<Quantity<Power>>,
+
+    /// Torque on the input in every gear, in place of --power.
+    #[arg(long, allow_hyphen_values = true)]
+    pub torque: Option<Quantity<Torque>>,
+
+    /// Shares of the time of the gears, the slowest first, then reverse gears. Default: equal.
+    #[arg(long, value_name = "SHARES")]
+    pub shares: Option<List<Quantity<Ratio>>>,
+
+    /// The greatest torque of the life over that of the load, in every gear: teeth are held against it
+    /// statically.
+    #[arg(long, value_name = "FACTOR", allow_hyphen_values = true)]
+    pub overload: Option<Quantity<Ratio>>,
+
+    /// This scheme or structure in place of the best: II-3, D.T1.B+T2.B.T1.
+    #[arg(long, value_name = "NAME", value_parser = named)]
+    pub scheme: Option<Mechanism>,
+
+    /// The objective that decides first among schemes, then the next for equal values.
+    #[arg(long, value_name = "OBJECTIVES", default_value = "efficiency, speed, k, error, size")]
+    pub order: List<Objective>,
+
+    /// Number of tooth designs that get sizes, those with the smallest ring at one load of the teeth; the
+    /// lightest is taken. They are taken within a tenth of --tolerance; only where none holds within a third
+    /// of it, then within all of it.
+    #[arg(long, value_name = "N", default_value = "50")]
+    pub tries: usize,
+
+    /// The tooth design with this number in place of the lightest. It counts the designs of --tries.
+    #[arg(long, value_name = "N")]
+    pub tooth_design: Option<usize>,
+
+    /// Teeth of the suns.
+    #[arg(long, value_name = "RANGE", default_value = "17..60")]
+    pub sun: Span<u32>,
+
+    /// Teeth of the planets.
+    #[arg(long, value_name = "RANGE", default_value = "17..80")]
+    pub planet: Span<u32>,
+
+    /// Teeth of the rings.
+    #[arg(long, value_name = "RANGE", default_value = "50..140")]
+    pub ring: Span<u32>,
+
+    /// Simple sets with profile shift: teeth of the ring less those of the sun and twice those of a planet, a
+    /// range from -9 to 9; --aim and --tip-thickness decide which close. Without it only sets that need no
+    /// shift get sizes.
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, value_parser = offsets)]
+    pub ring_offset: Option<RangeInclusive<i32>>,
+
+    /// Factors of both meshes by their symbols, 'K_A 1.5, K_v 1.1', in place of those of --basis; each once.
+    #[arg(long, value_name = "FACTORS")]
+    pub factors: Option<List<Factor>>,
+
+    /// Required life.
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub life: Option<Quantity<Time>>,
+
+    /// Greatest deviation of a ratio, and of a speed, from the one asked for: 3%, or 0.03.
+    #[arg(long, default_value = "3%", allow_hyphen_values = true, help_heading = "Ratios")]
+    pub tolerance: Quantity<Ratio>,
+
+    /// How the ratios are taken.
+    #[command(flatten)]
+    pub ratios: RatioOptions,
+
+    /// Criteria of a design.
+    #[command(flatten)]
+    pub criteria: Criteria,
+
+    /// Allow schemes whose output turns forward in some gears and backward in others; they are taken where no
+    /// other is left. Default: refused, unless a ratio is given with a minus.
+    #[arg(long, help_heading = "Criteria")]
+    pub may_reverse: bool,
+
+    /// Refuse such schemes even where a ratio has a minus.
+    #[arg(long, hide = true, conflicts_with = "may_reverse")]
+    pub same_direction: bool,
+
+    /// Space of the sizes.
+    #[command(flatten)]
+    pub sizes: SizeRequest,
+
+    /// Materials, load factors, oil, life and required safeties; `None` for the usual ones.
+    #[arg(skip)]
+    pub basis: Option<Basis>,
+}
+
 /// A mechanism by its name.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Named(Mechanism);
-
-impl FromStr for Named {
-    type Err = String;
-
-    fn from_str(name: &str) -> Result<Self, String> {
-        Mechanism::named(name).map(Self).ok_or_else(|| {
-            "a scheme of the catalogue (I … III-3) or a structure by its links (D.T1.B+T2.B.T1, D.T1.B) is due".to_owned()
-        })
-    }
+fn named(name: &str) -> Result<Mechanism, String> {
+    Mechanism::named(name).ok_or_else(|| {
+        "a scheme of the catalogue (I … III-3) or a structure by its links (D.T1.B+T2.B.T1, D.T1.B) is due"
+            .to_owned()
+    })
 }
 
 /// A factor by its symbol: `K_A 1.5`, `K_A=1.5` or `K_A: 1.5`.
 #[derive(Debug, Clone, PartialEq)]
-struct Factor {
-    name: String,
+pub struct Factor {
+    /// Symbol as it was written; a symbol has several spellings.
+    pub name: String,
     symbol: Symbol,
-    value: f64,
+    /// Value of the factor.
+    pub value: f64,
 }
 
 impl FromStr for Factor {
@@ -194,9 +210,9 @@ impl FromStr for Factor {
 /// Runs the command.
 pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     args.page.only_of_a_page(args.output.is_page())?;
-    let wanted = wanted(call, args)?;
+    let request = args.request(call)?;
     let shown = Progress::new(call);
-    let design = answer(&wanted, &|at| shown.at(at.share)).map_err(refuse_of)?;
+    let design = request.answer(&|at| shown.at(at.share))?;
     drop(shown);
     let files = match (&args.save, &design.file) {
         (Some(file), Some(text)) => vec![(file.clone(), text.clone().into_bytes())],
@@ -235,58 +251,103 @@ fn own_page(call: &Call<'_>, design: &Design) -> Result<Option<Sheet>, Failure> 
     Ok(Some(crate::report::page::sheet(&report, &shown, None, file.clone())?))
 }
 
-fn wanted(call: &Call<'_>, args: &Args) -> Result<Wanted, Failure> {
-    let power = args.power.map(|power| Load::Power(power.0));
-    let duty = Duty {
-        input_speed: Some(args.input.0),
-        load: args.torque.map(|torque| Load::Torque(torque.0)).or(power),
-    };
-    let rating = Rating { mesh_load_factors: sharing()?, ..Rating::default() };
-    let order = Order::new(&args.order.0).map_err(refuse_selection)?;
-    // A ratio with a minus asks for a reversing output, which is otherwise refused by default.
-    let is_reverse_asked = args.ratios.signs(&args.speeds) == Signs::AsGiven;
-    let same_direction = args.same_direction || (!args.may_reverse && !is_reverse_asked);
-    let (tolerance, speeds) = (args.tolerance, &args.speeds);
-    let requirements = requirements(speeds, tolerance, &args.ratios, &args.criteria, same_direction, rating)?;
-    let space = args.speeds.space();
-    let size = args.sizes.with_bearings(call)?.search()?;
-    let k = args.criteria.k(Bounds::default().ring_to_sun_ratio)?;
-    let bounds = Bounds {
-        planets: (*size.planets.start()).max(2)..=(*size.planets.end()).max(2),
-        ring_to_sun_ratio: k,
-        ..options::proposed([args.sun, args.planet, args.ring])?
-    };
-    Ok(Wanted {
-        selection: select::Wanted {
-            requirements,
-            order,
-            space,
-            speeds: speeds.of_machine(),
-            nth: 1,
-            most: usize::MAX,
-            duty,
-        },
-        mechanism: args.scheme.map(|scheme| scheme.0),
-        bounds,
-        ring_offsets: args.ring_offset.clone(),
-        tries: args.tries.max(1),
-        tooth_design: args.tooth_design,
-        shares: args.shares.iter().flat_map(|shares| &shares.0).map(|share| share.0.si()).collect(),
-        overload: overload(args)?,
-        basis: basis(call, args)?,
-        size,
-    })
+impl Args {
+    /// The request with what its files hold.
+    fn request(&self, call: &Call<'_>) -> Result<Request, Failure> {
+        let mut request = self.request.clone();
+        // Faults of options come before those of files.
+        request.wanted()?;
+        request.sizes.bearings = self.bearings.read(call)?;
+        if let Some(file) = &self.basis {
+            request.basis = Some(Basis::of(&input::document(call, file)?)?);
+        }
+        Ok(request)
+    }
 }
 
-/// The factor of the overload.
-fn overload(args: &Args) -> Result<Option<f64>, Failure> {
-    let factor = args.overload.map(|factor| factor.0.si());
-    match factor {
-        Some(factor) if !(factor.is_finite() && factor > 0.0) => {
-            let message = format!("{factor} is no factor of a torque; it must be above 0");
-            Err(Failure::invalid("--overload", message))
+impl Request {
+    /// Designs a gearbox. The closure receives the progress, and may end the search.
+    ///
+    /// # Errors
+    /// [`Failure::Option`] and [`Failure::Range`] for an option that cannot be, [`Failure::Answer`] if the
+    /// basis lacks what the strength needs. That no gearbox was found is an answer.
+    pub fn answer(&self, watch: &Watch) -> Result<Design, Failure> {
+        answer(&self.wanted()?, watch).map_err(refuse_of)
+    }
+
+    fn wanted(&self) -> Result<Wanted, Failure> {
+        let power = self.power.map(|power| Load::Power(power.0));
+        let duty = Duty {
+            input_speed: Some(self.input.0),
+            load: self.torque.map(|torque| Load::Torque(torque.0)).or(power),
+        };
+        let rating = Rating { mesh_load_factors: sharing()?, ..Rating::default() };
+        let order = Order::new(&self.order.0).map_err(refuse_selection)?;
+        // A ratio with a minus asks for a reversing output, which is otherwise refused by default.
+        let is_reverse_asked = self.ratios.signs(&self.speeds) == Signs::AsGiven;
+        let same_direction = self.same_direction || (!self.may_reverse && !is_reverse_asked);
+        let (tolerance, speeds) = (self.tolerance, &self.speeds);
+        let requirements =
+            requirements(speeds, tolerance, &self.ratios, &self.criteria, same_direction, rating)?;
+        let k = self.criteria.k(Bounds::default().ring_to_sun_ratio)?;
+        let planets = &self.sizes.planets;
+        let bounds = Bounds {
+            planets: (*planets.start()).max(2)..=(*planets.end()).max(2),
+            ring_to_sun_ratio: k,
+            ..options::proposed([self.sun, self.planet, self.ring])?
+        };
+        Ok(Wanted {
+            selection: select::Wanted {
+                requirements,
+                order,
+                space: speeds.space(),
+                speeds: speeds.of_machine(),
+                nth: 1,
+                most: usize::MAX,
+                duty,
+            },
+            mechanism: self.scheme,
+            bounds,
+            ring_offsets: self.ring_offset.clone(),
+            tries: self.tries.max(1),
+            tooth_design: self.tooth_design,
+            shares: self.shares.iter().flat_map(|shares| &shares.0).map(|share| share.0.si()).collect(),
+            overload: self.overload()?,
+            basis: self.basis()?,
+            size: self.sizes.clone(),
+        })
+    }
+
+    /// The factor of the overload.
+    fn overload(&self) -> Result<Option<f64>, Failure> {
+        let factor = self.overload.map(|factor| factor.0.si());
+        match factor {
+            Some(factor) if !(factor.is_finite() && factor > 0.0) => {
+                let message = format!("{factor} is no factor of a torque; it must be above 0");
+                Err(Failure::invalid("--overload", message))
+            }
+            _ => Ok(factor),
         }
-        _ => Ok(factor),
+    }
+
+    /// The basis with the factors and the life of the request.
+    fn basis(&self) -> Result<Basis, Failure> {
+        let mut basis = self.basis.clone().map(Basis::completed).unwrap_or_default();
+        if let Some(factors) = &self.factors {
+            // A factor has several spellings, as `K_A` and `KA`, so symbols are compared, not names.
+            for (place, of) in factors.0.iter().enumerate() {
+                if let Some(before) = factors.0[..place].iter().find(|before| before.symbol == of.symbol) {
+                    let message = twice(of.symbol, [&before.name, &of.name]);
+                    return Err(Failure::invalid("--factors", message));
+                }
+            }
+            let all: Vec<(String, f64)> = factors.0.iter().map(|of| (of.name.clone(), of.value)).collect();
+            basis = basis.with_factors(&all);
+        }
+        if let Some(life) = &self.life {
+            basis = basis.with("life", life.to_string().into());
+        }
+        Ok(basis)
     }
 }
 
@@ -298,28 +359,6 @@ fn sharing() -> Result<[f64; 7], Failure> {
         *of = load_sharing(planets.min(7), Floating::Assumed).map_err(Error::from)?;
     }
     Ok(all)
-}
-
-fn basis(call: &Call<'_>, args: &Args) -> Result<Basis, Failure> {
-    let mut basis = match &args.basis {
-        None => Basis::default(),
-        Some(file) => Basis::of(&input::document(call, file)?)?.completed(),
-    };
-    if let Some(factors) = &args.factors {
-        // A factor has several spellings, as `K_A` and `KA`, so symbols are compared, not names.
-        for (place, of) in factors.0.iter().enumerate() {
-            if let Some(before) = factors.0[..place].iter().find(|before| before.symbol == of.symbol) {
-                let message = twice(of.symbol, [&before.name, &of.name]);
-                return Err(Failure::invalid("--factors", message));
-            }
-        }
-        let all: Vec<(String, f64)> = factors.0.iter().map(|of| (of.name.clone(), of.value)).collect();
-        basis = basis.with_factors(&all);
-    }
-    if let Some(life) = &args.life {
-        basis = basis.with("life", life.to_string().into());
-    }
-    Ok(basis)
 }
 
 /// Converts an error to a failure with the option that caused it.

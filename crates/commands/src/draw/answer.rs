@@ -5,8 +5,8 @@ use crate::analyze::answer::records::Kind;
 use crate::answer::Answer;
 use crate::motor::answer::Numbers;
 use crate::shared::drawability::answer::Conflict;
+use crate::shared::gearbox::{Gearbox, Origin};
 use crate::shared::tooth_checks::answer::ToothChecks;
-use epicyclic_train::Gearbox;
 use epicyclic_units::Physical as _;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -55,20 +55,6 @@ pub struct Subject {
     pub shift_elements: Vec<ShiftElement>,
     /// Lobes, teeth and module of a motor; null for a gearbox.
     pub motor: Option<Numbers>,
-}
-
-/// Origins of a gearbox or motor.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Origin {
-    /// Scheme of the catalogue.
-    Catalogue,
-    /// Structure of two sets by its name.
-    Structure,
-    /// Gearbox of a file.
-    GearboxFile,
-    /// Hydromotor of a file.
-    MotorFile,
 }
 
 /// Planetary set that is drawn.
@@ -163,19 +149,19 @@ impl Answer for Drawing {
 }
 
 impl Subject {
-    /// Subject for a gearbox; `has_sizes` is false if only the structure is drawn and its sets have no sizes.
+    /// Subject for a gearbox. One without sizes is drawn as a structure, and its sets have no ratios.
     #[must_use]
-    pub fn of_gearbox(gearbox: &Gearbox, origin: Origin, has_sizes: bool) -> Self {
+    pub fn of_gearbox(gearbox: &Gearbox) -> Self {
         let set = |set: &epicyclic_train::PlanetSet| Set {
             set: set.id().to_owned(),
             kind: Kind::of(set),
-            basic_ratio: (has_sizes && set.short().is_some()).then(|| set.basic_ratio().get()),
+            basic_ratio: (gearbox.is_sized && set.short().is_some()).then(|| set.basic_ratio().get()),
         };
         Self {
-            origin,
-            name: Some(gearbox.name().to_owned()),
-            sets: gearbox.sets().iter().map(set).collect(),
-            shift_elements: ShiftElement::all(gearbox),
+            origin: gearbox.origin,
+            name: Some(gearbox.train.name().to_owned()),
+            sets: gearbox.train.sets().iter().map(set).collect(),
+            shift_elements: ShiftElement::all(&gearbox.train),
             motor: None,
         }
     }

@@ -2,114 +2,98 @@
 
 pub(crate) mod design;
 pub(crate) mod files;
-pub(crate) mod made;
+pub mod made;
 pub mod steps;
 
 use crate::failure::Failure;
 use crate::motor::forms::answer::Crest;
 use crate::motor::table::View;
-use crate::output::OutputArgs;
-use crate::shared::page_options::PageArgs;
 use epicyclic_hydromotor::profile::ToothForm;
 use epicyclic_units::{Number, Physical as _, Quantity};
+use made::Made;
 use std::path::PathBuf;
 use uom::si::f64::{Angle, AngularVelocity, Length, Pressure, Ratio};
 
-/// Options that describe a motor without a file.
-const OF_A_MOTOR: [&str; 12] =
-    ["stator", "rotor", "z3", "z1", "zs", "module", "place", "width", "pressure", "speed", "Teeth", "Made"];
-
-/// A motor and what is wanted of it.
-#[derive(Debug, clap::Args)]
+/// Request for a motor by its numbers.
+#[derive(Debug, Clone, clap::Args)]
 #[command(group = clap::ArgGroup::new("place").multiple(true))]
-pub(crate) struct Design {
-    /// File of a motor in YAML, in place of the options that describe one; - for standard input.
-    #[arg(value_name = "FILE", conflicts_with_all = OF_A_MOTOR)]
-    pub(crate) file: Option<PathBuf>,
-
+pub struct Request {
     /// Lobes of the stator, N.
-    #[arg(long, value_name = "N", required_unless_present = "file")]
-    pub(crate) stator: Option<u32>,
+    #[arg(long, value_name = "N", requires_all = ["rotor", "z3", "module"])]
+    pub stator: Option<u32>,
 
     /// Lobes of the rotor, n: 1 to 3 fewer.
-    #[arg(long, value_name = "N", required_unless_present = "file")]
-    pub(crate) rotor: Option<u32>,
+    #[arg(long, value_name = "N", requires = "stator")]
+    pub rotor: Option<u32>,
 
     /// Teeth of the stator, Z₃: a whole number for each lobe.
-    #[arg(long, value_name = "TEETH", required_unless_present = "file")]
-    pub(crate) z3: Option<u32>,
+    #[arg(long, value_name = "TEETH", requires = "stator")]
+    pub z3: Option<u32>,
 
     /// Teeth of the rotor, Z₁; they follow from the others and are checked where given.
     #[arg(long, value_name = "TEETH")]
-    pub(crate) z1: Option<u32>,
+    pub z1: Option<u32>,
 
     /// Teeth of a satellite, Z_s: fewer than (Z₃ − Z₁)/2. Without them all satellites are listed, each with
     /// a motor.
     #[arg(long, value_name = "TEETH")]
-    pub(crate) zs: Option<u32>,
+    pub zs: Option<u32>,
 
     /// Module of the teeth.
-    #[arg(long, required_unless_present = "file", allow_hyphen_values = true)]
-    pub(crate) module: Option<Quantity<Length>>,
+    #[arg(long, requires = "stator", allow_hyphen_values = true)]
+    pub module: Option<Quantity<Length>>,
 
     /// Distance l of the centres of the stator's arcs at the troughs from the axis. Default: the middle of
     /// the family.
     #[arg(long, group = "place", allow_hyphen_values = true)]
-    pub(crate) l: Option<Quantity<Length>>,
+    pub l: Option<Quantity<Length>>,
 
     /// Instead of --l the distance a of the centres of the arcs at the crests. Together with --l:
     /// --construction of arcs that need not close.
     #[arg(long, group = "place", allow_hyphen_values = true)]
-    pub(crate) a: Option<Quantity<Length>>,
+    pub a: Option<Quantity<Length>>,
 
     /// Instead of --l the part of the family, from 0 (arcs at the troughs vanish) to 1, even in 1/l.
     #[arg(long, value_name = "NUMBER", group = "place", conflicts_with_all = ["l", "a"], allow_negative_numbers = true)]
-    pub(crate) part: Option<Number>,
+    pub part: Option<Number>,
 
     /// A rotor by the cosine law, and the stator conjugate to it: one motor, no family.
     #[arg(long, group = "place", conflicts_with_all = ["l", "a", "part"])]
-    pub(crate) cosine: bool,
+    pub cosine: bool,
 
     /// Relative amplitude ε₂ of a second harmonic of the cosine law.
     #[arg(long, value_name = "NUMBER", requires = "cosine", allow_negative_numbers = true)]
-    pub(crate) second_harmonic: Option<Number>,
+    pub second_harmonic: Option<Number>,
 
     /// The construction of the arcs in place of the motor: system (1), how far the rotor is from closing,
     /// and formulas (2)-(8). Drawings show it.
     #[arg(long)]
-    pub(crate) construction: bool,
+    pub construction: bool,
 
     /// Width of the wheels, for displacement, torque and forces.
     #[arg(long, allow_hyphen_values = true)]
-    pub(crate) width: Option<Quantity<Length>>,
+    pub width: Option<Quantity<Length>>,
 
     /// Pressure drop, high less low, for torque and forces.
     #[arg(long, requires = "width", allow_hyphen_values = true)]
-    pub(crate) pressure: Option<Quantity<Pressure>>,
+    pub pressure: Option<Quantity<Pressure>>,
 
     /// Speed of the rotor, for flow and power.
     #[arg(long, requires = "width", allow_hyphen_values = true)]
-    pub(crate) speed: Option<Quantity<AngularVelocity>>,
+    pub speed: Option<Quantity<AngularVelocity>>,
 
     /// Angle of the rotor from where one of its crests faces one of the stator's, for chambers, satellites
     /// and drawings. Default: that of the file, else 0 deg.
     #[arg(long, allow_hyphen_values = true)]
-    pub(crate) angle: Option<Quantity<Angle>>,
+    pub angle: Option<Quantity<Angle>>,
 
+    /// Form of the teeth.
     #[command(flatten)]
-    pub(crate) teeth: Teeth,
+    pub teeth: Teeth,
 
+    /// Material, oil, gaps, friction, ports.
     #[command(flatten)]
-    pub(crate) made: made::Made,
-
-    #[command(flatten)]
-    pub(crate) files: Files,
-
-    #[command(flatten)]
-    pub(crate) output: OutputArgs,
-
-    #[command(flatten)]
-    pub(crate) page: PageArgs,
+    pub made: Made,
 }
 
 /// Form of the teeth; lengths in modules.
@@ -194,15 +178,11 @@ pub(crate) struct Files {
     pub(crate) points: u32,
 }
 
-impl Design {
+impl Request {
     /// Options of a closed motor that say nothing of its arcs or teeth, and whether each is given.
-    pub(crate) fn beyond_the_arcs(&self) -> Vec<(&'static str, bool)> {
-        let own = [
-            ("--width", self.width.is_some()),
-            ("--angle", self.angle.is_some()),
-            ("--csv", self.files.csv.is_some()),
-        ];
-        own.into_iter().chain(self.made.given()).collect()
+    pub(crate) fn beyond_the_arcs(&self) -> impl Iterator<Item = (&'static str, bool)> {
+        let own = [("--width", self.width.is_some()), ("--angle", self.angle.is_some())];
+        own.into_iter().chain(self.made.given())
     }
 }
 

@@ -1,19 +1,24 @@
 //! The command `motor`: a planetary hydromotor from its numbers to its drawings, and two searches for one.
 
 use crate::desk::Call;
-
 use crate::failure::Failure;
 use crate::input;
 use crate::motor::answer::Designed;
-use crate::motor::construction::request as construction;
+use crate::motor::construction::answer::construction;
 use crate::motor::forms::request as forms;
-use crate::motor::satellites::request as satellites;
+use crate::motor::options::{Files, Request, design, files};
 use crate::motor::search::request as search;
+use crate::motor::table::View;
+use crate::output::OutputArgs;
 use crate::report::answer as report;
-use crate::shared::page_options::{self as imprint};
+use crate::shared::page_options::{self as imprint, PageArgs};
 use epicyclic_formats::Path;
+use std::path::PathBuf;
 
-use crate::motor::options::{Design, design, files};
+/// Options that describe a motor without a file.
+const OF_A_MOTOR: [&str; 12] =
+    ["stator", "rotor", "z3", "z1", "zs", "module", "place", "width", "pressure", "speed", "Teeth", "Made"];
+
 /// A hydromotor with non-circular wheels and floating satellites: geometry that closes, working data, teeth,
 /// drawings.
 ///
@@ -32,13 +37,27 @@ epicyclic motor [OPTIONS] <FILE>
            --module <MODULE> [--zs <TEETH>]
        epicyclic motor search [OPTIONS]
        epicyclic motor forms [OPTIONS]")]
+#[command(group = clap::ArgGroup::new("numbers").args(["file", "stator"]).required(true))]
 #[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
     #[command(subcommand)]
     command: Option<Command>,
 
+    /// File of a motor in YAML, in place of the options that describe one; - for standard input.
+    #[arg(value_name = "FILE", conflicts_with_all = OF_A_MOTOR)]
+    file: Option<PathBuf>,
+
     #[command(flatten)]
-    design: Design,
+    request: Request,
+
+    #[command(flatten)]
+    files: Files,
+
+    #[command(flatten)]
+    output: OutputArgs,
+
+    #[command(flatten)]
+    page: PageArgs,
 }
 
 #[derive(Debug, clap::Subcommand)]
@@ -54,47 +73,81 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         Some(Command::Forms(args)) => return forms::run(call, args),
         None => {}
     }
-    let Design { files, page: options, output, .. } = &args.design;
-    options.only_of_a_page(output.is_page())?;
-    let wanted = files::wanted(files, output);
-    wanted.check(files)?;
-    let Some(file) = &args.design.file else {
-        if args.design.zs.is_none() {
-            return satellites::run(call, &args.design);
+    let Args { request, files, page, output, .. } = args;
+    page.only_of_a_page(output.is_page())?;
+    let drawings = files::wanted(files, output);
+    drawings.check(files)?;
+    let Some(file) = &args.file else {
+        if request.zs.is_none() {
+            return list_satellites(call, args);
         }
-        if construction::is_asked(&args.design) {
-            return construction::run(call, &args.design, &wanted, None);
+        if request.is_of_construction() {
+            return construct(call, args, &drawings, None);
         }
-        let designed = design::read(&args.design)?;
-        return deliver(call, &args.design, &wanted, None, &designed, &design::refuse);
+        return deliver(call, args, &drawings, None, &request.designed()?, &design::refuse);
     };
     let document = input::document(call, file)?;
     let in_file = |failure: Failure| failure.in_file(&document, &Path::root());
     let (title, mut designed) =
         crate::motor::answer::of_file(&document).map_err(|error| in_file(error.into()))?;
-    if construction::is_asked(&args.design) {
-        return construction::run(call, &args.design, &wanted, Some(&designed)).map_err(in_file);
+    if request.is_of_construction() {
+        return construct(call, args, &drawings, Some(&designed)).map_err(in_file);
     }
-    if let Some(angle) = &args.design.angle {
+    if let Some(angle) = &request.angle {
         designed.angle = angle.0;
     }
-    let refuse = |error| design::refuse_of_file(error, args.design.angle.is_some());
-    deliver(call, &args.design, &wanted, title, &designed, &refuse).map_err(in_file)
+    let refuse = |error| design::refuse_of_file(error, request.angle.is_some());
+    deliver(call, args, &drawings, title, &designed, &refuse).map_err(in_file)
+}
+
+fn list_satellites(call: &Call<'_>, Args { request, files, output, .. }: &Args) -> Result<(), Failure> {
+    let answer = request.satellites([
+        ("--view", files.view.is_some()),
+        ("--svg", files.svg.is_some()),
+        ("--dxf", files.dxf.is_some()),
+        ("--csv", files.csv.is_some()),
+    ])?;
+    output.deliver(call, &answer)?;
+    match answer.motors.is_empty() {
+        true => Err(Failure::NothingFound("no satellite gives a motor of these numbers".to_owned())),
+        false => Ok(()),
+    }
+}
+
+fn construct(
+    call: &Call<'_>,
+    Args { request, files, output, .. }: &Args,
+    drawings: &files::Wanted,
+    of_file: Option<&Designed>,
+) -> Result<(), Failure> {
+    let constructed = request.constructed(of_file, [("--csv", files.csv.is_some())])?;
+    if files.view.is_some_and(|view| view != View::Construction) {
+        let message = "the construction has the view construction alone; for another give one of --l and --a, and no \
+                       --construction";
+        return Err(Failure::invalid("--view", message));
+    }
+    let answer = construction(&constructed).map_err(design::refuse)?;
+    let files = if drawings.is_empty() {
+        vec![]
+    } else {
+        drawings.drawn(&crate::motor::table::construction(&constructed)?, files)?
+    };
+    output.but_for_drawings().deliver_with(call, files, &answer)
 }
 
 fn deliver(
     call: &Call<'_>,
-    Design { files, page: options, output, .. }: &Design,
-    wanted: &files::Wanted,
+    Args { files, page, output, .. }: &Args,
+    drawings: &files::Wanted,
     title: Option<String>,
     designed: &Designed,
     refuse: &dyn Fn(crate::error::Error) -> Failure,
 ) -> Result<(), Failure> {
-    let (files, output) = (files::content(files, wanted, designed, refuse)?, output.but_for_drawings());
+    let (files, output) = (files::content(files, drawings, designed, refuse)?, output.but_for_drawings());
     if output.is_page() {
         let report = report::motor::answer(title, designed).map_err(refuse)?;
         let sheet = crate::motor::page::sheet(&report, designed, imprint::command(call));
-        return output.deliver_page(call, files, &report.motor, sheet, &options.imprint());
+        return output.deliver_page(call, files, &report.motor, sheet, &page.imprint());
     }
     let answer = crate::motor::answer::answer(designed).map_err(refuse)?;
     output.deliver_with(call, files, &answer)

@@ -37,7 +37,7 @@ pub struct Args {
     choice: Choice,
 
     #[command(flatten)]
-    load: Load,
+    request: Request,
 
     /// How the page is written.
     #[arg(long, value_enum, default_value_t = Format::Html)]
@@ -46,9 +46,6 @@ pub struct Args {
     /// Schemes with gears at the heights of their pitch radii, as `draw --to-scale` draws them.
     #[arg(long)]
     to_scale: bool,
-
-    #[command(flatten)]
-    exciting: Exciting,
 
     #[command(flatten)]
     target: Target,
@@ -73,13 +70,14 @@ impl Args {
 }
 
 /// Request for the chapters of a gearbox; other files ask for nothing beside themselves.
-///
-/// In the help the format stands between these options, so the command line has them one by one.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, clap::Args)]
 pub struct Request {
     /// Speed and load of the input.
+    #[command(flatten)]
     pub load: Load,
+
     /// Excitation of the vibration and its speeds; the file may state those that are not given.
+    #[command(flatten)]
     pub exciting: Exciting,
 }
 
@@ -114,14 +112,15 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         let message = "it is for the pictures of a page; JSON has none".to_owned();
         return Err(Failure::invalid("--to-scale", message));
     }
-    let Read { document, bytes, .. } = args.choice.document(call, false)?;
-    let text = String::from_utf8_lossy(&bytes).into_owned();
+    let read = args.choice.document(call, false)?;
+    let document = &read.document;
+    let text = String::from_utf8_lossy(&read.bytes).into_owned();
     let for_gearboxes = |what: &str| match args
         .choice
         .given()
-        .or(args.load.given())
+        .or(args.request.load.given())
         .or(args.to_scale.then_some("--to-scale"))
-        .or(args.exciting.given())
+        .or(args.request.exciting.given())
     {
         Some(option) => Err(Failure::conflict(option, format!("it is for gearboxes; this is a {what}"))),
         None => Ok(()),
@@ -129,17 +128,17 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let text = match document.kind() {
         Some(FileKind::Scenario) => {
             for_gearboxes("scenario")?;
-            of_scenario(call, args, document, text)?
+            of_scenario(call, args, document.clone(), text)?
         }
-        Some(FileKind::Gearbox | FileKind::Transmissions) => of_gearbox(call, args, &document, text)?,
+        Some(FileKind::Gearbox | FileKind::Transmissions) => of_gearbox(call, args, &read, text)?,
         Some(FileKind::Drive) => {
             for_gearboxes("drive")?;
-            of_drive(call, args, &document, text)?
+            of_drive(call, args, document, text)?
         }
         Some(FileKind::Motor) => {
             for_gearboxes("motor")?;
-            of_motor(call, args, &document, text)
-                .map_err(|failure| failure.in_file(&document, &Path::root()))?
+            of_motor(call, args, document, text)
+                .map_err(|failure| failure.in_file(document, &Path::root()))?
         }
         None => {
             let message = "this is no drive, which has the key power, no gearbox, which has gearbox or transmissions, no motor, \
@@ -151,10 +150,10 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     args.target.write(call, text.as_bytes())
 }
 
-fn of_gearbox(call: &Call<'_>, args: &Args, document: &Document, file: String) -> Result<String, Failure> {
-    let subject = subject(&args.choice, document)?;
-    let request = Request { load: args.load, exciting: args.exciting.clone() };
-    let (report, mut shown) = request.answer(&subject, &|| call.goes_on())?;
+fn of_gearbox(call: &Call<'_>, args: &Args, read: &Read, file: String) -> Result<String, Failure> {
+    let subject = subject(&args.choice, read)?;
+    let document = &subject.document;
+    let (report, mut shown) = args.request.answer(&subject, &|| call.goes_on())?;
     let sheet = match args.format {
         Format::Json => None,
         Format::Html => {
@@ -197,7 +196,7 @@ fn own_lines(document: &Document, base: &Path, file: &str) -> String {
 
 fn of_scenario(call: &Call<'_>, args: &Args, document: Document, file: String) -> Result<String, Failure> {
     let scenario = Scenario::beside(call, document, args.choice.file())?;
-    let goes_on = |_| call.goes_on().is_continue();
+    let goes_on = |_| call.goes_on();
     let simulation = simulate::Request::default().answer(&scenario, goes_on)?;
     if call.goes_on().is_break() {
         return Err(Failure::Interrupted(NOTHING_TO_SHOW.to_owned()));

@@ -15,6 +15,8 @@ use epicyclic_train::set::MeshLoss;
 use epicyclic_train::tooth_checks::SetChecks;
 use epicyclic_train::{self as train, PlanetSet};
 use epicyclic_units::Quantity;
+use schemars::JsonSchema;
+use serde::Serialize;
 use std::collections::BTreeMap;
 use uom::si::f64::{AngularVelocity, Torque};
 
@@ -59,6 +61,24 @@ pub struct Gearbox {
     inputs: Vec<(String, GearInputs)>,
     /// Modules that the file states of the meshes of each set, m.
     modules: Vec<Vec<Option<f64>>>,
+    /// Where it comes from.
+    pub origin: Origin,
+    /// Whether its tooth numbers or ring-to-sun ratios are known; a scheme by its name alone has any.
+    pub is_sized: bool,
+}
+
+/// Origins of a gearbox or motor.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Origin {
+    /// Scheme of the catalogue.
+    Catalogue,
+    /// Structure of two sets by its name.
+    Structure,
+    /// Gearbox of a file.
+    GearboxFile,
+    /// Hydromotor of a file.
+    MotorFile,
 }
 
 /// Speeds and torques of several links, as a file states them of a gear.
@@ -106,9 +126,13 @@ impl Gearbox {
     /// The checks of the teeth of all sets.
     #[must_use]
     pub fn tooth_checks(&self) -> SetChecks {
-        let place = |set: &PlanetSet| self.train.sets().iter().position(|other| other.id() == set.id());
-        let modules = |set: &PlanetSet| place(set).and_then(|place| self.modules.get(place)).cloned();
-        self.train.set_checks(&self.rack, |set| modules(set).unwrap_or_default())
+        self.train.set_checks(&self.rack, |set| self.modules(set).to_vec())
+    }
+
+    /// Modules that the file states of the meshes of a set, in m.
+    pub(crate) fn modules(&self, set: &PlanetSet) -> &[Option<f64>] {
+        let place = self.train.sets().iter().position(|other| other.id() == set.id());
+        place.and_then(|place| self.modules.get(place)).map_or(&[], Vec::as_slice)
     }
 
     /// Published data of a gear.
@@ -224,6 +248,8 @@ pub(crate) fn gearbox(
         drags,
         inputs,
         modules,
+        origin: Origin::GearboxFile,
+        is_sized: true,
     }))
 }
 
@@ -255,6 +281,8 @@ fn transmission(
         drags,
         inputs,
         modules,
+        origin: Origin::GearboxFile,
+        is_sized: true,
     }))
 }
 

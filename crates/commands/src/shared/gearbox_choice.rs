@@ -7,7 +7,6 @@ use crate::failure::Failure;
 use crate::shared::gearbox::{self, Gearbox};
 use crate::shared::named_gearbox::{self as named, Sizes};
 use crate::shared::options::efficiency;
-use epicyclic_formats::Document;
 use epicyclic_train::{self as train, Analysis};
 use epicyclic_units::Quantity;
 use std::path::Path;
@@ -41,18 +40,17 @@ impl Choice {
         transmission.or(self.efficiency.map(|_| "--efficiency")).or(self.sizes.given())
     }
 
+    /// Refuses an efficiency where no losses are shown.
+    pub(crate) fn no_efficiency(&self, message: &str) -> Result<(), Failure> {
+        match self.efficiency {
+            Some(_) => Err(Failure::conflict("--efficiency", message)),
+            None => Ok(()),
+        }
+    }
+
     /// The file, as it was named.
     pub(crate) fn file(&self) -> &Path {
         Path::new(&self.gearbox)
-    }
-
-    /// One gearbox of a file, all of it as its options would say.
-    pub(crate) fn new(
-        gearbox: String,
-        transmission: Option<String>,
-        efficiency: Option<Quantity<Ratio>>,
-    ) -> Self {
-        Self { gearbox, transmission, efficiency, sizes: Sizes::default() }
     }
 
     /// The document of the gearbox, its text, and whether the sizes in it are known.
@@ -62,7 +60,7 @@ impl Choice {
 
     /// The gearbox; a list of several transmissions is refused without a choice of one.
     pub(crate) fn gearbox(&self, call: &Call<'_>) -> Result<Gearbox, Failure> {
-        subject(self, &self.document(call, false)?.document)
+        subject(self, &self.document(call, false)?)
     }
 
     pub(crate) fn question(&self) -> Result<gearbox::Choice, Failure> {
@@ -80,9 +78,7 @@ pub(crate) fn below_each_other<'n>(names: impl IntoIterator<Item = &'n str>) -> 
 pub(crate) fn refuse(error: Error) -> Failure {
     let listed = |names: &[String]| below_each_other(names.iter().map(String::as_str));
     let (option, message) = match &error {
-        Error::OneGearbox => {
-            ("--transmission", "the file holds one gearbox; leave the option out".to_owned())
-        }
+        Error::OneGearbox => ("--transmission", "this is one gearbox; leave the option out".to_owned()),
         Error::SeveralTransmissions { names } => {
             ("--transmission", format!("the file has {}; name one of{}", names.len(), listed(names)))
         }
@@ -110,9 +106,11 @@ pub(crate) fn refuse(error: Error) -> Failure {
     Failure::named(error.name(), option, message)
 }
 
-/// Reads the gearbox of a file; refuses a list of several transmissions without a choice of one.
-pub(crate) fn subject(choice: &Choice, document: &Document) -> Result<Gearbox, Failure> {
-    gearbox::one(document, &choice.question()?).map_err(refuse)
+/// Reads the gearbox of a document; refuses a list of several transmissions without a choice of one.
+pub(crate) fn subject(choice: &Choice, read: &named::Read) -> Result<Gearbox, Failure> {
+    let mut gearbox = gearbox::one(&read.document, &choice.question()?).map_err(refuse)?;
+    (gearbox.origin, gearbox.is_sized) = (read.origin, read.is_sized);
+    Ok(gearbox)
 }
 
 /// The analysis of a gear that `--gear` names.

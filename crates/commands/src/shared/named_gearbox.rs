@@ -1,11 +1,11 @@
 //! A gearbox by its name: a scheme of the catalogue, or a structure of two sets.
 
 use crate::desk::Call;
-use crate::draw::answer::Origin;
 use crate::error::Error;
 use crate::failure::Failure;
 use crate::input;
 use crate::schemes::answer::{self as answers, SizeName, SizeProblem, Sized};
+use crate::shared::gearbox::Origin;
 use crate::shared::options::efficiency;
 use epicyclic_formats::Document;
 use epicyclic_formats::gearbox::written;
@@ -67,7 +67,7 @@ impl Sizes {
 }
 
 /// Gearbox identified by a name.
-pub(crate) enum Named {
+enum Named {
     /// A scheme of the catalogue.
     Scheme(Scheme),
     /// Two sets as they are named, and the structure that they are.
@@ -78,7 +78,7 @@ pub(crate) enum Named {
 const ANY_K: f64 = 2.5;
 
 /// Reads a name of a gearbox; `None` if the text is the name of a file.
-pub(crate) fn read(call: &Call<'_>, name: &str) -> Result<Option<Named>, Failure> {
+fn read(call: &Call<'_>, name: &str) -> Result<Option<Named>, Failure> {
     let file = Path::new(name);
     match (name.parse::<Scheme>(), Structure::read(name)) {
         (Ok(scheme), _) => Ok(Some(Named::Scheme(scheme))),
@@ -107,6 +107,7 @@ pub(crate) struct Read {
     pub(crate) bytes: Vec<u8>,
     /// Whether the sizes in it are known, or some or other.
     pub(crate) is_sized: bool,
+    pub(crate) origin: Origin,
 }
 
 /// The document of a file, or that of a gearbox by its name, written as a file would be.
@@ -122,38 +123,31 @@ pub(crate) fn document(
     let Some(named) = named else {
         sizes.none_with_a_file()?;
         let (document, bytes) = input::with_bytes(call, file)?;
-        return Ok(Read { document, bytes, is_sized: true });
+        return Ok(Read { document, bytes, is_sized: true, origin: Origin::GearboxFile });
     };
     let eta = eta.map_or(Ok(MeshEfficiency::IDEAL), efficiency)?;
     let (gearbox, is_sized) = match named.sized(sizes, eta)? {
         Some(gearbox) => (gearbox, true),
         None if any_size_will_do => (named.of_any_size()?, false),
-        None => return Err(named.needs_sizes("for ratios and speeds")),
+        None => return Err(named.needs_sizes()),
     };
     let text = written(&gearbox, &[]).unwrap_or_else(|_| unreachable!("schemes have sets of three members"));
-    Ok(Read { document: Document::parse_one(name, text.as_bytes())?, bytes: text.into_bytes(), is_sized })
+    let document = Document::parse_one(name, text.as_bytes())?;
+    Ok(Read { document, bytes: text.into_bytes(), is_sized, origin: named.origin() })
 }
 
 impl Named {
     /// Where it comes from.
-    pub(crate) fn origin(&self) -> Origin {
+    fn origin(&self) -> Origin {
         match self {
             Self::Scheme(_) => Origin::Catalogue,
             Self::TwoSets(..) => Origin::Structure,
         }
     }
 
-    /// Refuses a name within a list: this is one gearbox.
-    pub(crate) fn no_transmission(&self) -> Failure {
-        let what = match self {
-            Self::Scheme(_) => "a scheme of the catalogue",
-            Self::TwoSets(..) => "a structure",
-        };
-        Failure::conflict("--transmission", format!("{what} is one gearbox; leave it out"))
-    }
-
     /// Asks for sizes.
-    pub(crate) fn needs_sizes(&self, what_for: &str) -> Failure {
+    fn needs_sizes(&self) -> Failure {
+        let what_for = "for ratios and speeds";
         let message = match self {
             Self::Scheme(scheme) => format!(
                 "{what_for} of {} give --k1 or --ratio1, and of two sets --k2 or --ratio2",
@@ -165,7 +159,7 @@ impl Named {
     }
 
     /// The gearbox with these sizes; nothing where none are given.
-    pub(crate) fn sized(&self, sizes: Sizes, eta: MeshEfficiency) -> Result<Option<Gearbox>, Failure> {
+    fn sized(&self, sizes: Sizes, eta: MeshEfficiency) -> Result<Option<Gearbox>, Failure> {
         let (sets, structure, renaming) = match *self {
             Self::Scheme(scheme) => {
                 return Ok(sized(sizes.of_scheme(), scheme, eta)?.map(|found| found.gearbox));
@@ -202,7 +196,7 @@ impl Named {
     }
 
     /// The gearbox with some size or other.
-    pub(crate) fn of_any_size(&self) -> Result<Gearbox, Failure> {
+    fn of_any_size(&self) -> Result<Gearbox, Failure> {
         match *self {
             Self::Scheme(scheme) => {
                 let k2 = matches!(scheme, Scheme::Three(_)).then_some(ANY_K);

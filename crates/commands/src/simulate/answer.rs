@@ -286,11 +286,11 @@ impl Answer for Simulation {
 /// [`Error::Document`] and [`Error::Placed`] with the place of the fault; errors of [`gearbox::read`] for the
 /// gearbox.
 pub fn answer(document: &Document, file: &ScenarioFile, beside: &Beside) -> Result<Simulation, Error> {
-    answer_watched(document, file, beside, |_| true)
+    answer_watched(document, file, beside, |_| ControlFlow::Continue(()))
 }
 
-/// Simulates a scenario and reports the finished part, from 0 to 1, to `goes_on` until that returns `false`.
-/// A simulation that is stopped in this way has all results up to then, and a warning.
+/// Simulates a scenario and reports the finished part, from 0 to 1, to `goes_on`, which may end it. A
+/// simulation that is ended in this way has all results up to then, and a warning.
 ///
 /// # Errors
 /// Errors of [`answer`].
@@ -298,7 +298,7 @@ pub fn answer_watched(
     document: &Document,
     file: &ScenarioFile,
     beside: &Beside,
-    mut goes_on: impl FnMut(f64) -> bool,
+    mut goes_on: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Simulation, Error> {
     let efficiency = file.efficiency.map(|eta| MeshEfficiency::new(eta.0.si())).transpose();
     let efficiency = efficiency.map_err(|why| refused(document, &root("efficiency"), &why))?;
@@ -315,7 +315,7 @@ pub fn answer_watched(
     let every = scenario.sampling()?;
     let whole = file.duration.0.si();
     let run = built.model.run_watched(&built.start, file.duration.0, Some(every.inner), &mut |time| {
-        if goes_on(time.si() / whole) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        goes_on(time.si() / whole)
     });
     let run = run.map_err(|why| scenario.of_drag(&built.drags, why))?;
     Ok(told(&scenario, &built, &run, every.kept))

@@ -11,6 +11,7 @@ use crate::simulate::answer::sweep::{Range, Sweep, sweep};
 use crate::simulate::answer::{self as answers, Simulation};
 use crate::simulate::table::{PlotView, picture, samples};
 use epicyclic_units::Number;
+use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 /// A gearbox in motion by a scenario: how it shifts, how hot its clutches get, whether the drive starts.
@@ -65,20 +66,20 @@ const STEPS: u32 = 11;
 
 impl Request {
     /// Simulates the scenario with its own values. The closure receives the finished part, from 0 to 1, and
-    /// returns whether to continue; a simulation that is stopped has all results up to then.
+    /// may end the simulation, which then has all results up to then.
     ///
     /// # Errors
     /// [`Failure::Answer`] with the place of the fault in the scenario or its gearbox.
     pub fn answer(
         &self,
         scenario: &Scenario,
-        goes_on: impl FnMut(f64) -> bool,
+        goes_on: impl FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Simulation, Failure> {
         Ok(answers::answer_watched(&scenario.document, &scenario.file, &scenario.beside, goes_on)?)
     }
 
     /// Simulates the scenario once for each value of the sweep. The closure receives the finished part, from
-    /// 0 to 1, and returns whether to continue; a sweep that is stopped has the runs that are done.
+    /// 0 to 1, and may end the sweep, which then has the runs that are done.
     ///
     /// # Errors
     /// - [`Failure::Option`] without a sweep, for a key that cannot be swept, for a value that it does not
@@ -87,7 +88,7 @@ impl Request {
     pub fn answer_sweep(
         &self,
         scenario: &Scenario,
-        goes_on: impl Fn(f64) -> bool + Sync + Send,
+        goes_on: impl Fn(f64) -> ControlFlow<()> + Sync + Send,
     ) -> Result<Sweep, Failure> {
         let range = self.sweep.as_ref();
         let range = range.ok_or_else(|| Failure::missing("--sweep", "a key and its values are required"))?;
@@ -117,10 +118,10 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         return swept(call, args, &scenario);
     }
     let (hearing, shown) = (Hearing::new(call), Progress::of_runs(call));
-    let mut is_whole = true;
+    let mut asked = ControlFlow::Continue(());
     let simulation = args.request.answer(&scenario, |share| {
-        is_whole = shown.at(share).is_continue();
-        is_whole
+        asked = shown.at(share);
+        asked
     });
     drop((shown, hearing));
     let simulation = simulation?;
@@ -137,7 +138,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         files.push((file.to_owned(), drawing_file::content(&scene, format, args.dpi)?));
     }
     args.output.but_for_drawings().deliver_with(call, files, &simulation)?;
-    if is_whole { Ok(()) } else { Err(interrupted()) }
+    if asked.is_continue() { Ok(()) } else { Err(interrupted()) }
 }
 
 /// Failure of a call that was asked to end after its answer was shown.
@@ -152,7 +153,7 @@ fn swept(call: &Call<'_>, args: &Args, scenario: &Scenario) -> Result<(), Failur
         return Err(Failure::conflict("--output", message));
     }
     let (hearing, shown) = (Hearing::new(call), Progress::of_runs(call));
-    let found = args.request.answer_sweep(scenario, |share| shown.at(share).is_continue());
+    let found = args.request.answer_sweep(scenario, |share| shown.at(share));
     drop((shown, hearing));
     let found = found?;
     let is_whole = found.runs.len() == args.request.steps() as usize;

@@ -13,6 +13,7 @@ use crate::error::Error;
 use crate::shared::fault::Named;
 use crate::shared::gearbox::{Choice, Gearbox, one};
 use crate::shared::tooth_checks::answer::ToothChecks;
+use crate::size::options::Request;
 use crate::strength::answer::Asked;
 use crate::strength::answer::duty::{WorkedStep, steps};
 use crate::strength::answer::load::felt;
@@ -23,104 +24,18 @@ use crate::strength::answer::records::{NotRated, Reason, Required};
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::{Document, Path};
 use epicyclic_gears::involute::family::Aim;
-use epicyclic_gears::involute::set::Limits;
-use epicyclic_gears::mesh::USUAL_PLANET_GAP;
+use epicyclic_strength as strength;
 use epicyclic_strength::factor::Edition;
 use epicyclic_strength::sizing::Objective;
 use epicyclic_strength::sizing::bearing::Bearing;
-use epicyclic_strength::sizing::{
-    HeldShifts, STANDARD_MODULES_MM, SetOverload, SetStep, Sizing, Space, size,
-};
-use epicyclic_strength::{self as strength, Quantity};
+use epicyclic_strength::sizing::{HeldShifts, SetOverload, SetStep, Sizing, size};
 use epicyclic_units::Physical;
 use records::{HeldKey, NotSized, SizedSet, Sought};
 pub use saved::saved;
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::ops::{ControlFlow, RangeInclusive};
+use std::ops::ControlFlow;
 use uom::si::f64::{AngularVelocity, Length, Time, Torque};
-
-/// Maximum distance of centre distances from the natural one, in modules.
-const REACH: f64 = 1.0;
-
-/// Greatest module of the standard series in mm that is used unless others are requested.
-const GREATEST_MODULE_MM: f64 = 20.0;
-
-/// Search space and objective of the sizing.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Search {
-    /// Allowed modules.
-    pub modules: Vec<Length>,
-    /// Allowed face widths.
-    pub face_widths: Vec<Length>,
-    /// Allowed numbers of planets.
-    pub planets: RangeInclusive<u32>,
-    /// Step of the centre distances.
-    pub centre_distance_step: Length,
-    /// Maximum face width over the sun's reference diameter; `None` without limit.
-    pub width_ratio: Option<f64>,
-    /// Aim of the profile shifts.
-    pub aim: Aim,
-    /// Minimum normal tip thickness in modules.
-    pub tip_thickness: f64,
-    /// Minimum rim of the planets between root circle and bearing, in modules.
-    pub planet_rim: f64,
-    /// Rim of the ring outside its root circle, in modules.
-    pub ring_rim: f64,
-    /// Bearings of the planets to choose from; empty if bearings are not sized.
-    pub bearings: Vec<Bearing>,
-    /// Maximum number of bearings side by side in a planet: 1 or 2.
-    pub bearing_rows: u32,
-    /// Quantity to be minimized.
-    pub minimise: Objective,
-    /// Maximum number of designs listed for each set.
-    pub most: usize,
-}
-
-/// Modules of series I of ISO 54 that are allowed unless others are requested.
-pub(crate) fn usual_modules() -> Vec<Length> {
-    let usual = STANDARD_MODULES_MM.into_iter().filter(|module| *module <= GREATEST_MODULE_MM);
-    usual.map(Length::from_mm).collect()
-}
-
-/// Face widths that are allowed unless others are requested: 10 to 80 mm in steps of 5 mm.
-pub(crate) fn usual_face_widths() -> Vec<Length> {
-    (2..=16).map(|fives| Length::from_mm(5.0 * f64::from(fives))).collect()
-}
-
-impl Search {
-    fn space(&self) -> Space {
-        Space {
-            modules: self.modules.clone(),
-            face_widths: self.face_widths.clone(),
-            planets: self.planets.clone().collect(),
-            centre_distance_step: self.centre_distance_step,
-            reach: REACH,
-            width_ratio: self.width_ratio,
-            bearings: {
-                let pairs = self.bearings.iter().filter(|_| self.bearing_rows > 1).map(Bearing::pair);
-                self.bearings.iter().cloned().chain(pairs).collect()
-            },
-        }
-    }
-
-    fn limits(&self) -> Limits {
-        Limits { tip_thickness: self.tip_thickness, planet_gap: USUAL_PLANET_GAP, ..Limits::default() }
-    }
-
-    /// Refuses an empty or impossible space, whatever the file contains.
-    fn check(&self) -> Result<(), Error> {
-        self.space().check()?;
-        for (quantity, value) in
-            [(Quantity::LeastRim, self.planet_rim), (Quantity::RingRimInModules, self.ring_rim)]
-        {
-            if !(value.is_finite() && value >= 0.0) {
-                return Err(strength::Error::Negative { quantity, value, unit: "modules" }.into());
-            }
-        }
-        Ok(self.limits().check()?)
-    }
-}
 
 /// Sizes of a gearbox's simple sets with sufficient strength over the duty and the least mass or ring.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -169,10 +84,10 @@ impl Answer for Size {
 /// - [`Error::NothingToSize`] if no set can be sized.
 pub(crate) fn answer(
     subject: &Gearbox,
-    search: &Search,
+    request: &Request,
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<Size, Error> {
-    search.check()?;
+    request.check()?;
     let file: GearboxFile = subject.document.read()?;
     let (to_size, others) = sets_to_size(subject, &file)?;
     let mut not_sized: Vec<NotSized> = others.into_iter().map(NotSized::of).collect();
@@ -202,9 +117,9 @@ pub(crate) fn answer(
             not_sized.push(NotSized::of(NotRated::new(set.id, Reason::NoTorquesFollow)));
             continue;
         };
-        let (task, held) = task(set, load, life, required, search);
-        match size(&task, search.most.max(1), goes_on) {
-            Ok(found) => sets.push(SizedSet::of(set, held, &found, search.most)),
+        let (task, held) = task(set, load, life, required, request);
+        match size(&task, request.most.max(1), goes_on) {
+            Ok(found) => sets.push(SizedSet::of(set, held, &found, request.most)),
             Err(
                 error @ (strength::Error::Cancelled
                 | strength::Error::NothingToSearch { .. }
@@ -230,9 +145,9 @@ pub(crate) fn answer(
         life_s: life.si(),
         oil_viscosity_m2_s: viscosity.si(),
         required,
-        minimise: search.minimise,
-        aim: search.aim,
-        sought: Sought::of(search),
+        minimise: request.minimise,
+        aim: request.aim,
+        sought: Sought::of(request),
         designs: sets.iter().map(|set| set.designs).sum(),
         mass_kg: sets.iter().map(|set| Some(set.found.first()?.mass_kg)).sum(),
         sets,
@@ -264,9 +179,9 @@ fn task(
     (duty, overloads): (Vec<SetStep>, Vec<SetOverload>),
     life: Time,
     required: Required,
-    search: &Search,
+    request: &Request,
 ) -> (Sizing, Vec<HeldKey>) {
-    let mut space = search.space();
+    let mut space = request.space();
     let mut held = vec![];
     let entry = set.entry;
     if let Some(module) = entry.module {
@@ -315,9 +230,9 @@ fn task(
     let task = Sizing {
         teeth: set.teeth,
         profiles: set.profiles,
-        aim: search.aim,
+        aim: request.aim,
         held_shifts: set.shifts.map(|shifts| HeldShifts { profile: shifts.profile, tips: shifts.tips }),
-        limits: search.limits(),
+        limits: request.limits(),
         gears: set.gears,
         methods: set.methods,
         viscosity: set.viscosity,
@@ -326,13 +241,13 @@ fn task(
         life,
         required_contact: required.flank,
         required_root: required.root,
-        planet_rim: search.planet_rim,
+        planet_rim: request.planet_rim.get(),
         least_planet_rim,
-        ring_rim: search.ring_rim,
+        ring_rim: request.ring_rim.get(),
         held_ring_rim,
         planet_bore: bore,
         least_planet_angle: set.least_planet_angle,
-        objective: search.minimise,
+        objective: request.minimise,
         space,
     };
     (task, held)

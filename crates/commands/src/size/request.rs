@@ -7,19 +7,13 @@ use crate::input;
 use crate::output::OutputArgs;
 use crate::shared::gearbox::{Gearbox, alone};
 use crate::shared::gearbox_choice as analyze;
-use crate::shared::lists::Quantities;
 use crate::shared::options;
-use crate::size::answer::{Search, Size, answer, saved, usual_face_widths, usual_modules};
-use clap::builder::{PathBufValueParser, TypedValueParser as _};
-use epicyclic_formats::Span;
-use epicyclic_gears::involute::family::Aim;
+use crate::size::answer::{Size, answer, saved};
+use crate::size::options::Request;
 use epicyclic_strength::Quantity as Of;
-use epicyclic_strength::sizing::Objective;
-use epicyclic_strength::sizing::bearing::{Bearing, listed, listed_rollers, parse};
-use epicyclic_units::{Number, Quantity};
-use std::ops::{ControlFlow, RangeInclusive};
+use epicyclic_strength::sizing::bearing::{Bearing, parse};
+use std::ops::ControlFlow;
 use std::path::PathBuf;
-use uom::si::f64::Length;
 
 /// Sizes of the simple sets of a gearbox that hold over the duty of its file, with the least mass or ring.
 ///
@@ -37,6 +31,9 @@ pub struct Args {
     #[command(flatten)]
     request: Request,
 
+    #[command(flatten)]
+    bearings: BearingsFile,
+
     /// Write the file with the best design of each set, which strength, analyze, draw and report read.
     #[arg(long, value_name = "FILE")]
     save: Option<PathBuf>,
@@ -45,99 +42,22 @@ pub struct Args {
     output: OutputArgs,
 }
 
-/// Request for sizes of the simple sets of a gearbox: the space of the search.
-#[derive(Debug, Clone, clap::Args)]
+/// File of the bearings to choose from.
+#[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Sizes")]
-pub struct Request {
-    /// Modules. Default: series I of ISO 54 to 20 mm.
-    #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
-    pub modules: Option<Quantities<Length>>,
-
-    /// Face widths. Default: 10 to 80 mm in steps of 5 mm.
-    #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
-    pub face_widths: Option<Quantities<Length>>,
-
-    /// Numbers of planets, from 1 to 8.
-    #[arg(long, value_name = "RANGE", default_value = "3..6")]
-    pub planets: Span<u32>,
-
-    /// Step of the centre distances, which are its multiples within one module of the natural one.
-    #[arg(long, value_name = "LENGTH", default_value = "0.5mm", allow_hyphen_values = true)]
-    pub centre_distance_step: Quantity<Length>,
-
-    /// The greatest face width over the sun's reference diameter. Default: no bound.
-    #[arg(long, value_name = "RATIO", allow_negative_numbers = true)]
-    pub width_ratio: Option<Number>,
-
-    /// What picks the shifts, of which the sums are fixed.
-    #[arg(long, value_enum, default_value_t = Aim::BalancedSliding)]
-    pub aim: Aim,
-
-    /// Least thickness of the tips, in modules; 0.4 is usual of case-hardened teeth.
-    #[arg(long, value_name = "MODULES", default_value = "0.2", allow_negative_numbers = true)]
-    pub tip_thickness: Number,
-
-    /// Least rim of the planets between root circle and bearing, in modules.
-    #[arg(long, value_name = "MODULES", default_value = "3", allow_negative_numbers = true)]
-    pub planet_rim: Number,
-
-    /// Rim of the ring outside its root circle, in modules.
-    #[arg(long, value_name = "MODULES", default_value = "3.5", allow_negative_numbers = true)]
-    pub ring_rim: Number,
-
+pub struct BearingsFile {
     /// Bearings of the planets, as CSV with the columns designation, rolling (balls or rollers), d_mm, D_mm,
     /// B_mm, C_kN, C0_kN. Default: a table, by --bearing-type.
-    #[arg(long, value_name = "FILE", value_hint = clap::ValueHint::FilePath, value_parser = PathBufValueParser::new().map(BearingTable::File))]
-    pub bearings: Option<BearingTable>,
-
-    /// Which bearings of the tables are taken: deep groove ball bearings, cylindrical roller bearings, or
-    /// both.
-    #[arg(long, value_enum, default_value_t = BearingType::Balls, conflicts_with_all = ["bearings", "no_bearings"])]
-    pub bearing_type: BearingType,
-
-    /// Bearings side by side in a planet, at most: 1 or 2; a pair is rated by ISO 281 as one double-row
-    /// bearing.
-    #[arg(long, value_name = "N", default_value = "2", value_parser = clap::value_parser!(u32).range(1..=2))]
-    pub bearing_rows: u32,
-
-    /// Seek no bearings: the planets are solid.
-    #[arg(long, conflicts_with = "bearings")]
-    pub no_bearings: bool,
-
-    /// What is least: the mass of the gears, or the outside diameter of the rings.
-    #[arg(long, value_enum, default_value_t = Objective::Mass)]
-    pub minimise: Objective,
-
-    /// How many designs of each set are shown.
-    #[arg(long, value_name = "N", default_value = "3")]
-    pub most: usize,
-}
-
-/// Which bearings of the tables.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub enum BearingType {
-    /// Deep groove ball bearings of the series 60, 62, 63.
-    Balls,
-    /// Cylindrical roller bearings of the series NJ 2, NJ 22, NJ 3, NJ 23.
-    Rollers,
-    /// Both.
-    Any,
-}
-
-/// Bearings to choose from, by --bearings.
-#[derive(Debug, Clone, PartialEq)]
-pub enum BearingTable {
-    /// File with the table, which the command reads.
-    File(PathBuf),
-    /// Bearings of a table.
-    Bearings(Vec<Bearing>),
+    #[arg(long, value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
+    bearings: Option<PathBuf>,
 }
 
 /// Runs the command.
 pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let document = input::document(call, &args.file)?;
     let gearbox = alone(&document, "size", "no teeth, materials or loads")?;
-    let size = args.request.with_bearings(call)?.answer(&gearbox, &|| call.goes_on())?;
+    let request = Request { bearings: args.bearings.read(call)?, ..args.request.clone() };
+    let size = request.answer(&gearbox, &|| call.goes_on())?;
     let without = size.sets.iter().find(|set| set.found.is_empty());
     let files = match (&args.save, without) {
         (Some(file), None) => vec![(file.clone(), saved(&document, &size)?.into_bytes())],
@@ -154,56 +74,18 @@ impl Request {
     /// Sizes the sets of a gearbox. The closure is called now and then, and may end the calculation.
     ///
     /// # Errors
-    /// - [`Failure::Option`] and [`Failure::Range`] for an empty space and impossible limits.
-    /// - [`Failure::Answer`] if no set can be sized, or with the place of missing or invalid data in the
-    ///   file.
+    /// [`Failure::Option`] for an empty space and impossible limits, [`Failure::Answer`] if no set can be
+    /// sized, or with the place of missing or invalid data in the file.
     pub fn answer(&self, gearbox: &Gearbox, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Size, Failure> {
-        answer(gearbox, &self.search()?, goes_on).map_err(refuse)
+        answer(gearbox, self, goes_on).map_err(refuse)
     }
+}
 
-    /// Request with the bearings of its file.
-    pub(crate) fn with_bearings(&self, call: &Call<'_>) -> Result<Self, Failure> {
-        let mut request = self.clone();
-        if let Some(BearingTable::File(file)) = &self.bearings {
-            // Faults of options come before those of files.
-            self.planets()?;
-            let bearings = parse(&input::text(call, file)?).map_err(|error| refuse(error.into()))?;
-            request.bearings = Some(BearingTable::Bearings(bearings));
-        }
-        Ok(request)
-    }
-
-    fn planets(&self) -> Result<RangeInclusive<u32>, Failure> {
-        self.planets.within(1..=8).map_err(|error| Failure::Range { option: "--planets", error })
-    }
-
-    /// Search space with the usual values for those that are not given.
-    pub(crate) fn search(&self) -> Result<Search, Failure> {
-        Ok(Search {
-            modules: self.modules.as_ref().map_or_else(usual_modules, Quantities::values),
-            face_widths: self.face_widths.as_ref().map_or_else(usual_face_widths, Quantities::values),
-            planets: self.planets()?,
-            centre_distance_step: self.centre_distance_step.0,
-            width_ratio: self.width_ratio.map(Number::get),
-            aim: self.aim,
-            tip_thickness: self.tip_thickness.get(),
-            planet_rim: self.planet_rim.get(),
-            ring_rim: self.ring_rim.get(),
-            bearings: match (&self.bearings, self.bearing_type) {
-                _ if self.no_bearings => vec![],
-                (Some(BearingTable::Bearings(bearings)), _) => bearings.clone(),
-                (Some(BearingTable::File(file)), _) => {
-                    let message = format!("{}: only the command reads a file of bearings", file.display());
-                    return Err(Failure::invalid("--bearings", message));
-                }
-                (None, BearingType::Balls) => listed().to_vec(),
-                (None, BearingType::Rollers) => listed_rollers().to_vec(),
-                (None, BearingType::Any) => [listed(), listed_rollers()].concat(),
-            },
-            bearing_rows: self.bearing_rows,
-            minimise: self.minimise,
-            most: self.most,
-        })
+impl BearingsFile {
+    /// Bearings of the file; `None` without one.
+    pub(crate) fn read(&self, call: &Call<'_>) -> Result<Option<Vec<Bearing>>, Failure> {
+        let Some(file) = &self.bearings else { return Ok(None) };
+        parse(&input::text(call, file)?).map(Some).map_err(|error| refuse(error.into()))
     }
 }
 

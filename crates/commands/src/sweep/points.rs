@@ -9,6 +9,7 @@ use crate::refusal::Given;
 use epicyclic_train::inputs::MultiState;
 use epicyclic_train::{self as train, Gearbox, InputsFault, LinkId};
 use epicyclic_units::Physical;
+use std::ops::ControlFlow;
 use uom::si::f64::{AngularVelocity, Torque};
 
 /// Speeds and torques to calculate: as many speeds as the gear keeps degrees of freedom, and torques at the
@@ -52,12 +53,13 @@ pub struct Columns {
 }
 
 impl Request<'_> {
-    /// Solves every point; `None` if `proceed` returned false, which is called as in
+    /// Solves every point; `None` if `goes_on` ended it, which is called as in
     /// [`super::Request::answer`].
     ///
     /// ```
     /// use epicyclic_commands::sweep::points::Request;
     /// use epicyclic_train::{Gearbox, set::{SetKind, SetSpec}};
+    /// use std::ops::ControlFlow;
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
     /// let gearbox = Gearbox::builder("split")
     ///     .links(["engine", "mg1", "ring"])
@@ -68,7 +70,7 @@ impl Request<'_> {
     ///     .build()?;
     /// let speeds_rad_s = vec![("engine".into(), &[100.0, 100.0][..]), ("mg1".into(), &[0.0, 360.0][..])];
     /// let request = Request { gear: "split".into(), speeds_rad_s, torques_n_m: vec![] };
-    /// let found = request.answer(&gearbox, &|_| true)?.expect("nothing ends it");
+    /// let found = request.answer(&gearbox, &|_| ControlFlow::Continue(()))?.expect("nothing ends it");
     /// assert_eq!(found.links, ["engine", "mg1", "ring"]);
     /// // 108·ω_engine = 30·ω_mg1 + 78·ω_ring
     /// assert!((found.speeds_rad_s[2] - 10800.0 / 78.0).abs() < 1e-12 && found.speeds_rad_s[5].abs() < 1e-12);
@@ -84,7 +86,7 @@ impl Request<'_> {
     pub fn answer(
         &self,
         gearbox: &Gearbox,
-        proceed: &(dyn Fn(usize) -> bool + Sync),
+        goes_on: &(dyn Fn(usize) -> ControlFlow<()> + Sync),
     ) -> Result<Option<Columns>, Error> {
         let gear = gears(gearbox, std::slice::from_ref(&self.gear))?.remove(0);
         let speeds = links(gearbox, &self.speeds_rad_s, Given::Speeds)?;
@@ -123,13 +125,13 @@ impl Request<'_> {
             }
         };
         let piece = |place: usize| {
-            if !proceed(0) {
+            if goes_on(0).is_break() {
                 return Ok(None);
             }
             let range = place * PIECE..points.min((place + 1) * PIECE);
             let count = range.len();
             let found = range.map(at).collect::<Result<Option<Vec<MultiState>>, Error>>()?;
-            Ok(found.filter(|_| proceed(count)))
+            Ok(found.filter(|_| goes_on(count).is_continue()))
         };
         let links = gearbox.links().iter().skip(1).cloned().collect();
         let mut columns = Columns { points, links, ..Columns::default() };
@@ -226,7 +228,7 @@ mod tests {
             speeds_rad_s: vec![("sun".into(), &speeds)],
             torques_n_m: vec![("carrier".into(), &torques)],
         };
-        let found = request.answer(&gearbox, &|_| true).unwrap().unwrap();
+        let found = request.answer(&gearbox, &|_| ControlFlow::Continue(())).unwrap().unwrap();
         assert_eq!(found.links, ["sun", "carrier"]);
         assert_eq!(found.terminals, ["sun", "carrier"]);
         let mut locked = 0;
@@ -270,7 +272,7 @@ mod tests {
                 speeds_rad_s: speeds.iter().map(|(link, values)| (link.clone(), values.as_slice())).collect(),
                 torques_n_m: torques.iter().map(|(link, values)| (link.clone(), values.as_slice())).collect(),
             };
-            request.answer(&gearbox, &|_| true).unwrap_err().name()
+            request.answer(&gearbox, &|_| ControlFlow::Continue(())).unwrap_err().name()
         };
         assert_eq!(refused("9", vec![("sun", &[1.0])], vec![]), "no-gear");
         assert_eq!(refused("1", vec![("moon", &[1.0])], vec![]), "no-link");

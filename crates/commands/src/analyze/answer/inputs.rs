@@ -218,6 +218,7 @@ fn stated<T: Physical>(values: &BTreeMap<String, Quantity<T>>) -> Vec<(String, T
     values.iter().map(|(link, value)| (link.clone(), value.0)).collect()
 }
 
+#[derive(Debug)]
 struct Task<'a> {
     subject: &'a Gearbox,
     gearbox: &'a train::Gearbox,

@@ -10,7 +10,7 @@ use uom::si::f64::{AngularVelocity, Torque};
 
 /// Values of links: `engine=2000 rpm, mg1=-500 rpm`.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Assignments<T>(Vec<(String, T)>);
+pub struct Assignments<T>(pub Vec<(String, T)>);
 
 impl<T: FromStr<Err: ToString>> FromStr for Assignments<T> {
     type Err = String;
@@ -42,20 +42,20 @@ impl<T: Physical> Assignments<Quantity<T>> {
 }
 
 /// What several links of a gear do.
-#[derive(Debug, clap::Args)]
-pub(crate) struct Several {
+#[derive(Debug, Clone, Default, clap::Args)]
+pub struct Several {
     /// Speeds of links of a gear that keeps freedoms, as many as it keeps: engine=2000rpm, mg1=3000rpm.
     #[arg(long, value_name = "LINK=SPEED, …", requires = "gear", conflicts_with_all = ["torque", "power", "speed"])]
-    speeds: Option<Assignments<Quantity<AngularVelocity>>>,
+    pub speeds: Option<Assignments<Quantity<AngularVelocity>>>,
 
     /// Torques at links where power enters or leaves; those of the other ends follow: engine=100N·m.
     #[arg(long, value_name = "LINK=TORQUE, …", requires = "gear", conflicts_with_all = ["torque", "power", "speed"])]
-    torques: Option<Assignments<Quantity<Torque>>>,
+    pub torques: Option<Assignments<Quantity<Torque>>>,
 
     /// The state over ranges of two speeds, a line a place: engine=800rpm..4000rpm/9,
     /// mg1=-5000rpm..5000rpm/11.
     #[arg(long, value_name = "LINK=FROM..TO/PLACES, …", requires = "gear", conflicts_with_all = ["speeds", "torque", "power", "speed"])]
-    map: Option<Assignments<MapPlaces>>,
+    pub map: Option<Assignments<MapPlaces>>,
 }
 
 impl Several {

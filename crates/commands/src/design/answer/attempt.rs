@@ -124,7 +124,7 @@ fn of_teeth(wanted: &Wanted, mechanism: Mechanism, tolerance: f64, most: usize) 
         shifts: wanted.ring_offsets.clone().map(|offsets| WantedShifts {
             offsets,
             aim: wanted.size.aim,
-            tip_thickness: wanted.size.tip_thickness,
+            tip_thickness: wanted.size.tip_thickness.get(),
         }),
         limits: SizeLimits::default(),
         most,

@@ -10,9 +10,9 @@ use crate::select::answer::candidate::Criterion;
 use crate::select::answer::reached::{ReachedSpeed, largest_deviation};
 use crate::select::answer::teeth::Watch;
 use crate::select::answer::{self as select, Relaxation, RelaxedCriterion};
-use crate::size::answer as size;
 use epicyclic_selection::Space;
 use epicyclic_strength::load::MOST_SHARING;
+use epicyclic_units::Number;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::RangeInclusive;
@@ -227,8 +227,8 @@ impl Search<'_> {
         let planets =
             RelaxedLimit { greatest: Some(f64::from(most)), ..RelaxedLimit::lifted(Limit::Planets) };
         let all = [
-            (RelaxedLimit::lifted(Limit::Modules), own.modules != size::usual_modules()),
-            (RelaxedLimit::lifted(Limit::FaceWidths), own.face_widths != size::usual_face_widths()),
+            (RelaxedLimit::lifted(Limit::Modules), own.modules.is_some()),
+            (RelaxedLimit::lifted(Limit::FaceWidths), own.face_widths.is_some()),
             (planets, *own.planets.end() < most),
         ];
         let mut ways = vec![];
@@ -305,9 +305,11 @@ impl RelaxedLimit {
             Limit::PlanetTeeth => wanted.bounds.planet = *TEETH.start()..=*wanted.bounds.planet.end(),
             Limit::RingTeeth => wanted.bounds.ring = *wanted.bounds.ring.start()..=*TEETH.end(),
             Limit::RingOffset => wanted.ring_offsets = Some(OFFSETS),
-            Limit::WidthRatio => wanted.size.width_ratio = self.greatest,
-            Limit::Modules => wanted.size.modules = size::usual_modules(),
-            Limit::FaceWidths => wanted.size.face_widths = size::usual_face_widths(),
+            Limit::WidthRatio => {
+                wanted.size.width_ratio = self.greatest.and_then(|greatest| Number::new(greatest).ok())
+            }
+            Limit::Modules => wanted.size.modules = None,
+            Limit::FaceWidths => wanted.size.face_widths = None,
             Limit::Planets => {
                 let most = greatest as u32;
                 wanted.size.planets = *wanted.size.planets.start()..=most;

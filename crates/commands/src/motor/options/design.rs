@@ -1,54 +1,69 @@
 //! The motor described by the options, and the option that an error refers to.
 
-use super::{Design, Teeth};
+use super::{Request, Teeth};
 use crate::failure::Failure;
-use crate::motor::answer::{Designed, Place, Question};
+use crate::motor::answer::{Designed, Motor, Place, Question, answer, design};
 use epicyclic_formats::motor;
 use epicyclic_hydromotor::profile::ToothForm;
 use epicyclic_hydromotor::quantity::{Quantity, WheelKind};
 use epicyclic_hydromotor::{Error, MotorNumbers};
 use uom::si::f64::{Angle, Length};
 
-pub(crate) fn read(args: &Design) -> Result<Designed, Failure> {
-    let (numbers, module) = numbers(args)?;
-    let place = place(args);
-    let question = Question {
-        numbers,
-        module,
-        place,
-        form: form(&args.teeth),
-        width: args.width.map(|width| width.0),
-        pressure: args.pressure.map(|pressure| pressure.0),
-        speed: args.speed.map(|speed| speed.0),
-        angle: args.angle.as_ref().map_or_else(Angle::default, |angle| angle.0),
-        made: args.made.groups(),
-    };
-    crate::motor::answer::design(&question).map_err(refuse)
-}
+impl Request {
+    /// The motor of these numbers.
+    ///
+    /// # Errors
+    /// [`Failure::Option`] for a number that is missing or cannot be.
+    pub fn designed(&self) -> Result<Designed, Failure> {
+        let (numbers, module) = self.numbers()?;
+        let question = Question {
+            numbers,
+            module,
+            place: self.place(),
+            form: form(&self.teeth),
+            width: self.width.map(|width| width.0),
+            pressure: self.pressure.map(|pressure| pressure.0),
+            speed: self.speed.map(|speed| speed.0),
+            angle: self.angle.as_ref().map_or_else(Angle::default, |angle| angle.0),
+            made: self.made.groups(),
+        };
+        design(&question).map_err(refuse)
+    }
 
-/// Lobes, teeth and module; where no teeth of a satellite are given, with the least satellite.
-pub(crate) fn numbers(args: &Design) -> Result<(MotorNumbers, Length), Failure> {
-    let (Some(stator), Some(rotor), Some(z3), Some(module)) = (args.stator, args.rotor, args.z3, args.module)
-    else {
-        unreachable!("these options are required where there is neither file nor subcommand")
-    };
-    let zs = args.zs.unwrap_or(1);
-    let numbers = match args.z1 {
-        Some(z1) => MotorNumbers::with_rotor_teeth(stator, rotor, z3, z1, zs),
-        None => MotorNumbers::new(stator, rotor, z3, zs),
-    };
-    Ok((numbers.map_err(|error| refuse(error.into()))?, module.0))
-}
+    /// Calculates the motor of these numbers.
+    ///
+    /// # Errors
+    /// [`Failure::Option`] for a number that is missing or cannot be.
+    pub fn answer(&self) -> Result<Motor, Failure> {
+        answer(&self.designed()?).map_err(refuse)
+    }
 
-pub(crate) fn place(args: &Design) -> Place {
-    match (args.cosine, args.l, args.a, args.part) {
-        (true, ..) => {
-            args.second_harmonic.map_or(Place::CosineLaw, |second| Place::SecondHarmonic(second.get()))
+    /// Lobes, teeth and module; where no teeth of a satellite are given, with the least satellite.
+    pub(crate) fn numbers(&self) -> Result<(MotorNumbers, Length), Failure> {
+        let (Some(stator), Some(rotor), Some(z3), Some(module)) =
+            (self.stator, self.rotor, self.z3, self.module)
+        else {
+            let message = "a motor has --stator, --rotor, --z3 and --module";
+            return Err(Failure::missing("--stator", message.to_owned()));
+        };
+        let zs = self.zs.unwrap_or(1);
+        let numbers = match self.z1 {
+            Some(z1) => MotorNumbers::with_rotor_teeth(stator, rotor, z3, z1, zs),
+            None => MotorNumbers::new(stator, rotor, z3, zs),
+        };
+        Ok((numbers.map_err(|error| refuse(error.into()))?, module.0))
+    }
+
+    pub(crate) fn place(&self) -> Place {
+        match (self.cosine, self.l, self.a, self.part) {
+            (true, ..) => {
+                self.second_harmonic.map_or(Place::CosineLaw, |second| Place::SecondHarmonic(second.get()))
+            }
+            (_, Some(l), ..) => Place::TroughDistance(l.0),
+            (_, _, Some(a), _) => Place::CrestDistance(a.0),
+            (.., Some(part)) => Place::Part(part.get()),
+            _ => Place::Middle,
         }
-        (_, Some(l), ..) => Place::TroughDistance(l.0),
-        (_, _, Some(a), _) => Place::CrestDistance(a.0),
-        (.., Some(part)) => Place::Part(part.get()),
-        _ => Place::Middle,
     }
 }
 

@@ -7,30 +7,30 @@ use serde::de::DeserializeOwned;
 use std::str::FromStr;
 
 /// Material, oil, gaps, friction, ports.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Clone, Default, clap::Args)]
 #[command(next_help_heading = "As made, each with the keys of a file")]
-pub(crate) struct Made {
+pub struct Made {
     /// Material of the teeth: youngs_modulus, poissons_ratio, contact_limit, root_limit. Default: steel
     /// without limits.
     #[arg(long, value_name = "KEYS")]
-    material: Option<Group<MaterialGroup>>,
+    pub material: Option<Group<MaterialGroup>>,
 
     /// The fluid: viscosity or dynamic_viscosity, density, bulk_modulus, turbulence. 'viscosity: 46 mm²/s,
     /// density: 870 kg/m³'
     #[arg(long, value_name = "KEYS")]
-    oil: Option<Group<OilGroup>>,
+    pub oil: Option<Group<OilGroup>>,
 
     /// Gaps at each end face: satellites, rotor, rotor_bore, expansion, temperature_rise. 'satellites: 10 µm'
     #[arg(long, value_name = "KEYS")]
-    gaps: Option<Group<GapsGroup>>,
+    pub gaps: Option<Group<GapsGroup>>,
 
     /// Coefficient of friction of the flanks, one or from the least to the greatest.
     #[arg(long, value_name = "FROM..TO", allow_negative_numbers = true)]
-    friction: Option<Span<f64>>,
+    pub friction: Option<Span<f64>>,
 
     /// Ports as made: part, or high and low; dead_volume, discharge, most_trapped. 'part: 0.95'
     #[arg(long, value_name = "KEYS")]
-    ports: Option<Group<PortsGroup>>,
+    pub ports: Option<Group<PortsGroup>>,
 }
 
 impl Made {
@@ -59,7 +59,7 @@ impl Made {
 
 /// A group of keys on one line, with braces or without.
 #[derive(Debug, Clone)]
-struct Group<T>(T);
+pub struct Group<T>(pub T);
 
 impl<T: DeserializeOwned> FromStr for Group<T> {
     type Err = String;

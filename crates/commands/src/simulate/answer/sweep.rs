@@ -9,6 +9,7 @@ use epicyclic_units::visible::one_line;
 use epicyclic_units::{self as quantity, Dimension, Measured};
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::ops::ControlFlow;
 use std::str::FromStr;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -99,8 +100,7 @@ impl Answer for Sweep {
     const NAME: &'static str = "simulate-sweep";
 }
 
-/// Simulates the scenario with each value; `goes_on` receives the finished part and returns whether to
-/// continue.
+/// Simulates the scenario with each value; `goes_on` receives the finished part and may end the sweep.
 ///
 /// # Errors
 /// [`Error::Places`] for too few or too many steps, [`Error::Sweep`] for a key that cannot be swept, and
@@ -111,7 +111,7 @@ pub(crate) fn sweep(
     beside: &Beside,
     range: &Range,
     steps: u32,
-    goes_on: impl Fn(f64) -> bool + Sync + Send,
+    goes_on: impl Fn(f64) -> ControlFlow<()> + Sync + Send,
 ) -> Result<Sweep, Error> {
     if !(2..=MOST).contains(&steps) {
         return Err(Error::Places { places: steps, most: MOST });
@@ -137,17 +137,17 @@ pub(crate) fn sweep(
     let done = AtomicUsize::new(0);
     let runs = threads::map(&files, |(value, file)| {
         let goes_on = || goes_on(done.load(Ordering::Relaxed) as f64 / files.len() as f64);
-        let mut is_whole = goes_on();
-        if !is_whole {
+        let mut asked = goes_on();
+        if asked.is_break() {
             return None;
         }
         let simulation = answer_watched(document, file, beside, |_| {
-            is_whole = goes_on();
-            is_whole
+            asked = goes_on();
+            asked
         });
         let run = SweptRun::of(*value, file, simulation);
         done.fetch_add(1, Ordering::Relaxed);
-        is_whole.then_some(run)
+        asked.is_continue().then_some(run)
     });
     let runs: Vec<SweptRun> = runs.into_iter().flatten().collect();
     let mut warnings = vec![];

@@ -51,7 +51,7 @@ fn a_motion_that_is_ended_has_all_up_to_there() {
         answer_watched(&document, &file, &Beside::default(), |done| {
             assert!(done >= last && done <= 1.0, "{done} after {last}");
             last = done;
-            done < share
+            if done < share { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
         })
         .unwrap()
     };
@@ -217,17 +217,19 @@ fn a_capacity_follows_its_pressure() {
 fn a_sweep_is_its_single_runs() {
     let document = document(SHIFT);
     let range = "shifts[0].overlap=0ms..80ms".parse().unwrap();
-    let found = sweep::sweep(&document, &Beside::default(), &range, 3, |_| true).unwrap();
+    let found =
+        sweep::sweep(&document, &Beside::default(), &range, 3, |_| ControlFlow::Continue(())).unwrap();
     assert_eq!(found.runs.iter().map(|run| run.value).collect::<Vec<_>>(), [0.0, 40.0, 80.0]);
     for run in &found.runs {
         let one = simulated(&SHIFT.replace("overlap: 0.06 s", &format!("overlap: {} ms", run.value)));
         assert_eq!((&run.shifts, &run.elements, &run.end), (&one.shifts, &one.elements, &one.end));
     }
     let by_name = "elements[C].holding=-1 N·m..150 N·m".parse().unwrap();
-    let found = sweep::sweep(&document, &Beside::default(), &by_name, 2, |_| true).unwrap();
+    let found =
+        sweep::sweep(&document, &Beside::default(), &by_name, 2, |_| ControlFlow::Continue(())).unwrap();
     assert!(found.runs[0].refused.is_some() && found.runs[1].refused.is_none());
     assert_eq!(found.warnings[0].name, "refused");
-    let stopped = sweep::sweep(&document, &Beside::default(), &range, 3, |_| false).unwrap();
+    let stopped = sweep::sweep(&document, &Beside::default(), &range, 3, |_| ControlFlow::Break(())).unwrap();
     assert!(stopped.runs.is_empty() && stopped.warnings[0].name == "interrupted");
 }
 

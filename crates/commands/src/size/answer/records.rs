@@ -1,8 +1,8 @@
 //! Records of sizes: designs, numbers left out, keys kept from the file.
 
-use super::Search;
 use crate::answer::Warning;
 use crate::shared::tool::CuttingTool;
+use crate::size::options::Request;
 use crate::strength::answer::prepared::SetToSize;
 use crate::strength::answer::records::{NotRated, Reason, Wear};
 use epicyclic_gears::ToothCount;
@@ -45,19 +45,20 @@ pub struct Sought {
 }
 
 impl Sought {
-    pub(super) fn of(search: &Search) -> Self {
+    pub(super) fn of(request: &Request) -> Self {
+        let space = request.space();
         let si = |lengths: &[Length]| lengths.iter().map(|length| length.si()).collect();
         Self {
-            modules_m: si(&search.modules),
-            face_widths_m: si(&search.face_widths),
-            planets: search.planets.clone().collect(),
-            centre_distance_step_m: search.centre_distance_step.si(),
-            reach_in_modules: super::REACH,
-            width_ratio: search.width_ratio,
-            least_tip_thickness_in_modules: search.tip_thickness,
-            planet_rim_in_modules: search.planet_rim,
-            ring_rim_in_modules: search.ring_rim,
-            bearings: search.space().bearings.len(),
+            modules_m: si(&space.modules),
+            face_widths_m: si(&space.face_widths),
+            planets: space.planets,
+            centre_distance_step_m: space.centre_distance_step.si(),
+            reach_in_modules: space.reach,
+            width_ratio: space.width_ratio,
+            least_tip_thickness_in_modules: request.tip_thickness.get(),
+            planet_rim_in_modules: request.planet_rim.get(),
+            ring_rim_in_modules: request.ring_rim.get(),
+            bearings: space.bearings.len(),
         }
     }
 }

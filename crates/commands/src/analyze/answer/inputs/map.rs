@@ -104,6 +104,7 @@ pub fn map<'a>(
 }
 
 /// Map whose entries are computed when they are requested.
+#[derive(Debug)]
 pub struct SpeedMap<'a> {
     task: Task<'a>,
     ranges: [(String, MapPlaces); 2],

@@ -1,0 +1,134 @@
+//! Scenes of the views of a gearbox.
+
+use super::{Request, View};
+use crate::failure::Failure;
+use crate::losses::answer::map as losses_map;
+use crate::losses::table::efficiency_map;
+use crate::shared::drawability::answer::Conflict;
+use crate::shared::gearbox::{Gearbox, Origin};
+use crate::shared::gearbox_choice::{analysis, refuse};
+use epicyclic_drawing::Scene;
+use epicyclic_formats::Path;
+use epicyclic_layout::{Layout, Options, Verdict, draw};
+use epicyclic_pictures::gearbox::{ladder, levers, scheme, speeds};
+use epicyclic_pictures::toothed_sets::{self, ToothedSet};
+use epicyclic_train::planet_bearings::PlanetBearing;
+use epicyclic_train::{self as train, Analysis, PlanetSet};
+use epicyclic_units::Physical as _;
+use uom::si::f64::Length;
+
+/// Scene of a gearbox in the view of a checked request.
+pub(super) fn of_gearbox(request: &Request, gearbox: &Gearbox) -> Result<Scene, Failure> {
+    let title = request.title.as_deref();
+    let train = &gearbox.train;
+    let gear = request.gear.as_deref().map(|gear| analysis(train, gear)).transpose()?;
+    Ok(match (request.view(), &gear) {
+        (View::Map, _) => map(request, gearbox)?,
+        (View::Scheme, gear) => kinematic(request, gearbox, gear.as_ref())?,
+        (View::Speeds, Some(gear)) => speeds::scene(train, gear, title)?,
+        (View::Teeth, _) => toothed(gearbox, title)?,
+        (View::Levers, gear) => levers::scene(train, gear.as_ref(), title)?,
+        // The check leaves the ladder alone.
+        _ => ladder::scene(train, &all_gears(train)?, title)?,
+    })
+}
+
+/// The efficiency of a gear over speed and torque.
+fn map(request: &Request, gearbox: &Gearbox) -> Result<Scene, Failure> {
+    if gearbox.origin != Origin::GearboxFile {
+        let message = "a map is of a gearbox's file, which states its losses".to_owned();
+        return Err(Failure::invalid("--view", message));
+    }
+    let (Some(gear), Some((speeds, torques))) = (request.gear.as_deref(), request.map.places()) else {
+        return Err(Failure::missing("--gear", "a map is of one gear; name it"));
+    };
+    let found = losses_map(gearbox, gear, &speeds, &torques).map_err(refuse)?;
+    let picture = efficiency_map(&found, request.title.as_deref());
+    Ok(picture.scene().map_err(epicyclic_pictures::Error::from)?)
+}
+
+/// The simple sets whose teeth are known, in mesh; a millimetre for a module where the file has none.
+fn toothed(gearbox: &Gearbox, title: Option<&str>) -> Result<Scene, Failure> {
+    let mut sets = vec![];
+    for set in gearbox.train.sets() {
+        let Some(gears) = set.short().and_then(|spec| spec.toothed_set(&gearbox.rack)) else { continue };
+        let module = gearbox.modules(set).iter().find_map(|module| *module);
+        let module = module.map_or_else(|| Length::from_mm(1.0), Length::from_si);
+        let set = gears.map(|gears| ToothedSet { name: set.id().to_owned(), set: gears, module });
+        sets.push(set.map_err(epicyclic_pictures::Error::from)?);
+    }
+    if sets.is_empty() {
+        let message = "no set is a simple one whose teeth are known and share a centre distance: give `teeth`, and `planet_teeth` with \
+                       `profile_shifts` where it needs them"
+            .to_owned();
+        return Err(Failure::invalid("--view", message));
+    }
+    Ok(toothed_sets::scene(title.unwrap_or(gearbox.train.name()), &sets)?)
+}
+
+/// The first set whose gears cannot be, or the gearbox.
+pub(super) fn of_faulty_teeth(gearbox: &Gearbox) -> Path {
+    let is_fault = |set: &PlanetSet| {
+        set.short().and_then(|spec| spec.toothed_set(&gearbox.rack)).is_some_and(|set| set.is_err())
+    };
+    // Sets with two central gears come first, in the order of the file.
+    match gearbox.train.sets().iter().position(is_fault) {
+        Some(place) => gearbox.base.clone().key("sets").index(place),
+        None => gearbox.base.clone(),
+    }
+}
+
+fn all_gears(gearbox: &train::Gearbox) -> Result<Vec<Analysis<'_>>, Failure> {
+    Ok(gearbox.gears().iter().map(|gear| gearbox.analyze_gear(gear)).collect::<Result<_, _>>()?)
+}
+
+/// A layout with gears at the heights of their pitch radii.
+pub(crate) fn to_scale(
+    gearbox: &train::Gearbox,
+    layout: &Layout,
+    bearings: &[PlanetBearing],
+) -> Result<(Layout, scheme::Scale), Failure> {
+    scheme::to_scale(gearbox, layout, bearings).map_err(|error| match error {
+        epicyclic_pictures::Error::NoRadii { .. } | epicyclic_pictures::Error::NotToScale { .. } => {
+            Failure::named("not-to-scale", "--to-scale", error.to_string())
+        }
+        error => error.into(),
+    })
+}
+
+fn kinematic(request: &Request, gearbox: &Gearbox, gear: Option<&Analysis>) -> Result<Scene, Failure> {
+    let train = &gearbox.train;
+    let how = Options { same_side: request.same_side, ..Options::default() };
+    let layout = match draw(train, how) {
+        Verdict::Drawable(layout) => layout,
+        Verdict::SelfCrossing(witness) => {
+            return Err(Failure::SelfCrossing {
+                gearbox: train.name().to_owned(),
+                conflict: Box::new(Conflict::of(train, &witness)),
+            });
+        }
+    };
+    let shown = match gear {
+        None => scheme::Show::Structure,
+        Some(gear) if request.power => scheme::Show::Power(gear),
+        Some(gear) => scheme::Show::Gear(gear),
+    };
+    let (layout, scale) = if request.to_scale {
+        if !gearbox.is_sized {
+            let message = "heights are radii, and these follow from k or teeth of every set: give --k1 and --k2, or --ratio1 and --ratio2";
+            return Err(Failure::invalid("--to-scale", message));
+        }
+        let (layout, scale) = to_scale(train, &layout, &gearbox.planet_bearings)?;
+        (Box::new(layout), Some(scale))
+    } else {
+        (layout, None)
+    };
+    let options = scheme::Options {
+        title: request.title.clone(),
+        whole: request.whole,
+        gearing: gearbox.is_sized,
+        scale,
+        ..scheme::Options::default()
+    };
+    Ok(scheme::scene(train, &layout, shown, &options)?)
+}

@@ -1,0 +1,159 @@
+//! Request for sizes: the space of the search.
+
+use crate::error::Error;
+use crate::shared::lists::Quantities;
+use epicyclic_formats::{RangeError, Span};
+use epicyclic_gears::involute::family::Aim;
+use epicyclic_gears::involute::set::Limits;
+use epicyclic_gears::mesh::USUAL_PLANET_GAP;
+use epicyclic_strength::sizing::bearing::{Bearing, listed, listed_rollers};
+use epicyclic_strength::sizing::{Objective, STANDARD_MODULES_MM, Space};
+use epicyclic_strength::{self as strength, Quantity as Of};
+use epicyclic_units::{Number, Physical as _, Quantity};
+use std::ops::RangeInclusive;
+use uom::si::f64::Length;
+
+/// Maximum distance of centre distances from the natural one, in modules.
+const REACH: f64 = 1.0;
+
+/// Greatest module of the standard series in mm that is used unless others are requested.
+const GREATEST_MODULE_MM: f64 = 20.0;
+
+/// Request for sizes of the simple sets of a gearbox: the space of the search.
+#[derive(Debug, Clone, clap::Args)]
+#[command(next_help_heading = "Sizes")]
+pub struct Request {
+    /// Modules. Default: series I of ISO 54 to 20 mm.
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
+    pub modules: Option<Quantities<Length>>,
+
+    /// Face widths. Default: 10 to 80 mm in steps of 5 mm.
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
+    pub face_widths: Option<Quantities<Length>>,
+
+    /// Numbers of planets, from 1 to 8.
+    #[arg(long, value_name = "RANGE", default_value = "3..6", value_parser = planets)]
+    pub planets: RangeInclusive<u32>,
+
+    /// Step of the centre distances, which are its multiples within one module of the natural one.
+    #[arg(long, value_name = "LENGTH", default_value = "0.5mm", allow_hyphen_values = true)]
+    pub centre_distance_step: Quantity<Length>,
+
+    /// The greatest face width over the sun's reference diameter. Default: no bound.
+    #[arg(long, value_name = "RATIO", allow_negative_numbers = true)]
+    pub width_ratio: Option<Number>,
+
+    /// What picks the shifts, of which the sums are fixed.
+    #[arg(long, value_enum, default_value_t = Aim::BalancedSliding)]
+    pub aim: Aim,
+
+    /// Least thickness of the tips, in modules; 0.4 is usual of case-hardened teeth.
+    #[arg(long, value_name = "MODULES", default_value = "0.2", allow_negative_numbers = true)]
+    pub tip_thickness: Number,
+
+    /// Least rim of the planets between root circle and bearing, in modules.
+    #[arg(long, value_name = "MODULES", default_value = "3", allow_negative_numbers = true)]
+    pub planet_rim: Number,
+
+    /// Rim of the ring outside its root circle, in modules.
+    #[arg(long, value_name = "MODULES", default_value = "3.5", allow_negative_numbers = true)]
+    pub ring_rim: Number,
+
+    /// Which bearings of the tables are taken: deep groove ball bearings, cylindrical roller bearings, or
+    /// both.
+    #[arg(long, value_enum, default_value_t = BearingType::Balls, conflicts_with_all = ["bearings", "no_bearings"])]
+    pub bearing_type: BearingType,
+
+    /// Bearings side by side in a planet, at most: 1 or 2; a pair is rated by ISO 281 as one double-row
+    /// bearing.
+    #[arg(long, value_name = "N", default_value = "2", value_parser = clap::value_parser!(u32).range(1..=2))]
+    pub bearing_rows: u32,
+
+    /// Seek no bearings: the planets are solid.
+    #[arg(long, conflicts_with = "bearings")]
+    pub no_bearings: bool,
+
+    /// What is least: the mass of the gears, or the outside diameter of the rings.
+    #[arg(long, value_enum, default_value_t = Objective::Mass)]
+    pub minimise: Objective,
+
+    /// How many designs of each set are shown.
+    #[arg(long, value_name = "N", default_value = "3")]
+    pub most: usize,
+
+    /// Bearings of the planets to choose from, in place of those of the tables.
+    #[arg(skip)]
+    pub bearings: Option<Vec<Bearing>>,
+}
+
+/// Which bearings of the tables.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum BearingType {
+    /// Deep groove ball bearings of the series 60, 62, 63.
+    Balls,
+    /// Cylindrical roller bearings of the series NJ 2, NJ 22, NJ 3, NJ 23.
+    Rollers,
+    /// Both.
+    Any,
+}
+
+impl Request {
+    pub(crate) fn space(&self) -> Space {
+        Space {
+            modules: self.modules.as_ref().map_or_else(usual_modules, Quantities::values),
+            face_widths: self.face_widths.as_ref().map_or_else(usual_face_widths, Quantities::values),
+            planets: self.planets.clone().collect(),
+            centre_distance_step: self.centre_distance_step.0,
+            reach: REACH,
+            width_ratio: self.width_ratio.map(Number::get),
+            bearings: self.bearings(),
+        }
+    }
+
+    /// Bearings to choose from, alone and as pairs.
+    fn bearings(&self) -> Vec<Bearing> {
+        let single = match (&self.bearings, self.bearing_type) {
+            _ if self.no_bearings => vec![],
+            (Some(bearings), _) => bearings.clone(),
+            (None, BearingType::Balls) => listed().to_vec(),
+            (None, BearingType::Rollers) => listed_rollers().to_vec(),
+            (None, BearingType::Any) => [listed(), listed_rollers()].concat(),
+        };
+        let pairs: Vec<Bearing> =
+            single.iter().filter(|_| self.bearing_rows > 1).map(Bearing::pair).collect();
+        [single, pairs].concat()
+    }
+
+    pub(crate) fn limits(&self) -> Limits {
+        Limits { tip_thickness: self.tip_thickness.get(), planet_gap: USUAL_PLANET_GAP, ..Limits::default() }
+    }
+
+    /// Refuses an empty or impossible space, whatever the file contains.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        self.space().check()?;
+        for (quantity, value) in [(Of::LeastRim, self.planet_rim), (Of::RingRimInModules, self.ring_rim)] {
+            let value = value.get();
+            if !(value.is_finite() && value >= 0.0) {
+                return Err(strength::Error::Negative { quantity, value, unit: "modules" }.into());
+            }
+        }
+        Ok(self.limits().check()?)
+    }
+}
+
+/// Modules of series I of ISO 54 that are allowed unless others are requested.
+fn usual_modules() -> Vec<Length> {
+    let usual = STANDARD_MODULES_MM.into_iter().filter(|module| *module <= GREATEST_MODULE_MM);
+    usual.map(Length::from_mm).collect()
+}
+
+/// Face widths that are allowed unless others are requested: 10 to 80 mm in steps of 5 mm.
+fn usual_face_widths() -> Vec<Length> {
+    (2..=16).map(|fives| Length::from_mm(5.0 * f64::from(fives))).collect()
+}
+
+/// Numbers of planets within those that sizes are known for.
+fn planets(text: &str) -> Result<RangeInclusive<u32>, String> {
+    let range: Span<u32> = text.parse().map_err(|error: RangeError| error.to_string())?;
+    range.within(1..=8).map_err(|error| error.to_string())
+}
