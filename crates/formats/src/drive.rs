@@ -18,7 +18,7 @@ use uom::si::f64::{
     Angle, AngularVelocity, Length, Mass, MassDensity, MomentOfInertia, Power, Pressure, Ratio, Torque,
 };
 
-use crate::{Document, Error, FileKind, Path, Problem, Span};
+use crate::{Document, Error, FileKind, Path, Span};
 use epicyclic_units::{Number, Quantity};
 
 mod fields;
@@ -261,25 +261,6 @@ pub struct StartFile {
     pub load: Option<Quantity<Torque>>,
 }
 
-/// A value that is well written but means nothing, and the path to it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Misfit {
-    /// Where it is.
-    pub path: Path,
-    /// What is wrong with it.
-    pub problem: Problem,
-}
-
-impl Misfit {
-    fn new(path: &str, name: &'static str, reason: impl std::fmt::Display) -> Self {
-        Self { path: place::path(path), problem: Problem::refused(name, reason.to_string()) }
-    }
-
-    fn of_gear(path: &str, error: &epicyclic_gears::Error) -> Self {
-        Self::new(path, error.name(), error)
-    }
-}
-
 /// The file in a document, and what is meant by it.
 ///
 /// ```
@@ -296,10 +277,10 @@ impl Misfit {
 /// ```
 ///
 /// # Errors
-/// The first thing wrong, with its place.
+/// All independent faults with their places.
 pub fn read(document: &Document) -> Result<(DriveFile, DriveSpec), Error> {
     document.must_be(FileKind::Drive)?;
     let file: DriveFile = document.read()?;
-    let spec = file.spec().map_err(|misfit| document.error(&misfit.path, misfit.problem))?;
+    let spec = file.spec().map_err(|faults| faults.placed(document, &Path::root()))?;
     Ok((file, spec))
 }

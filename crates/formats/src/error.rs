@@ -17,6 +17,22 @@ pub struct Fault {
     pub at: Place,
     /// Problem of the value or key.
     pub problem: Problem,
+    /// Text of the wrong value, or of the wrong key, as it stands in the file; `None` for lists, maps and what
+    /// is missing.
+    pub value: Option<String>,
+}
+
+impl Fault {
+    /// A fault at a place with a value of this text.
+    pub(crate) fn new(at: Place, problem: Problem, value: Option<&str>) -> Self {
+        let value = match &problem {
+            Problem::UnknownKey { key, .. } | Problem::RenamedKey { key, .. } => Some(key.as_str()),
+            Problem::MissingKey { .. } => None,
+            _ => value,
+        };
+        let value = value.map(str::to_owned);
+        Self { at, problem, value }
+    }
 }
 
 impl fmt::Display for Fault {
@@ -28,17 +44,15 @@ impl fmt::Display for Fault {
 
 impl Error {
     pub(crate) fn new(at: Place, problem: Problem) -> Self {
-        Self(Box::new((Fault { at, problem }, vec![])))
+        Fault::new(at, problem, None).into()
     }
 
     /// An error of several faults, in this order. Without any it is an empty file.
-    pub(crate) fn all(faults: Vec<(Place, Problem)>) -> Self {
-        let mut faults = faults.into_iter().map(|(at, problem)| Fault { at, problem });
-        let none = || Fault {
-            at: Place { file: "".into(), position: Position::START, path: Path::root() },
-            problem: Problem::EmptyFile,
-        };
-        Self(Box::new((faults.next().unwrap_or_else(none), faults.collect())))
+    pub(crate) fn all(faults: Vec<Fault>) -> Self {
+        let mut faults = faults.into_iter();
+        let empty = Place { file: "".into(), position: Position::START, path: Path::root() };
+        let first = faults.next().unwrap_or_else(|| Fault::new(empty, Problem::EmptyFile, None));
+        Self(Box::new((first, faults.collect())))
     }
 
     /// All faults, in the order of their positions.
@@ -72,6 +86,12 @@ impl fmt::Display for Error {
             write!(f, "{}{fault}", if number > 0 { "\n" } else { "" })?;
         }
         Ok(())
+    }
+}
+
+impl From<Fault> for Error {
+    fn from(fault: Fault) -> Self {
+        Self(Box::new((fault, vec![])))
     }
 }
 
@@ -237,6 +257,8 @@ pub enum Problem {
         name: &'static str,
         /// Why.
         message: String,
+        /// Text that would be right here, if it is known.
+        remedy: Option<String>,
     },
     /// A fault of a number or quantity.
     #[error(transparent)]
@@ -247,7 +269,26 @@ impl Problem {
     /// A refusal by its name, and why.
     #[must_use]
     pub fn refused(name: &'static str, message: impl Into<String>) -> Self {
-        Self::Refused { name, message: message.into() }
+        Self::Refused { name, message: message.into(), remedy: None }
+    }
+
+    /// What to write in place of the wrong value or key, if it is known.
+    #[must_use]
+    pub fn remedy(&self) -> Option<&str> {
+        match self {
+            Self::UnknownKey { key: text, allowed } | Self::UnknownName { found: text, allowed } => {
+                nearest(text, allowed).filter(|_| !is_after_comma(text))
+            }
+            Self::RenamedKey { new, .. } => Some(new),
+            Self::WrongType { correction, .. } => {
+                let text = correction.as_deref()?;
+                let known = [" for an empty one", " for one entry"].into_iter();
+                Some(known.fold(text, |text, reason| text.strip_suffix(reason).unwrap_or(text)))
+            }
+            Self::Refused { remedy, .. } => remedy.as_deref(),
+            Self::Quantity(error) => error.corrected(),
+            _ => None,
+        }
     }
 
     /// The name of the fault, which does not change: `unknown-key`; of a quantity or a calculation that of
@@ -276,9 +317,13 @@ pub fn nearest<'a>(text: &str, allowed: &'a [String]) -> Option<&'a str> {
     (likeness(best) >= 0.5).then_some(best)
 }
 
+/// Whether a key is the rest of a decimal: `efficiency: 0,99` within braces is two entries.
+fn is_after_comma(key: &str) -> bool {
+    !key.is_empty() && key.bytes().all(|byte| byte.is_ascii_digit())
+}
+
 fn suggestion(text: &str, allowed: &[String]) -> String {
-    if !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit()) {
-        // `efficiency: 0,99` within braces is two entries.
+    if is_after_comma(text) {
         return "; a comma parts entries: write a decimal point before these digits?".to_owned();
     }
     nearest(text, allowed).map(|best| format!("; write {best}?")).unwrap_or_default()

@@ -48,10 +48,13 @@
 //! # }
 //! ```
 
-use crate::Path;
 use crate::drive::Spacing;
-use epicyclic_train::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_SETS};
-use epicyclic_train::{GROUND, GearSpec, Gearbox, Named};
+use crate::faults::{At, Faults, Keys};
+use crate::{Path, Problem};
+use epicyclic_train::compound::CompoundSpec;
+use epicyclic_train::set::SetSpec;
+use epicyclic_train::tolerance::MOST_SETS;
+use epicyclic_train::{GROUND, GearSpec, Gearbox, SetPart, Site};
 use epicyclic_units::{Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -73,13 +76,15 @@ mod tools;
 mod transmissions;
 mod vibration;
 mod written;
-use checks::unique;
+use checks::built;
+use compound::at_set;
 pub use compound::{CompoundEntry, ListedPlanetEntry, MeshEntry, Note, PlanetSizeEntry, PlanetSized};
 pub use data_sheet::DataSheetEntry;
 pub use drag::{BeyondEntry, DragCurveEntry, DragEntry};
 pub use kind::{KindEntry, RollingEntry};
 use losses::losses;
-pub use place::{gear_place, located, part_place};
+use place::{of_gear, of_set};
+pub use place::{gear_place, part_place};
 use spacing::spaced;
 pub use strength::{
     AccuracyEntry, DutyEntry, FloatingEntry, MaterialClass, MaterialEntry, OilEntry, OverloadEntry,
@@ -157,8 +162,6 @@ pub enum DescriptionError {
     Tools {
         /// The set.
         set: String,
-        /// Way from the set to what is wrong; of it as much counts as the file has.
-        at: Path,
         /// Why.
         source: ToolMisfit,
     },
@@ -210,8 +213,6 @@ pub enum DescriptionError {
     Set {
         /// The set.
         set: String,
-        /// The way to the value within the set; the root where the source tells the key.
-        at: Path,
         /// The reason.
         source: epicyclic_gears::Error,
     },
@@ -251,9 +252,6 @@ pub enum DescriptionError {
         /// The set.
         set: String,
     },
-    /// What the solver refuses.
-    #[error(transparent)]
-    Gearbox(#[from] epicyclic_train::Error),
 }
 
 impl DescriptionError {
@@ -263,9 +261,19 @@ impl DescriptionError {
         match self {
             Self::Rack(source) => source.name(),
             Self::Set { source, .. } => source.name(),
-            Self::Gearbox(error) => error.name(),
             named => named.into(),
         }
+    }
+
+    /// What a set refuses.
+    fn of_set(set: &str, source: epicyclic_gears::Error) -> Self {
+        Self::Set { set: set.to_owned(), source }
+    }
+}
+
+impl From<DescriptionError> for Problem {
+    fn from(error: DescriptionError) -> Self {
+        Self::refused(error.name(), error.to_string())
     }
 }
 
@@ -515,15 +523,10 @@ impl GearboxFile {
     /// The gearbox described.
     ///
     /// # Errors
-    /// [`DescriptionError`]; a shift element or gear that names a link which exists nowhere else is
+    /// Each [`DescriptionError`] and each error of the solver that does not follow from another one, with its
+    /// path. A shift element or gear that names a link which exists nowhere else is
     /// [`epicyclic_train::Error::Unknown`], with the nearest name.
-    pub fn gearbox(&self) -> Result<Gearbox, DescriptionError> {
-        self.check_counts()?;
-        let sets = self.sets.iter().map(|set| &set.id).chain(self.compound_sets.iter().map(|set| &set.id));
-        let brakes = self.brakes.iter().map(|brake| &brake.id);
-        unique(Named::Set, sets)?;
-        unique(Named::ShiftElement, brakes.chain(self.clutches.iter().map(|clutch| &clutch.id)))?;
-        unique(Named::Gear, self.gears.iter().map(|gear| &gear.name))?;
+    pub fn gearbox(&self) -> Result<Gearbox, Faults> {
         let short = self.sets.iter().flat_map(|set| [Some(&set.sun), Some(&set.ring), set.carrier.as_ref()]);
         let members = short.flatten().chain(self.compound_sets.iter().flat_map(CompoundEntry::members));
         let clutches =
@@ -540,20 +543,42 @@ impl GearboxFile {
         let links: Vec<&str> = named.map(String::as_str).filter(|link| seen.insert(link)).collect();
         let mut builder =
             Gearbox::builder(&self.gearbox).links(links).input(&self.input).output(&self.output);
-        for set in &self.sets {
-            builder = builder.set(self.with_friction(set, self.with_tools(set, set.spec()?)?)?);
+        let (mut faults, mut refused) = (Faults::default(), vec![]);
+        let rack = self.rack();
+        if let Err(error) = &rack {
+            let is_angle = matches!(error, epicyclic_gears::Error::OutOfRange { .. });
+            let key = if is_angle { "pressure_angle" } else { "addendum" };
+            faults.push(key, DescriptionError::Rack(error.clone()));
         }
-        for set in &self.compound_sets {
-            builder = builder.compound_set(set.spec(|link| Ok(link.to_owned()))?);
+        // An entry that is refused keeps its number and its name, for the faults of others.
+        for (place, set) in self.sets.iter().enumerate() {
+            let mut own = Faults::default();
+            let spec = (place < MOST_SETS).then(|| set.spec(rack.as_ref().ok(), self.friction, &mut own));
+            faults.add_below(&of_set(self.sets.len(), place), own);
+            builder = builder.set(spec.flatten().unwrap_or_else(|| {
+                refused.push(Site::Set(place, SetPart::Whole));
+                SetSpec::simple(&set.id, [""; 3], 2.0)
+            }));
+        }
+        for (place, set) in (self.sets.len()..).zip(&self.compound_sets) {
+            let mut own = Faults::default();
+            let spec = set.spec(|link| Some(link.to_owned()), &mut own);
+            faults.add_below(&of_set(self.sets.len(), place), own);
+            builder = builder.compound_set(spec.unwrap_or_else(|| CompoundSpec::new(&set.id, "")));
         }
         for brake in &self.brakes {
             builder = builder.brake(&brake.id, &brake.link);
         }
-        for ClutchEntry { id, links, one_way, .. } in &self.clutches {
+        for (place, ClutchEntry { id, links, one_way, .. }) in self.clutches.iter().enumerate() {
             builder = match (links, one_way) {
                 (Some([first, second]), None) => builder.clutch(id, first, second),
                 (None, Some([first, second])) => builder.one_way_clutch(id, first, second),
-                _ => return Err(DescriptionError::Clutch { clutch: id.clone() }),
+                _ => {
+                    let clutch = DescriptionError::Clutch { clutch: id.clone() };
+                    faults.push(Path::root().key("clutches").index(place), clutch);
+                    refused.push(Site::ShiftElement(self.brakes.len() + place, None));
+                    builder.clutch(id, "", "")
+                }
             };
         }
         for link in &self.grounds {
@@ -565,23 +590,45 @@ impl GearboxFile {
         for GearEntry { name, engaged, input, output, .. } in self.gears.iter().cloned() {
             builder = builder.gear_spec(GearSpec { name, engaged, input, output });
         }
-        Ok(builder.build()?)
+        let gearbox = built(faults, &refused, builder.build_all(), |site| self.at(site));
+        gearbox.map_err(|mut faults| {
+            self.curves(&mut faults);
+            faults
+        })
     }
 
-    /// What is too much is refused before anything is looked up.
-    fn check_counts(&self) -> Result<(), DescriptionError> {
-        let counts = [
-            (Named::Set, self.sets.len() + self.compound_sets.len(), MOST_SETS),
-            (Named::ShiftElement, self.brakes.len() + self.clutches.len(), MOST_ELEMENTS),
-            (Named::Gear, self.gears.len(), MOST_GEARS),
-            (Named::Link, self.links.len().max(self.ties.len()).max(self.grounds.len()), MOST_LINKS),
-        ];
-        match counts.into_iter().find(|(_, count, limit)| count > limit) {
-            Some((what, count, limit)) => Err(epicyclic_train::Error::TooMany { what, count, limit }.into()),
-            None => Ok(()),
+    /// Path of a part of the description.
+    fn at(&self, site: Site) -> At {
+        let entry = |list: &str, place| Path::root().key(list).index(place);
+        match site {
+            Site::Gearbox => LISTS_OF_SETS.into(),
+            Site::Terminal(which) => Path::root().key(which.to_string()).into(),
+            Site::Link(_) => Path::root().into(),
+            Site::Set(set, part) => at_set(self.sets.len(), &self.compound_sets, set, part),
+            Site::ShiftElement(element, end) => match element.checked_sub(self.brakes.len()) {
+                None if end.is_some() => entry("brakes", element).key("link").into(),
+                None => entry("brakes", element).into(),
+                Some(clutch) => {
+                    let key = if self.clutches.get(clutch).is_some_and(|clutch| clutch.links.is_some()) {
+                        "links"
+                    } else {
+                        "one_way"
+                    };
+                    let path = entry("clutches", clutch);
+                    end.map_or(path.clone(), |end| path.key(key).index(end)).into()
+                }
+            },
+            Site::Connection(connection, end) => match connection.checked_sub(self.grounds.len()) {
+                None => entry("grounds", connection).into(),
+                Some(tie) => end.map_or(entry("ties", tie), |end| entry("ties", tie).index(end)).into(),
+            },
+            Site::Gear(gear, part) => of_gear(gear, part).into(),
         }
     }
 }
+
+/// Keys of the lists of sets, one of which a gearbox has.
+const LISTS_OF_SETS: Keys = &["sets", "compound_sets"];
 
 #[cfg(test)]
 mod tests {

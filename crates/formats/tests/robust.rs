@@ -5,8 +5,8 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
 use epicyclic_dynamics::drive::design;
-use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile, located};
-use epicyclic_formats::{Document, Path, drive, motor};
+use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
+use epicyclic_formats::{Document, Faults, Path, drive, motor};
 use epicyclic_train::{Gearbox, InputLoad};
 use proptest::prelude::*;
 use uom::si::angular_velocity::radian_per_second;
@@ -157,7 +157,7 @@ fn is_placed(error: &str) {
 fn gearbox(text: &str) -> Result<(), String> {
     let document = Document::parse_one("file.yaml", text.as_bytes()).map_err(|e| e.to_string())?;
     let file: GearboxFile = document.read().map_err(|e| e.to_string())?;
-    let at = |error| located(&document, &Path::root(), &error).to_string();
+    let at = |faults: Faults| faults.placed(&document, &Path::root()).to_string();
     let gearbox = file.gearbox().map_err(at)?;
     work_through(&gearbox);
     let speed = AngularVelocity::new::<radian_per_second>(150.0);
@@ -187,7 +187,7 @@ fn transmissions(text: &str) -> Result<(), String> {
     for (index, transmission) in file.transmissions.iter().enumerate() {
         let base = Path::root().key("transmissions").index(index);
         let gearbox =
-            transmission.gearbox().map_err(|error| located(&document, &base, &error).to_string())?;
+            transmission.gearbox().map_err(|faults| faults.placed(&document, &base).to_string())?;
         work_through(&gearbox);
         for gear in &transmission.gears {
             let _ = gear.stands_for(3.0);

@@ -1,33 +1,46 @@
-//! Checks of names, numbers and tooth counts before a gearbox is built of them.
+//! Checks of numbers and tooth counts before a gearbox is built, and the faults of both together.
 
 use super::DescriptionError;
 use crate::Path;
+use crate::faults::{At, Faults};
 use epicyclic_gears::teeth::ToothCount;
-use epicyclic_train::Named;
+use epicyclic_train::{Error, Gearbox, Located, Site};
 use epicyclic_units::Number;
-use std::collections::BTreeSet;
 
-/// Refuses a name that stands twice, before any fault is placed by its name.
-pub(super) fn unique<'n>(
-    what: Named,
-    mut names: impl Iterator<Item = &'n String>,
-) -> Result<(), DescriptionError> {
-    let mut seen = BTreeSet::new();
-    match names.find(|name| !seen.insert(name.as_str())) {
-        Some(name) => Err(epicyclic_train::Error::Duplicate { what, name: name.clone() }.into()),
-        None => Ok(()),
+/// The gearbox, or the faults of its record and those that the solver finds. Of an entry that was refused
+/// before, the solver finds only what follows from that, and repeated names.
+pub(super) fn built(
+    mut faults: Faults,
+    refused: &[Site],
+    gearbox: Result<Gearbox, Vec<Located>>,
+    at: impl Fn(Site) -> At,
+) -> Result<Gearbox, Faults> {
+    let found = match gearbox {
+        Ok(gearbox) => return faults.or(gearbox),
+        Err(found) => found,
+    };
+    let follows = |fault: &Located| {
+        refused.contains(&fault.site.entry()) && !matches!(fault.error, Error::Duplicate { .. })
+    };
+    for Located { error, site } in found.into_iter().filter(|fault| !follows(fault)) {
+        faults.push(at(site), error);
     }
+    Err(faults)
 }
 
-/// Tooth counts with the way to each.
-pub(super) fn counts(set: &str, key: &str, teeth: &[u32]) -> Result<Vec<ToothCount>, DescriptionError> {
+/// Tooth counts of a key.
+pub(super) fn counts(
+    set: &str,
+    key: &'static str,
+    teeth: &[u32],
+    faults: &mut Faults,
+) -> Option<Vec<ToothCount>> {
     let count = |(place, count): (usize, &u32)| {
-        ToothCount::new(*count).map_err(|source| {
-            let at = Path::root().key(key).index(place);
-            DescriptionError::Set { set: set.to_owned(), at, source }
-        })
+        let count = ToothCount::new(*count).map_err(|source| DescriptionError::of_set(set, source));
+        faults.keep(Path::root().key(key).index(place), count)
     };
-    teeth.iter().enumerate().map(count).collect()
+    let counts: Vec<_> = teeth.iter().enumerate().map(count).collect();
+    counts.into_iter().collect()
 }
 
 /// The values of a key of a set, one for each of these gears or meshes.
@@ -36,9 +49,10 @@ pub(super) fn numbers<const N: usize>(
     key: &'static str,
     of: &'static str,
     values: &[Number],
-) -> Result<[f64; N], DescriptionError> {
+    faults: &mut Faults,
+) -> Option<[f64; N]> {
     let wrong =
-        || DescriptionError::Values { set: set.to_owned(), key, of, given: values.len(), expected: N };
-    let values: [Number; N] = values.try_into().map_err(|_| wrong())?;
-    Ok(values.map(Number::get))
+        |_| DescriptionError::Values { set: set.to_owned(), key, of, given: values.len(), expected: N };
+    let values: [Number; N] = faults.keep(key, values.try_into().map_err(wrong))?;
+    Some(values.map(Number::get))
 }

@@ -1,10 +1,12 @@
 //! Compound sets in files, and remarks.
 
+use super::place::{keys_of_part, of_set};
 use super::{DescriptionError, RollingEntry, spaced};
 use crate::Path;
 use crate::drive::Spacing;
+use crate::faults::{At, Faults};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_train::PlanetSet;
+use epicyclic_train::{PlanetSet, SetPart};
 use epicyclic_train::compound::{CentralKind, CentralSpec, CompoundSpec, MeshSpec, PlanetSpec};
 use epicyclic_train::planet_bearings::{MeshSize, PlanetSize, SetSize};
 use epicyclic_train::planet_set::Planet;
@@ -208,58 +210,84 @@ impl JsonSchema for Note {
     }
 }
 
+/// Path of a part of a set; of the sets so many have two central gears, and the others are these.
+pub(super) fn at_set<P: PlanetSized>(
+    simple: usize,
+    compound: &[CompoundEntry<P>],
+    set: usize,
+    part: SetPart,
+) -> At {
+    let compound = set.checked_sub(simple).and_then(|set| compound.get(set));
+    let at = compound.map_or_else(|| keys_of_part(part).into(), |compound| compound.at(part));
+    at.below(&of_set(simple, set))
+}
+
 impl<P: PlanetSized> CompoundEntry<P> {
-    /// The set, with the link of each member by `link`.
+    /// The set, with the link of each member by `link`; `None` if one has none.
     pub(super) fn spec(
         &self,
-        link: impl Fn(&str) -> Result<String, DescriptionError>,
-    ) -> Result<CompoundSpec, DescriptionError> {
-        let mut centrals = vec![];
-        for (kind, gears) in [
-            (CentralKind::Sun, &self.suns),
-            (CentralKind::Ring, &self.rings),
-            (CentralKind::BevelLeft, &self.bevels_left),
-            (CentralKind::BevelRight, &self.bevels_right),
-        ] {
-            for (name, &teeth) in gears {
-                let link = link(name)?;
-                centrals.push(CentralSpec { name: name.clone(), link, kind, teeth, planet: None });
-            }
-        }
-        for (name, planet) in &self.planet_shafts {
-            centrals.push(CentralSpec {
-                name: name.clone(),
-                link: link(name)?,
-                kind: CentralKind::PlanetShaft,
-                teeth: 0.0,
-                planet: Some(planet.clone()),
-            });
-        }
+        link: impl Fn(&str) -> Option<String>,
+        faults: &mut Faults,
+    ) -> Option<CompoundSpec> {
+        let mut node = |member: &String, at: Path| {
+            let lacks = || DescriptionError::MemberInNoLink { set: self.id.clone(), member: member.clone() };
+            faults.keep(at, link(member).ok_or_else(lacks))
+        };
+        let carrier = node(&self.carrier, Path::root().key("carrier"));
+        let central = |(key, kind, name, teeth): (&str, _, &String, _)| {
+            let link = node(name, Path::root().key(key).key(name))?;
+            let planet = self.planet_shafts.get(name).filter(|_| kind == CentralKind::PlanetShaft).cloned();
+            Some(CentralSpec { name: name.clone(), link, kind, teeth, planet })
+        };
+        let centrals: Vec<_> = self.centrals().map(central).collect();
         let mut meshes = vec![];
         for (place, mesh) in self.meshes.iter().enumerate() {
             let eta =
                 mesh.efficiency.map_or(Ok(MeshEfficiency::IDEAL), |eta| MeshEfficiency::new(eta.0.value));
+            let eta = eta.map_err(|source| DescriptionError::of_set(&self.id, source));
             let at = Path::root().key("meshes").index(place).key("efficiency");
-            let refuse = |source| DescriptionError::Set { set: self.id.clone(), at, source };
-            meshes.push(MeshSpec { between: mesh.gears.clone(), efficiency: eta.map_err(refuse)? });
+            let efficiency = faults.keep(at, eta).unwrap_or(MeshEfficiency::IDEAL);
+            meshes.push(MeshSpec { between: mesh.gears.clone(), efficiency });
         }
-        if let Some(name) = self.planet_sizes.keys().find(|name| !self.planet_gears.contains_key(*name)) {
-            return Err(DescriptionError::NoSuchPlanet { set: self.id.clone(), planet: name.clone() });
+        for name in self.planet_sizes.keys().filter(|name| !self.planet_gears.contains_key(*name)) {
+            let unknown = DescriptionError::NoSuchPlanet { set: self.id.clone(), planet: name.clone() };
+            faults.push(Path::root().key("planet_sizes").key(name), unknown);
         }
         let planet =
             |(name, teeth): (&String, &Vec<u32>)| PlanetSpec { name: name.clone(), teeth: teeth.clone() };
-        let spacing = spaced(&self.id, self.spacing, [self.planet_angles.as_deref(), None])?;
+        let spacing = spaced(&self.id, self.spacing, [self.planet_angles.as_deref(), None], faults);
         let spec = CompoundSpec {
             id: self.id.clone(),
-            carrier: link(&self.carrier)?,
-            centrals,
+            carrier: carrier?,
+            centrals: centrals.into_iter().collect::<Option<_>>()?,
             planets: self.planet_gears.iter().map(planet).collect(),
             meshes,
             planet_count: self.planets,
             spacing: Default::default(),
             proportional: self.proportional,
         };
-        Ok(spec.spaced(spacing))
+        Some(spec.spaced(spacing))
+    }
+
+    /// Path of a part of the set.
+    fn at(&self, part: SetPart) -> At {
+        let root = Path::root();
+        let planet = |planet: usize| {
+            let name = self.planet_gears.keys().nth(planet);
+            root.clone().key("planet_gears").key(name.cloned().unwrap_or_default())
+        };
+        match part {
+            SetPart::Central(central) => match self.centrals().nth(central) {
+                Some((key, _, name, _)) => root.key(key).key(name),
+                None => root,
+            },
+            SetPart::Planet(of) => planet(of),
+            SetPart::PlanetGear(of, gear) => planet(of).index(gear),
+            SetPart::Mesh(mesh) => root.key("meshes").index(mesh),
+            SetPart::MeshGear(mesh, gear) => root.key("meshes").index(mesh).key("gears").index(gear),
+            other => return keys_of_part(other).into(),
+        }
+        .into()
     }
 
     /// What it says of its size; the rest as usual.
@@ -279,9 +307,23 @@ impl<P: PlanetSized> CompoundEntry<P> {
         }
     }
 
+    /// Key, kind, name and teeth of its central gears and planet shafts.
+    fn centrals(&self) -> impl Iterator<Item = (&'static str, CentralKind, &String, f64)> + Clone {
+        let gears = [
+            ("suns", CentralKind::Sun, &self.suns),
+            ("rings", CentralKind::Ring, &self.rings),
+            ("bevels_left", CentralKind::BevelLeft, &self.bevels_left),
+            ("bevels_right", CentralKind::BevelRight, &self.bevels_right),
+        ];
+        let gears = gears.into_iter().flat_map(|(key, kind, gears)| {
+            gears.iter().map(move |(name, teeth)| (key, kind, name, *teeth))
+        });
+        let shaft = |name| ("planet_shafts", CentralKind::PlanetShaft, name, 0.0);
+        gears.chain(self.planet_shafts.keys().map(shaft))
+    }
+
     /// Names of its members, the carrier last.
     pub(super) fn members(&self) -> impl Iterator<Item = &String> + Clone {
-        let gears = [&self.suns, &self.rings, &self.bevels_left, &self.bevels_right];
-        gears.into_iter().flat_map(BTreeMap::keys).chain(self.planet_shafts.keys()).chain([&self.carrier])
+        self.centrals().map(|(_, _, name, _)| name).chain([&self.carrier])
     }
 }
