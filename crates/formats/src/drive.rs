@@ -34,7 +34,7 @@ pub use place::place;
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DriveFile {
-    /// What the drive is for; printed above the answer.
+    /// Purpose of the drive; printed above the answer.
     pub title: Option<String>,
     /// Power at the sun's shaft.
     pub power: Quantity<Power>,
@@ -45,7 +45,7 @@ pub struct DriveFile {
     pub ratio: Option<Number>,
     /// How far the ratio may be off, below 100 %. Default 1 %.
     pub ratio_tolerance: Option<Quantity<Ratio>>,
-    /// Tooth numbers, or bounds for them. Default: sought.
+    /// Tooth numbers, or bounds for them. Default: found by a search.
     pub teeth: Option<TeethFile>,
     /// Efficiencies of the meshes.
     pub mesh_efficiency: Option<MeshEfficiencyFile>,
@@ -111,11 +111,11 @@ impl From<Spacing> for Placement {
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MeshEfficiencyFile {
-    /// Of sun and planet. Default 0.97.
+    /// Mesh of sun and planet. Default 0.97.
     pub sun_planet: Option<Quantity<Ratio>>,
-    /// Of planet and ring. Default 0.98.
+    /// Mesh of planet and ring. Default 0.98.
     pub planet_ring: Option<Quantity<Ratio>>,
-    /// Of the bearings of a planet on its pin. Default 1: nothing lost in them.
+    /// Bearings of a planet on its pin. Default 1: nothing lost in them.
     pub planet_bearings: Option<Quantity<Ratio>>,
 }
 
@@ -124,11 +124,11 @@ pub struct MeshEfficiencyFile {
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PartsFile {
-    /// Of the sun.
+    /// The sun.
     pub sun: Option<PartFile>,
-    /// Of one planet.
+    /// One planet.
     pub planet: Option<PartFile>,
-    /// Of the carrier without planets.
+    /// The carrier without planets.
     pub carrier: Option<PartFile>,
 }
 
@@ -183,7 +183,7 @@ pub struct ShaftsFile {
     pub carrier: Option<ShaftFile>,
 }
 
-/// What is already decided of a shaft; a warning says where it does not satisfy the formula.
+/// Data of a shaft that are already decided; a warning says where they do not satisfy the formula.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ShaftFile {

@@ -1,4 +1,4 @@
-//! What may be wrong with a document, and where.
+//! Faults of documents and their places.
 
 use std::{fmt, sync::Arc};
 
@@ -17,8 +17,8 @@ pub struct Fault {
     pub at: Place,
     /// Problem of the value or key.
     pub problem: Problem,
-    /// Text of the wrong value, or of the wrong key, as it stands in the file; `None` for lists, maps and what
-    /// is missing.
+    /// Text of the wrong value, or of the wrong key, as written in the file; `None` for lists, maps and
+    /// missing keys.
     pub value: Option<String>,
 }
 
@@ -27,6 +27,8 @@ impl Fault {
     pub(crate) fn new(at: Place, problem: Problem, value: Option<&str>) -> Self {
         let value = match &problem {
             Problem::UnknownKey { key, .. } | Problem::RenamedKey { key, .. } => Some(key.as_str()),
+            // Within braces the text is two entries.
+            Problem::Quantity(QuantityError::DecimalComma { text, .. }) => Some(text.as_str()),
             Problem::MissingKey { .. } => None,
             _ => value,
         };
@@ -55,7 +57,7 @@ impl Error {
         Self(Box::new((first, faults.collect())))
     }
 
-    /// All faults, in the order of their positions.
+    /// Faults in the order of their positions.
     pub fn faults(&self) -> impl Iterator<Item = &Fault> {
         let (first, others) = &*self.0;
         std::iter::once(first).chain(others)
@@ -116,7 +118,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// What may be wrong with a document.
+/// Problem of a document.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, strum::IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
@@ -130,7 +132,7 @@ pub enum Problem {
     /// A control character, or another that shows nothing.
     #[error("an invisible character, U+{code:04X}; remove it")]
     ControlCharacter {
-        /// Its code point.
+        /// Code point of the character.
         code: u32,
     },
     /// More bytes than a document may have.
@@ -156,7 +158,7 @@ pub enum Problem {
     /// Not YAML.
     #[error("not YAML: {message}")]
     Syntax {
-        /// What the parser says.
+        /// Message of the parser.
         message: String,
     },
     /// Maps and sequences within each other beyond reason.
@@ -207,7 +209,7 @@ pub enum Problem {
     RenamedKey {
         /// The key.
         key: String,
-        /// Its name today.
+        /// Name of the key today.
         new: String,
     },
     /// A key that must be here.
@@ -227,19 +229,19 @@ pub enum Problem {
     /// Text for a number, a number for a map, and so on.
     #[error("{found} where {expected} is due{}", or_write(correction.as_deref()))]
     WrongType {
-        /// What is there.
+        /// Value in the file, in words.
         found: String,
-        /// What is due.
+        /// Allowed values, in words.
         expected: String,
-        /// What to write, if that can be told.
+        /// Text to write instead, if it is known.
         correction: Option<String>,
     },
     /// A value of the right type that is out of its range.
     #[error("{found} where {expected} is due")]
     OutOfRange {
-        /// What is there.
+        /// Value in the file, in words.
         found: String,
-        /// What is due.
+        /// Allowed values, in words.
         expected: String,
     },
     /// A sequence or map with too few or too many entries.
@@ -247,7 +249,7 @@ pub enum Problem {
     WrongLength {
         /// How many there are.
         found: usize,
-        /// What is due.
+        /// Allowed values, in words.
         expected: String,
     },
     /// A value that its type or a calculation refuses.
@@ -255,7 +257,7 @@ pub enum Problem {
     Refused {
         /// The name of the fault, which does not change with the message: `cyclic-grounds`.
         name: &'static str,
-        /// Why.
+        /// Reason of the refusal.
         message: String,
         /// Text that would be right here, if it is known.
         remedy: Option<String>,
@@ -272,7 +274,7 @@ impl Problem {
         Self::Refused { name, message: message.into(), remedy: None }
     }
 
-    /// What to write in place of the wrong value or key, if it is known.
+    /// Text to write in place of the wrong value or key, if it is known.
     #[must_use]
     pub fn remedy(&self) -> Option<&str> {
         match self {

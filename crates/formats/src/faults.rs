@@ -45,7 +45,7 @@ impl Path {
 }
 
 impl At {
-    /// This path below another one.
+    /// The path, continued from the end of another one.
     pub(crate) fn below(self, base: &Path) -> Self {
         Self { path: base.join(&self.path), keys: self.keys }
     }
@@ -67,11 +67,7 @@ impl Faults {
     }
 
     /// The value, or `None` and its fault.
-    pub(crate) fn keep<T, E: Into<Problem>>(
-        &mut self,
-        at: impl Into<At>,
-        value: Result<T, E>,
-    ) -> Option<T> {
+    pub(crate) fn keep<T, E: Into<Problem>>(&mut self, at: impl Into<At>, value: Result<T, E>) -> Option<T> {
         value.map_err(|problem| self.push(at, problem)).ok()
     }
 
@@ -87,9 +83,13 @@ impl Faults {
         self
     }
 
+    pub(crate) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
     /// The value, unless there are faults.
     pub(crate) fn or<T>(self, value: T) -> Result<T, Self> {
-        if self.0.is_empty() { Ok(value) } else { Err(self) }
+        if self.is_empty() { Ok(value) } else { Err(self) }
     }
 
     /// Name of the first fault, which does not change with the message: `unknown`.

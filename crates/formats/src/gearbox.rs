@@ -51,10 +51,8 @@
 use crate::drive::Spacing;
 use crate::faults::{At, Faults, Keys};
 use crate::{Path, Problem};
-use epicyclic_train::compound::CompoundSpec;
-use epicyclic_train::set::SetSpec;
 use epicyclic_train::tolerance::MOST_SETS;
-use epicyclic_train::{GROUND, GearSpec, Gearbox, SetPart, Site};
+use epicyclic_train::{GROUND, GearSpec, Gearbox, Site};
 use epicyclic_units::{Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -76,15 +74,15 @@ mod tools;
 mod transmissions;
 mod vibration;
 mod written;
-use checks::built;
+use checks::{NO_LINK, built, refused};
 use compound::at_set;
 pub use compound::{CompoundEntry, ListedPlanetEntry, MeshEntry, Note, PlanetSizeEntry, PlanetSized};
 pub use data_sheet::DataSheetEntry;
 pub use drag::{BeyondEntry, DragCurveEntry, DragEntry};
 pub use kind::{KindEntry, RollingEntry};
 use losses::losses;
-use place::{of_gear, of_set};
 pub use place::{gear_place, part_place};
+use place::{of_gear, of_set};
 use spacing::spaced;
 pub use strength::{
     AccuracyEntry, DutyEntry, FloatingEntry, MaterialClass, MaterialEntry, OilEntry, OverloadEntry,
@@ -187,7 +185,7 @@ pub enum DescriptionError {
     Missing {
         /// The set.
         set: String,
-        /// What is missing.
+        /// Missing key.
         missing: &'static str,
     },
     /// A member of a set in no link.
@@ -208,7 +206,7 @@ pub enum DescriptionError {
         /// The other.
         second: String,
     },
-    /// What one set refuses.
+    /// Error of the gears of a set.
     #[error("set `{set}`: {source}")]
     Set {
         /// The set.
@@ -237,7 +235,7 @@ pub enum DescriptionError {
         set: String,
         /// The key.
         key: &'static str,
-        /// What the values are of.
+        /// Gears or meshes that the values belong to.
         of: &'static str,
         /// How many are given.
         given: usize,
@@ -265,7 +263,7 @@ impl DescriptionError {
         }
     }
 
-    /// What a set refuses.
+    /// Error of the gears of a set.
     fn of_set(set: &str, source: epicyclic_gears::Error) -> Self {
         Self::Set { set: set.to_owned(), source }
     }
@@ -281,7 +279,7 @@ impl From<DescriptionError> for Problem {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GearboxFile {
-    /// Its name.
+    /// Name of the gearbox.
     pub gearbox: String,
     /// Link where power enters, unless a gear says otherwise.
     pub input: String,
@@ -343,7 +341,7 @@ pub struct GearboxFile {
     /// Part of the planet bearings that reach their life: 90, 95, 96, 97, 98 or 99 %. Default 90 %.
     #[serde(default)]
     pub bearing_reliability: Option<Quantity<Ratio>>,
-    /// What the gearbox does in its life: shares of the time in gears at loads.
+    /// Duty of the gearbox: shares of the time in gears at loads.
     #[serde(default)]
     pub duty: Vec<DutyEntry>,
     /// The greatest torques in its life, for the static strength of teeth.
@@ -361,7 +359,7 @@ pub struct GearboxFile {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SetEntry {
-    /// Its name.
+    /// Name of the set.
     pub id: String,
     /// How its planets join the central wheels; `simple` unless given.
     #[serde(default)]
@@ -405,7 +403,7 @@ pub struct SetEntry {
     /// fillets of the planets.
     #[serde(default)]
     pub tip_alterations: Option<Vec<Number>>,
-    /// What cuts the gears of a simple set.
+    /// Tools that cut the gears of a simple set.
     #[serde(default)]
     pub tools: Option<ToolsEntry>,
     /// Helix angle of a simple set with `teeth`, at the reference cylinders and without its hand. `module` is
@@ -440,7 +438,7 @@ pub struct SetEntry {
     /// Dynamic load rating of the bearings of one planet together, for their life.
     #[serde(default)]
     pub load_rating: Option<Quantity<Force>>,
-    /// What rolls in these bearings. Default balls.
+    /// Rolling elements of these bearings. Default balls.
     #[serde(default)]
     pub bearing_rolling: RollingEntry,
     /// Static load rating of these bearings together, for their safety at rest.
@@ -470,11 +468,11 @@ pub struct SetEntry {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BrakeEntry {
-    /// Its name.
+    /// Name of the brake.
     pub id: String,
     /// The link it holds.
     pub link: String,
-    /// Its drag torque while it is not engaged, for `epicyclic losses` and `epicyclic simulate`.
+    /// Drag torque while the element is not engaged, for `epicyclic losses` and `epicyclic simulate`.
     #[serde(default)]
     pub drag: Option<DragCurveEntry>,
 }
@@ -483,7 +481,7 @@ pub struct BrakeEntry {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ClutchEntry {
-    /// Its name.
+    /// Name of the clutch.
     pub id: String,
     /// The links it joins.
     #[serde(default)]
@@ -491,7 +489,7 @@ pub struct ClutchEntry {
     /// In place of `links`, of a one-way clutch: it keeps the first link from turning slower than the second.
     #[serde(default)]
     pub one_way: Option<[String; 2]>,
-    /// Its drag torque while it is not engaged, for `epicyclic losses` and `epicyclic simulate`.
+    /// Drag torque while the element is not engaged, for `epicyclic losses` and `epicyclic simulate`.
     #[serde(default)]
     pub drag: Option<DragCurveEntry>,
 }
@@ -500,7 +498,7 @@ pub struct ClutchEntry {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GearEntry {
-    /// Its name.
+    /// Name of the gear.
     pub name: String,
     /// Engaged brakes and clutches.
     #[serde(default)]
@@ -543,28 +541,23 @@ impl GearboxFile {
         let links: Vec<&str> = named.map(String::as_str).filter(|link| seen.insert(link)).collect();
         let mut builder =
             Gearbox::builder(&self.gearbox).links(links).input(&self.input).output(&self.output);
-        let (mut faults, mut refused) = (Faults::default(), vec![]);
+        let mut faults = Faults::default();
         let rack = self.rack();
         if let Err(error) = &rack {
             let is_angle = matches!(error, epicyclic_gears::Error::OutOfRange { .. });
             let key = if is_angle { "pressure_angle" } else { "addendum" };
             faults.push(key, DescriptionError::Rack(error.clone()));
         }
-        // An entry that is refused keeps its number and its name, for the faults of others.
         for (place, set) in self.sets.iter().enumerate() {
             let mut own = Faults::default();
             let spec = (place < MOST_SETS).then(|| set.spec(rack.as_ref().ok(), self.friction, &mut own));
             faults.add_below(&of_set(self.sets.len(), place), own);
-            builder = builder.set(spec.flatten().unwrap_or_else(|| {
-                refused.push(Site::Set(place, SetPart::Whole));
-                SetSpec::simple(&set.id, [""; 3], 2.0)
-            }));
+            builder = builder.set(spec.flatten().unwrap_or_else(|| refused(&set.id, set.planets)));
         }
         for (place, set) in (self.sets.len()..).zip(&self.compound_sets) {
             let mut own = Faults::default();
-            let spec = set.spec(|link| Some(link.to_owned()), &mut own);
+            builder = builder.compound_set(set.spec(Some, &mut own));
             faults.add_below(&of_set(self.sets.len(), place), own);
-            builder = builder.compound_set(spec.unwrap_or_else(|| CompoundSpec::new(&set.id, "")));
         }
         for brake in &self.brakes {
             builder = builder.brake(&brake.id, &brake.link);
@@ -576,8 +569,7 @@ impl GearboxFile {
                 _ => {
                     let clutch = DescriptionError::Clutch { clutch: id.clone() };
                     faults.push(Path::root().key("clutches").index(place), clutch);
-                    refused.push(Site::ShiftElement(self.brakes.len() + place, None));
-                    builder.clutch(id, "", "")
+                    builder.clutch(id, NO_LINK, NO_LINK)
                 }
             };
         }
@@ -590,7 +582,7 @@ impl GearboxFile {
         for GearEntry { name, engaged, input, output, .. } in self.gears.iter().cloned() {
             builder = builder.gear_spec(GearSpec { name, engaged, input, output });
         }
-        let gearbox = built(faults, &refused, builder.build_all(), |site| self.at(site));
+        let gearbox = built(faults, builder.build_all(), |site| self.at(site));
         gearbox.map_err(|mut faults| {
             self.curves(&mut faults);
             faults
@@ -627,7 +619,7 @@ impl GearboxFile {
     }
 }
 
-/// Keys of the lists of sets, one of which a gearbox has.
+/// Keys of the lists of sets.
 const LISTS_OF_SETS: Keys = &["sets", "compound_sets"];
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! What people write: quantities with units, YAML with positions, schemas.
+//! Input files: quantities with units, YAML with positions, schemas.
 //!
 //! | module | answers |
 //! |---|---|

@@ -217,13 +217,7 @@ fn a_fault_of_a_gearbox_is_at_its_value() {
             "{ mass",
         ),
         // Connections.
-        (
-            "  - [T3, T2]\n",
-            "  - [T3, T2]\n  - [T2, T3]\n",
-            "ties[1]",
-            "cyclic-grounds",
-            "[T2, T3]",
-        ),
+        ("  - [T3, T2]\n", "  - [T3, T2]\n  - [T2, T3]\n", "ties[1]", "cyclic-grounds", "[T2, T3]"),
         ("grounds: [L]", "grounds: [L, L]", "grounds[1]", "cyclic-grounds", "L]"),
         ("links: [T1, B]", "links: [T1, T1]", "clutches[0]", "shift-element-joins-itself", "{ id: D"),
         ("one_way: [T2, B] }", "one_way: [T2, B], links: [T2, B] }", "clutches[1]", "clutch", "{ id: F"),

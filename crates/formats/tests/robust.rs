@@ -13,7 +13,7 @@ use uom::si::angular_velocity::radian_per_second;
 use uom::si::f64::{AngularVelocity, Torque};
 use uom::si::torque::newton_meter;
 
-/// What may stand where a name or a number stood.
+/// Replacements of a name or a number.
 const SCALARS: [&str; 40] = [
     "0",
     "-1",
@@ -186,8 +186,7 @@ fn transmissions(text: &str) -> Result<(), String> {
     let file: TransmissionsFile = document.read().map_err(|e| e.to_string())?;
     for (index, transmission) in file.transmissions.iter().enumerate() {
         let base = Path::root().key("transmissions").index(index);
-        let gearbox =
-            transmission.gearbox().map_err(|faults| faults.placed(&document, &base).to_string())?;
+        let gearbox = transmission.gearbox().map_err(|faults| faults.placed(&document, &base).to_string())?;
         work_through(&gearbox);
         for gear in &transmission.gears {
             let _ = gear.stands_for(3.0);
@@ -206,7 +205,7 @@ fn whole_drive(text: &str) -> Result<(), String> {
     Ok(())
 }
 
-/// So many cases, unless `PROPTEST_CASES` says how many.
+/// Number of cases: that of `PROPTEST_CASES`, or the usual one.
 fn cases(usual: u32) -> u32 {
     std::env::var("PROPTEST_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(usual)
 }

@@ -71,19 +71,7 @@ pub enum GearPart {
 pub(crate) type SetFaults = Vec<(SetPart, Error)>;
 
 impl Site {
-    /// The whole entry that contains this site.
-    #[must_use]
-    pub fn entry(self) -> Self {
-        match self {
-            Self::Set(set, _) => Self::Set(set, SetPart::Whole),
-            Self::ShiftElement(element, _) => Self::ShiftElement(element, None),
-            Self::Connection(connection, _) => Self::Connection(connection, None),
-            Self::Gear(gear, _) => Self::Gear(gear, GearPart::Whole),
-            whole => whole,
-        }
-    }
-
-    /// This error at this site.
+    /// Fault of this site.
     pub(crate) fn has(self, error: Error) -> Located {
         Located { error, site: self }
     }

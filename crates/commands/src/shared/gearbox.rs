@@ -2,9 +2,7 @@
 
 use crate::error::Error;
 use epicyclic_formats::gearbox::gear_place;
-use epicyclic_formats::gearbox::{
-    GearEntry, GearboxFile, PublishedGear, Transmission, TransmissionsFile,
-};
+use epicyclic_formats::gearbox::{GearEntry, GearboxFile, PublishedGear, Transmission, TransmissionsFile};
 use epicyclic_formats::{Document, Faults, FileKind, Path, Problem};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;

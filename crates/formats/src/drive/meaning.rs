@@ -1,4 +1,4 @@
-//! What a drive file means: defaults filled in, values brought together.
+//! Meaning of a drive file: defaults filled in, values brought together.
 
 use epicyclic_dynamics::drive::{
     Bore, CarrierSpec, DriveSpec, KnownPart, KnownParts, ShaftSpec, TeethSpec, default_bounds,
@@ -17,7 +17,7 @@ use crate::{Path, Problem, Span};
 use epicyclic_units::{Number, Physical, Quantity};
 
 impl DriveFile {
-    /// What is meant, defaults filled in.
+    /// Specification of the drive, defaults filled in.
     ///
     /// # Errors
     /// Tooth counts of 0, open ranges that their defaults turn around, efficiencies outside 0…1, unknown

@@ -4,14 +4,22 @@ use super::DescriptionError;
 use crate::Path;
 use crate::faults::{At, Faults};
 use epicyclic_gears::teeth::ToothCount;
+use epicyclic_train::set::SetSpec;
 use epicyclic_train::{Error, Gearbox, Located, Site};
 use epicyclic_units::Number;
 
-/// The gearbox, or the faults of its record and those that the solver finds. Of an entry that was refused
-/// before, the solver finds only what follows from that, and repeated names.
+/// Link of what was refused. An entry with a fault keeps its number and name for the faults of others, and what
+/// the solver finds of this link only follows.
+pub(super) const NO_LINK: &str = "\u{ffff}";
+
+/// A set in place of one that was refused, with this number of planets.
+pub(super) fn refused(set: &str, planet_count: Option<u32>) -> SetSpec {
+    SetSpec { planet_count, ..SetSpec::simple(set, [NO_LINK; 3], 2.0) }
+}
+
+/// The gearbox, or the faults of its record and those that the solver finds.
 pub(super) fn built(
     mut faults: Faults,
-    refused: &[Site],
     gearbox: Result<Gearbox, Vec<Located>>,
     at: impl Fn(Site) -> At,
 ) -> Result<Gearbox, Faults> {
@@ -19,10 +27,9 @@ pub(super) fn built(
         Ok(gearbox) => return faults.or(gearbox),
         Err(found) => found,
     };
-    let follows = |fault: &Located| {
-        refused.contains(&fault.site.entry()) && !matches!(fault.error, Error::Duplicate { .. })
-    };
-    for Located { error, site } in found.into_iter().filter(|fault| !follows(fault)) {
+    let is_sound = faults.is_empty();
+    let follows = |error: &Error| matches!(error, Error::Unknown { name, .. } if name == NO_LINK);
+    for Located { error, site } in found.into_iter().filter(|fault| is_sound || !follows(&fault.error)) {
         faults.push(at(site), error);
     }
     Err(faults)

@@ -1,15 +1,16 @@
 //! Compound sets in files, and remarks.
 
+use super::checks::NO_LINK;
 use super::place::{keys_of_part, of_set};
 use super::{DescriptionError, RollingEntry, spaced};
 use crate::Path;
 use crate::drive::Spacing;
 use crate::faults::{At, Faults};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_train::{PlanetSet, SetPart};
 use epicyclic_train::compound::{CentralKind, CentralSpec, CompoundSpec, MeshSpec, PlanetSpec};
 use epicyclic_train::planet_bearings::{MeshSize, PlanetSize, SetSize};
 use epicyclic_train::planet_set::Planet;
+use epicyclic_train::{PlanetSet, SetPart};
 use epicyclic_units::{Number, Quantity};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
@@ -24,7 +25,7 @@ use uom::si::f64::{Angle, Force, Length, Mass, Ratio};
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CompoundEntry<P = PlanetSizeEntry> {
-    /// Its name.
+    /// Name of the set.
     pub id: String,
     /// Link of the carrier.
     pub carrier: String,
@@ -79,10 +80,10 @@ pub struct CompoundEntry<P = PlanetSizeEntry> {
 pub struct MeshEntry {
     /// The two gears.
     pub gears: [String; 2],
-    /// Its efficiency, 0.99 or 99 %; 1 unless given.
+    /// Efficiency of the mesh, 0.99 or 99 %; 1 unless given.
     #[serde(default)]
     pub efficiency: Option<Quantity<Ratio>>,
-    /// Its module, if not that of the set.
+    /// Module of the mesh, if not that of the set.
     #[serde(default)]
     pub module: Option<Quantity<Length>>,
     /// Of two planets in mesh: the second by name stands behind the first, not ahead of it in the positive
@@ -102,16 +103,16 @@ pub struct PlanetSizeEntry {
     /// Face width of each of its gears, for its mass.
     #[serde(default)]
     pub face_widths: Vec<Quantity<Length>>,
-    /// Its bore. Default: solid.
+    /// Bore of the planet. Default: solid.
     #[serde(default)]
     pub bore: Option<Quantity<Length>>,
-    /// Its mass with what turns about its pin; goes before that of its shape.
+    /// Mass of the planet with all that turns about its pin; used instead of the mass of its shape.
     #[serde(default)]
     pub mass: Option<Quantity<Mass>>,
     /// Basic dynamic load rating of its bearings together, for their life.
     #[serde(default)]
     pub load_rating: Option<Quantity<Force>>,
-    /// What rolls in these bearings. Default balls.
+    /// Rolling elements of these bearings. Default balls.
     #[serde(default)]
     pub bearing_rolling: RollingEntry,
     /// Static load rating of these bearings together, for their safety at rest.
@@ -139,21 +140,21 @@ pub struct ListedPlanetEntry {
     /// Face width of each of its gears, for its mass.
     #[serde(default)]
     pub face_widths: Vec<Quantity<Length>>,
-    /// Its bore. Default: solid.
+    /// Bore of the planet. Default: solid.
     #[serde(default)]
     pub bore: Option<Quantity<Length>>,
-    /// Its mass with what turns about its pin; goes before that of its shape.
+    /// Mass of the planet with all that turns about its pin; used instead of the mass of its shape.
     #[serde(default)]
     pub mass: Option<Quantity<Mass>>,
     /// Basic dynamic load rating of its bearings together, for their life.
     #[serde(default)]
     pub load_rating: Option<Quantity<Force>>,
-    /// What rolls in these bearings. Default balls.
+    /// Rolling elements of these bearings. Default balls.
     #[serde(default)]
     pub bearing_rolling: RollingEntry,
 }
 
-/// What states the size of a planet.
+/// Entry that states the size of a planet.
 pub trait PlanetSized {
     /// The size.
     fn size(&self) -> PlanetSize;
@@ -223,23 +224,23 @@ pub(super) fn at_set<P: PlanetSized>(
 }
 
 impl<P: PlanetSized> CompoundEntry<P> {
-    /// The set, with the link of each member by `link`; `None` if one has none.
-    pub(super) fn spec(
-        &self,
-        link: impl Fn(&str) -> Option<String>,
+    /// The set, with the link of each member by `link`.
+    pub(super) fn spec<'a>(
+        &'a self,
+        link: impl Fn(&'a str) -> Option<&'a str>,
         faults: &mut Faults,
-    ) -> Option<CompoundSpec> {
-        let mut node = |member: &String, at: Path| {
+    ) -> CompoundSpec {
+        let mut node = |member: &'a String, at: Path| {
             let lacks = || DescriptionError::MemberInNoLink { set: self.id.clone(), member: member.clone() };
-            faults.keep(at, link(member).ok_or_else(lacks))
+            faults.keep(at, link(member).ok_or_else(lacks)).unwrap_or(NO_LINK).to_owned()
         };
         let carrier = node(&self.carrier, Path::root().key("carrier"));
-        let central = |(key, kind, name, teeth): (&str, _, &String, _)| {
-            let link = node(name, Path::root().key(key).key(name))?;
+        let central = |(key, kind, name, teeth): (&str, _, &'a String, _)| {
+            let link = node(name, Path::root().key(key).key(name));
             let planet = self.planet_shafts.get(name).filter(|_| kind == CentralKind::PlanetShaft).cloned();
-            Some(CentralSpec { name: name.clone(), link, kind, teeth, planet })
+            CentralSpec { name: name.clone(), link, kind, teeth, planet }
         };
-        let centrals: Vec<_> = self.centrals().map(central).collect();
+        let centrals = self.centrals().map(central).collect();
         let mut meshes = vec![];
         for (place, mesh) in self.meshes.iter().enumerate() {
             let eta =
@@ -258,15 +259,15 @@ impl<P: PlanetSized> CompoundEntry<P> {
         let spacing = spaced(&self.id, self.spacing, [self.planet_angles.as_deref(), None], faults);
         let spec = CompoundSpec {
             id: self.id.clone(),
-            carrier: carrier?,
-            centrals: centrals.into_iter().collect::<Option<_>>()?,
+            carrier,
+            centrals,
             planets: self.planet_gears.iter().map(planet).collect(),
             meshes,
             planet_count: self.planets,
             spacing: Default::default(),
             proportional: self.proportional,
         };
-        Some(spec.spaced(spacing))
+        spec.spaced(spacing)
     }
 
     /// Path of a part of the set.
@@ -290,7 +291,7 @@ impl<P: PlanetSized> CompoundEntry<P> {
         .into()
     }
 
-    /// What it says of its size; the rest as usual.
+    /// Size of the set, as far as the entry states it; the rest as usual.
     pub(super) fn size(&self, set: &PlanetSet, usual: &SetSize) -> SetSize {
         let planet =
             |planet: &Planet| self.planet_sizes.get(&planet.name).map_or_else(PlanetSize::default, P::size);
@@ -315,9 +316,9 @@ impl<P: PlanetSized> CompoundEntry<P> {
             ("bevels_left", CentralKind::BevelLeft, &self.bevels_left),
             ("bevels_right", CentralKind::BevelRight, &self.bevels_right),
         ];
-        let gears = gears.into_iter().flat_map(|(key, kind, gears)| {
-            gears.iter().map(move |(name, teeth)| (key, kind, name, *teeth))
-        });
+        let gears = gears
+            .into_iter()
+            .flat_map(|(key, kind, gears)| gears.iter().map(move |(name, teeth)| (key, kind, name, *teeth)));
         let shaft = |name| ("planet_shafts", CentralKind::PlanetShaft, name, 0.0);
         gears.chain(self.planet_shafts.keys().map(shaft))
     }

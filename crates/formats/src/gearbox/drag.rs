@@ -1,4 +1,4 @@
-//! What a gearbox file says of losses that do not depend on the load: curves of drag torques.
+//! Losses that do not depend on the load in a gearbox file: curves of drag torques.
 
 use super::GearboxFile;
 use crate::Path;
@@ -17,11 +17,11 @@ use uom::si::f64::{AngularVelocity, Torque};
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DragEntry {
-    /// Its name.
+    /// Name of the drag.
     pub id: String,
     /// The links; `ground` is the housing.
     pub between: [String; 2],
-    /// Its torque over their relative speed.
+    /// Drag torque over the relative speed of the links.
     pub curve: DragCurveEntry,
 }
 
@@ -33,12 +33,12 @@ pub struct DragCurveEntry {
     pub speeds: Vec<Quantity<AngularVelocity>>,
     /// The torque at each, at least 0; it opposes the motion.
     pub torques: Vec<Quantity<Torque>>,
-    /// What holds outside these speeds; a speed there is refused unless given.
+    /// Torque outside these speeds. Default: a speed there is refused.
     #[serde(default)]
     pub beyond: BeyondEntry,
 }
 
-/// What holds outside the speeds of a curve.
+/// Torque outside the speeds of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum BeyondEntry {
@@ -107,8 +107,9 @@ impl GearboxFile {
         let drags = self.drags.iter().enumerate();
         let drags = drags.map(move |(place, one)| (&one.id, path("drags", place, "curve"), &one.curve));
         let brakes = self.brakes.iter().enumerate();
-        let brakes = brakes
-            .filter_map(move |(place, one)| Some((&one.id, path("brakes", place, "drag"), one.drag.as_ref()?)));
+        let brakes = brakes.filter_map(move |(place, one)| {
+            Some((&one.id, path("brakes", place, "drag"), one.drag.as_ref()?))
+        });
         let clutches = self.clutches.iter().enumerate();
         let clutches = clutches.filter_map(move |(place, one)| {
             Some((&one.id, path("clutches", place, "drag"), one.drag.as_ref()?))
@@ -116,7 +117,7 @@ impl GearboxFile {
         drags.chain(brakes).chain(clutches)
     }
 
-    /// The curves of the drags, of which names and curves alone are checked.
+    /// Curves of the drags; checks names and curves, for which no gearbox is needed.
     pub(super) fn curves(&self, faults: &mut Faults) -> Vec<Option<DragCurve>> {
         let count = self.drags.len();
         if count > MOST_DRAGS {

@@ -1,4 +1,4 @@
-//! What a gearbox file says of the losses of its meshes: efficiencies, or friction of teeth.
+//! Losses of the meshes in a gearbox file: efficiencies, or friction of teeth.
 
 use super::checks::numbers;
 use super::place::keys_of;

@@ -35,7 +35,7 @@ fn entry(document: &Document, base: &Path, lists: &[&str], name: &str) -> Option
     })
 }
 
-/// Path of a set by its number, where the sets of `sets`, of which there are so many, come before those of
+/// Path of a set by its number; the entries of `sets`, whose number is `simple`, come before those of
 /// `compound_sets`.
 pub(super) fn of_set(simple: usize, set: usize) -> Path {
     match set.checked_sub(simple) {

@@ -1,6 +1,6 @@
 //! A set with two central gears, as its entry describes it.
 
-use super::checks::{counts, numbers};
+use super::checks::{NO_LINK, counts, numbers};
 use super::losses::losses;
 use super::spacing::spaced;
 use super::{DescriptionError, SetEntry};
@@ -12,7 +12,7 @@ use epicyclic_train::set::{SetKind, SetSpec, Shifts};
 use epicyclic_units::{Number, Quantity};
 
 impl SetEntry {
-    /// The set; `None` where a fault leaves its members, its ratio or its planets open. Of what else has a
+    /// The set; `None` where a fault leaves its ratio or its planets open. Of what else has a
     /// fault the set has nothing. Without a rack, or friction of the gearbox, nothing follows from them.
     pub(super) fn spec(
         &self,
@@ -23,14 +23,14 @@ impl SetEntry {
         let set = || self.id.clone();
         let kind = SetKind::from(self.kind);
         let carrier = match (&self.carrier, kind.is_pair()) {
-            (None, true) => Some(GROUND),
-            (Some(carrier), false) => Some(carrier.as_str()),
+            (None, true) => GROUND,
+            (Some(carrier), false) => carrier.as_str(),
             (_, is_pair) => {
                 faults.push("carrier", DescriptionError::Carrier { set: set(), is_pair });
-                None
+                NO_LINK
             }
         };
-        let members = [self.sun.as_str(), self.ring.as_str(), carrier.unwrap_or_default()];
+        let members = [self.sun.as_str(), self.ring.as_str(), carrier];
         let spec = match (self.k, self.teeth) {
             (Some(k), None) => Some(SetSpec::new(&self.id, kind, members, k.get())),
             (None, Some(teeth)) => counts(&self.id, "teeth", &teeth, faults).and_then(|_| {
@@ -55,9 +55,8 @@ impl SetEntry {
             }
         });
         let in_vibration = self.vibration.as_ref().and_then(|vibration| vibration.planet_angles.as_deref());
-        let spacing =
-            spaced(&self.id, self.spacing, [self.planet_angles.as_deref(), in_vibration], faults);
-        let (_, mut spec, planets) = (carrier?, spec?, planets?);
+        let spacing = spaced(&self.id, self.spacing, [self.planet_angles.as_deref(), in_vibration], faults);
+        let (mut spec, planets) = (spec?, planets?);
         (spec.loss, [spec.planet, spec.second_planet]) = (loss, planets);
         if let Some(count) = self.planets {
             spec = spec.planet_count(count);

@@ -1,4 +1,4 @@
-//! What a gearbox file says of the size of its sets: planets and their bearings, the basic rack, the density.
+//! Sizes of the sets of a gearbox file: planets and their bearings, the basic rack, the density.
 
 use super::place::{keys_of, of_set};
 use super::{DescriptionError, GearboxFile};
@@ -56,7 +56,7 @@ impl GearboxFile {
         (0..set.meshes().len()).map(|mesh| own(mesh).map(Physical::si)).collect()
     }
 
-    /// What the file says of the size of a set.
+    /// Size of a set, as far as the file states it.
     fn size(&self, set: &PlanetSet) -> SetSize {
         let usual = SetSize::default();
         let usual = SetSize {

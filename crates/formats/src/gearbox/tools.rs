@@ -1,4 +1,4 @@
-//! What a gearbox file says of how the gears of a simple set are cut.
+//! Tools of a gearbox file that cut the gears of a simple set.
 
 use super::{DescriptionError, SetEntry, ShaperEntry};
 use crate::Path;
@@ -14,24 +14,24 @@ use epicyclic_units::Number;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// What cuts sun, planets and ring of a simple set. Default: a hob for sun and planets; for the ring a shaper
+/// Tools that cut sun, planets and ring of a simple set. Default: a hob for sun and planets; for the ring a shaper
 /// of 30 teeth with corners of 0.3 modules, or with 18 less than a smaller ring has, and a form tool for
 /// rings of fewer than 42 teeth.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ToolsEntry {
-    /// Of the sun.
+    /// Tool of the sun.
     #[serde(default)]
     pub sun: Option<ToolEntry>,
-    /// Of the planets.
+    /// Tool of the planets.
     #[serde(default)]
     pub planet: Option<ToolEntry>,
-    /// Of the ring.
+    /// Tool of the ring.
     #[serde(default)]
     pub ring: Option<ToolEntry>,
 }
 
-/// What cuts a gear: the basic rack of its hob, a shaper in its place, or a form tool.
+/// Tool that cuts a gear: the basic rack of its hob, a shaper in its place, or a form tool.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ToolEntry {
@@ -75,12 +75,12 @@ pub enum ProfileEntry {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CutterEntry {
-    /// Its teeth.
+    /// Number of teeth of the shaper.
     pub teeth: u32,
-    /// Its profile shift coefficient; sharpening lowers it from about 0.15 to -0.15. Default 0.
+    /// Profile shift coefficient of the shaper; sharpening lowers it from about 0.15 to -0.15. Default 0.
     #[serde(default)]
     pub shift: Option<Number>,
-    /// Its addendum, in modules. Default: the one that leaves the root circle of the basic rack; searches
+    /// Addendum of the shaper, in modules. Default: the one that leaves the root circle of the basic rack; searches
     /// take the dedendum of the rack.
     #[serde(default)]
     pub addendum: Option<Number>,

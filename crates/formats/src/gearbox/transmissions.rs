@@ -1,6 +1,6 @@
 //! Real transmissions: members joined to links, shift elements between links, gears with published ratios.
 
-use super::checks::built;
+use super::checks::{NO_LINK, built, refused};
 use super::compound::{CompoundEntry, ListedPlanetEntry, Note, at_set};
 use super::place::{keys_of_part, of_gear, of_set};
 use super::{DescriptionError, LISTS_OF_SETS, losses, spaced};
@@ -8,7 +8,6 @@ use crate::Path;
 use crate::drive::Spacing;
 use crate::faults::{At, Faults, Keys};
 use epicyclic_gears::teeth::ToothCount;
-use epicyclic_train::compound::CompoundSpec;
 use epicyclic_train::planet_bearings::{PlanetBearing, SetSize};
 use epicyclic_train::set::{SetKind, SetSpec};
 use epicyclic_train::{GROUND, GearSpec, Gearbox, PlanetSet, SetPart, Site};
@@ -35,9 +34,9 @@ pub struct TransmissionsFile {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Transmission {
-    /// Its name.
+    /// Name of the transmission.
     pub name: String,
-    /// Where its data stand.
+    /// Publication of its data.
     #[serde(default)]
     pub source: Option<String>,
     /// The sets with two central gears, and pairs; their members are gears and carriers.
@@ -46,7 +45,7 @@ pub struct Transmission {
     /// Sets of any other form, gear by gear; their members too are named in links.
     #[serde(default)]
     pub compound_sets: Vec<CompoundEntry<ListedPlanetEntry>>,
-    /// Which members turn as one piece: by node.
+    /// Members that turn as one piece, by node.
     pub links: BTreeMap<String, Vec<String>>,
     /// Node where power enters, unless a gear says otherwise.
     pub input: String,
@@ -69,7 +68,7 @@ pub struct Transmission {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TransmissionSet {
-    /// Its name.
+    /// Name of the set.
     pub id: String,
     /// How its gears are joined.
     pub planet: Planet,
@@ -157,7 +156,7 @@ pub enum Planet {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PublishedGear {
-    /// Its name.
+    /// Name of the gear.
     pub name: String,
     /// Engaged shift elements.
     pub engaged: Vec<String>,
@@ -179,7 +178,7 @@ pub struct PublishedGear {
     #[serde(deserialize_with = "few_decimals")]
     #[schemars(range(max = MOST_DECIMALS))]
     pub printed_decimals: u32,
-    /// How it came to its digits.
+    /// Rounding of the published figure.
     #[serde(default)]
     pub rounding: Rounding,
     /// Whether it is published the other way round, output over input.
@@ -245,7 +244,7 @@ impl Transmission {
     /// Each [`DescriptionError`] and each error of the solver that does not follow from another one, with its
     /// path.
     pub fn gearbox(&self) -> Result<Gearbox, Faults> {
-        let (mut faults, mut refused) = (Faults::default(), vec![]);
+        let mut faults = Faults::default();
         let mut link_of: BTreeMap<&str, &str> = BTreeMap::new();
         for (link, members) in &self.links {
             for (place, member) in members.iter().enumerate() {
@@ -263,24 +262,16 @@ impl Transmission {
         }
         let links = self.links.keys().map(String::as_str).filter(|link| *link != GROUND);
         let mut builder = Gearbox::builder(&self.name).links(links).input(&self.input).output(&self.output);
-        // An entry that is refused keeps its number and its name, for the faults of others.
         for (place, set) in self.sets.iter().enumerate() {
             let mut own = Faults::default();
             let spec = set.spec(&link_of, &mut own);
             faults.add_below(&of_set(self.sets.len(), place), own);
-            builder = builder.set(spec.unwrap_or_else(|| {
-                refused.push(Site::Set(place, SetPart::Whole));
-                SetSpec::simple(&set.id, [""; 3], 2.0)
-            }));
+            builder = builder.set(spec.unwrap_or_else(|| refused(&set.id, set.n_p)));
         }
         for (place, set) in (self.sets.len()..).zip(&self.compound_sets) {
             let mut own = Faults::default();
-            let spec = set.spec(|member| link_of.get(member).map(|&link| link.to_owned()), &mut own);
+            builder = builder.compound_set(set.spec(|member| link_of.get(member).copied(), &mut own));
             faults.add_below(&of_set(self.sets.len(), place), own);
-            builder = builder.compound_set(spec.unwrap_or_else(|| {
-                refused.push(Site::Set(place, SetPart::Whole));
-                CompoundSpec::new(&set.id, "")
-            }));
         }
         for (id, [first, second]) in &self.shift_elements {
             builder = builder.clutch(id, first, second);
@@ -292,7 +283,7 @@ impl Transmission {
             let PublishedGear { name, engaged, input, output, .. } = gear.clone();
             builder = builder.gear_spec(GearSpec { name, engaged, input, output });
         }
-        built(faults, &refused, builder.build_all(), |site| self.at(site))
+        built(faults, builder.build_all(), |site| self.at(site))
     }
 
     /// Path of a part of the description.
@@ -327,17 +318,18 @@ impl Transmission {
 }
 
 impl TransmissionSet {
-    /// The set; `None` where a fault leaves its members, its ratio or its planets open.
+    /// The set; `None` where a fault leaves its ratio or its planets open.
     fn spec(&self, link_of: &BTreeMap<&str, &str>, faults: &mut Faults) -> Option<SetSpec> {
         let missing = |missing| DescriptionError::Missing { set: self.id.clone(), missing };
         let of_set = |source| DescriptionError::of_set(&self.id, source);
         let mut node = |member: Option<&String>, part, what| {
             let Some(member) = member else {
                 faults.push(Path::root(), missing(what));
-                return None;
+                return NO_LINK;
             };
             let lacks = || DescriptionError::MemberInNoLink { set: self.id.clone(), member: member.clone() };
-            faults.keep(keys_of_part(part), link_of.get(member.as_str()).copied().ok_or_else(lacks))
+            let link = link_of.get(member.as_str()).copied().ok_or_else(lacks);
+            faults.keep(keys_of_part(part), link).unwrap_or(NO_LINK)
         };
         let kind = match self.planet {
             Planet::Simple => SetKind::Simple,
@@ -355,7 +347,7 @@ impl TransmissionSet {
         let one = node(self.sun.as_ref().or(self.gear_a.as_ref()), SetPart::Central(0), first);
         let other = node(self.ring.as_ref().or(self.gear_b.as_ref()), SetPart::Central(1), second);
         let carrier = match kind.is_pair() {
-            true => Some(GROUND),
+            true => GROUND,
             false => node(self.carrier.as_ref(), SetPart::Carrier, "`carrier`"),
         };
         let (first, second) = if kind.is_pair() { ("`z_a`", "`z_b`") } else { ("`z_s`", "`z_r`") };
@@ -364,12 +356,9 @@ impl TransmissionSet {
             let teeth = given[0].or(given[1])?;
             Some(faults.keep(keys, ToothCount::new(teeth).map_err(of_set)))
         };
-        let teeth = [
-            count(&["z_s", "z_a"], [self.z_s, self.z_a]),
-            count(&["z_r", "z_b"], [self.z_r, self.z_b]),
-        ];
-        let planets =
-            [count(&["z_p", "z_pa"], [self.z_p, self.z_pa]), count(&["z_pb"], [self.z_pb, None])];
+        let teeth =
+            [count(&["z_s", "z_a"], [self.z_s, self.z_a]), count(&["z_r", "z_b"], [self.z_r, self.z_b])];
+        let planets = [count(&["z_p", "z_pa"], [self.z_p, self.z_pa]), count(&["z_pb"], [self.z_pb, None])];
         for (given, what) in teeth.iter().zip([first, second]) {
             if given.is_none() {
                 faults.push(Path::root(), missing(what));
@@ -377,7 +366,7 @@ impl TransmissionSet {
         }
         let loss = losses(&self.id, kind, self.efficiency, self.meshes.as_deref(), faults);
         let spacing = spaced(&self.id, self.spacing, [self.planet_angles.as_deref(), None], faults);
-        let members = [one?, other?, carrier?];
+        let members = [one, other, carrier];
         let [first, second] = [teeth[0]??, teeth[1]??];
         let spec = SetSpec::teeth(&self.id, kind, members, first.get(), second.get()).map_err(of_set);
         let mut spec = faults.keep(&["z_r", "z_b"][..], spec)?;
