@@ -71,9 +71,14 @@ impl Faults {
         value.map_err(|problem| self.push(at, problem)).ok()
     }
 
-    /// Takes the faults of the part of the record at this path.
-    pub(crate) fn add_below(&mut self, base: &Path, of_part: Self) {
-        self.0.extend(of_part.0.into_iter().map(|(at, problem)| (at.below(base), problem)));
+    /// Finds the faults of the part of the record at this path.
+    pub(crate) fn below<T>(&mut self, base: &Path, part: impl FnOnce(&mut Self) -> T) -> T {
+        let before = self.0.len();
+        let value = part(self);
+        for (at, _) in &mut self.0[before..] {
+            at.path = base.join(&at.path);
+        }
+        value
     }
 
     /// Faults of this record and of another part of the same one.

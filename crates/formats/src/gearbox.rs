@@ -549,15 +549,16 @@ impl GearboxFile {
             faults.push(key, DescriptionError::Rack(error.clone()));
         }
         for (place, set) in self.sets.iter().enumerate() {
-            let mut own = Faults::default();
-            let spec = (place < MOST_SETS).then(|| set.spec(rack.as_ref().ok(), self.friction, &mut own));
-            faults.add_below(&of_set(self.sets.len(), place), own);
-            builder = builder.set(spec.flatten().unwrap_or_else(|| refused(&set.id, set.planets)));
+            let spec = faults.below(&of_set(self.sets.len(), place), |faults| {
+                let rack = rack.as_ref().ok();
+                // Sets beyond the limit are not worth the work.
+                (place < MOST_SETS).then(|| set.spec(rack, self.friction, faults)).flatten()
+            });
+            builder = builder.set(spec.unwrap_or_else(|| refused(&set.id, set.planets)));
         }
         for (place, set) in (self.sets.len()..).zip(&self.compound_sets) {
-            let mut own = Faults::default();
-            builder = builder.compound_set(set.spec(Some, &mut own));
-            faults.add_below(&of_set(self.sets.len(), place), own);
+            let spec = faults.below(&of_set(self.sets.len(), place), |faults| set.spec(Some, faults));
+            builder = builder.compound_set(spec);
         }
         for brake in &self.brakes {
             builder = builder.brake(&brake.id, &brake.link);
@@ -600,19 +601,17 @@ impl GearboxFile {
             Site::ShiftElement(element, end) => match element.checked_sub(self.brakes.len()) {
                 None if end.is_some() => entry("brakes", element).key("link").into(),
                 None => entry("brakes", element).into(),
-                Some(clutch) => {
-                    let key = if self.clutches.get(clutch).is_some_and(|clutch| clutch.links.is_some()) {
-                        "links"
-                    } else {
-                        "one_way"
-                    };
-                    let path = entry("clutches", clutch);
-                    end.map_or(path.clone(), |end| path.key(key).index(end)).into()
-                }
+                Some(clutch) => match (end, self.clutches.get(clutch)) {
+                    (Some(end), Some(ClutchEntry { links: Some(_), .. })) => {
+                        entry("clutches", clutch).key("links").index(end).into()
+                    }
+                    (Some(end), _) => entry("clutches", clutch).key("one_way").index(end).into(),
+                    (None, _) => entry("clutches", clutch).into(),
+                },
             },
             Site::Connection(connection, end) => match connection.checked_sub(self.grounds.len()) {
                 None => entry("grounds", connection).into(),
-                Some(tie) => end.map_or(entry("ties", tie), |end| entry("ties", tie).index(end)).into(),
+                Some(tie) => entry("ties", tie).indexed(end).into(),
             },
             Site::Gear(gear, part) => of_gear(gear, part).into(),
         }

@@ -305,6 +305,10 @@ impl Gearbox {
         })
     }
 
+    pub(crate) fn known_link(&self, name: &str, place: impl Fn() -> Place) -> Result<LinkId, Error> {
+        self.link(name).ok_or_else(|| self.unknown_link(name, place()))
+    }
+
     pub(crate) fn unknown_link(&self, name: &str, place: Place) -> Error {
         Error::Unknown {
             what: Named::Link,

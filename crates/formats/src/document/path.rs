@@ -45,6 +45,14 @@ impl Path {
         self
     }
 
+    /// One step further into a sequence, if there is an index.
+    pub(crate) fn indexed(self, index: Option<usize>) -> Self {
+        match index {
+            Some(index) => self.index(index),
+            None => self,
+        }
+    }
+
     /// A path from its keys joined by dots: `gear_set.module`.
     pub(crate) fn dotted(keys: &str) -> Self {
         keys.split('.').filter(|key| !key.is_empty()).fold(Self::root(), Self::key)

@@ -86,9 +86,7 @@ impl GearboxFile {
                 }
                 (Ok(_), None) => {}
                 (Err(refused), _) => {
-                    for (end, error) in refused {
-                        faults.push(end.map_or(at.clone(), |end| at.clone().index(end)), error);
-                    }
+                    refused.into_iter().for_each(|(end, error)| faults.push(at.clone().indexed(end), error));
                 }
             }
         }

@@ -108,9 +108,8 @@ pub(super) fn planet_bearings(
         match gearbox.planet_bearings(place, &size(set)) {
             Some(Ok(bearings)) => all.extend(bearings),
             Some(Err(source)) => {
-                let mut of_set = Faults::default();
-                of_set.push(keys_of(&source), DescriptionError::of_set(set.id(), source));
-                faults.add_below(&at(place), of_set);
+                let keys = at(place).first_of(keys_of(&source));
+                faults.push(keys, DescriptionError::of_set(set.id(), source));
             }
             None => {}
         }

@@ -263,15 +263,14 @@ impl Transmission {
         let links = self.links.keys().map(String::as_str).filter(|link| *link != GROUND);
         let mut builder = Gearbox::builder(&self.name).links(links).input(&self.input).output(&self.output);
         for (place, set) in self.sets.iter().enumerate() {
-            let mut own = Faults::default();
-            let spec = set.spec(&link_of, &mut own);
-            faults.add_below(&of_set(self.sets.len(), place), own);
+            let at = of_set(self.sets.len(), place);
+            let spec = faults.below(&at, |faults| set.spec(&link_of, faults));
             builder = builder.set(spec.unwrap_or_else(|| refused(&set.id, set.n_p)));
         }
         for (place, set) in (self.sets.len()..).zip(&self.compound_sets) {
-            let mut own = Faults::default();
-            builder = builder.compound_set(set.spec(|member| link_of.get(member).copied(), &mut own));
-            faults.add_below(&of_set(self.sets.len(), place), own);
+            let node = |member: &str| link_of.get(member).copied();
+            let at = of_set(self.sets.len(), place);
+            builder = builder.compound_set(faults.below(&at, |faults| set.spec(node, faults)));
         }
         for (id, [first, second]) in &self.shift_elements {
             builder = builder.clutch(id, first, second);
@@ -296,8 +295,7 @@ impl Transmission {
                 let clutches = self.shift_elements.keys().map(|id| ("shift_elements", id));
                 let one_way = self.one_way.keys().map(|id| ("one_way", id));
                 let path = clutches.chain(one_way).nth(element);
-                let path = path.map_or(Path::root(), |(key, id)| Path::root().key(key).key(id));
-                end.map_or(path.clone(), |end| path.index(end)).into()
+                path.map_or(Path::root(), |(key, id)| Path::root().key(key).key(id).indexed(end)).into()
             }
             Site::Gear(gear, part) => of_gear(gear, part).into(),
             Site::Link(_) | Site::Connection(..) => Path::root().key("links").into(),

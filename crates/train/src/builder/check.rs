@@ -149,10 +149,6 @@ impl GearboxBuilder {
     }
 }
 
-pub(super) fn link(gearbox: &Gearbox, name: &str, place: impl Fn() -> Place) -> Result<LinkId, Error> {
-    gearbox.link(name).ok_or_else(|| gearbox.unknown_link(name, place()))
-}
-
 /// Two links by their names; `None` if one is unknown.
 fn pair(
     gearbox: &Gearbox,
@@ -162,7 +158,7 @@ fn pair(
     faults: &mut Vec<Located>,
 ) -> Option<[LinkId; 2]> {
     let mut found = |end: usize| {
-        let error = match link(gearbox, names[end], &place) {
+        let error = match gearbox.known_link(names[end], &place) {
             Ok(link) => return Some(link),
             Err(error) => error,
         };
@@ -175,7 +171,7 @@ fn pair(
 
 fn terminal(gearbox: &Gearbox, name: Option<&str>, which: Terminal) -> Result<LinkId, Error> {
     let name = name.ok_or(Error::NoTerminal { terminal: which })?;
-    turning(link(gearbox, name, || Place::Terminal(which))?, || Place::Terminal(which))
+    turning(gearbox.known_link(name, || Place::Terminal(which))?, || Place::Terminal(which))
 }
 
 /// Refuses the housing.
@@ -189,7 +185,7 @@ fn build_set(gearbox: &Gearbox, description: Description, groups: &Groups) -> Re
     let count = given.map(|given| (SetPart::PlanetCount, Error::PlanetCount { set: id.clone(), given }));
     let mut faults = vec![];
     let mut member = |name: &str, part| {
-        link(gearbox, name, || Place::Set(id.clone())).unwrap_or_else(|error| {
+        gearbox.known_link(name, || Place::Set(id.clone())).unwrap_or_else(|error| {
             faults.push((part, error));
             LinkId::GROUND
         })
@@ -253,7 +249,7 @@ fn build_gear(gearbox: &Gearbox, spec: GearSpec, number: usize, faults: &mut Vec
     let mut own = |name: Option<&str>, default: LinkId, which: Terminal| {
         let Some(name) = name else { return default };
         let place = || Place::TerminalOf(which, spec.name.clone());
-        link(gearbox, name, place).and_then(|link| turning(link, place)).unwrap_or_else(|error| {
+        gearbox.known_link(name, place).and_then(|link| turning(link, place)).unwrap_or_else(|error| {
             refuse(GearPart::Terminal(which), error);
             default
         })

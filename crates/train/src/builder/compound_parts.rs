@@ -1,6 +1,5 @@
 //! Parts that the description of a compound set names.
 
-use super::check::link;
 use crate::compound::{CentralKind, CompoundSpec, GearName};
 use crate::error::{CompoundFault, MeshFault, Place};
 use crate::names::nearest;
@@ -64,7 +63,7 @@ pub(super) fn parts_of_compound(gearbox: &Gearbox, spec: &CompoundSpec) -> Resul
     let mut centrals: Vec<Central> = vec![];
     for (place, central) in spec.centrals.iter().enumerate() {
         let (part, given) = (SetPart::Central(place), central.teeth);
-        let link = link(gearbox, &central.link, || Place::Set(spec.id.clone()));
+        let link = gearbox.known_link(&central.link, || Place::Set(spec.id.clone()));
         let link = link.map_err(|error| unknown_links.push((part, error))).unwrap_or(LinkId::GROUND);
         let gear = GearName::only(&central.name);
         let (mut teeth, mut body) = (None, place);
