@@ -35,6 +35,9 @@ fn entry(document: &Document, base: &Path, lists: &[&str], name: &str) -> Option
     })
 }
 
+/// Keys of the lists of sets.
+pub(super) const LISTS_OF_SETS: Keys = &["sets", "compound_sets"];
+
 /// Path of a set by its number; the entries of `sets`, whose number is `simple`, come before those of
 /// `compound_sets`.
 pub(super) fn of_set(simple: usize, set: usize) -> Path {

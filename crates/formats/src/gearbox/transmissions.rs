@@ -2,8 +2,8 @@
 
 use super::checks::{NO_LINK, built, refused};
 use super::compound::{CompoundEntry, ListedPlanetEntry, Note, at_set};
-use super::place::{keys_of_part, of_gear, of_set};
-use super::{DescriptionError, LISTS_OF_SETS, losses, spaced};
+use super::place::{LISTS_OF_SETS, keys_of_part, of_gear, of_set};
+use super::{DescriptionError, losses, spaced};
 use crate::Path;
 use crate::drive::Spacing;
 use crate::faults::{At, Faults, Keys};
