@@ -25,7 +25,7 @@ from ._core import __version__
 from .commands import *
 from .commands import __all__ as _commands
 from .description import Description
-from .errors import Error, FileFailure, NothingFound, Place, Refused
+from .errors import Error, Fault, FileFailure, NothingFound, Place, Refused
 from .gearbox import Gearbox
 from .records import Answer, Record, Records
 from .shown import Drawing, Page
@@ -37,6 +37,7 @@ __all__ = [
     "Description",
     "Drawing",
     "Error",
+    "Fault",
     "FileFailure",
     "Gearbox",
     "NothingFound",

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Mapping
 if TYPE_CHECKING:
     from .records import Answer
 
-__all__ = ["Error", "FileFailure", "NothingFound", "Place", "Refused"]
+__all__ = ["Error", "Fault", "FileFailure", "NothingFound", "Place", "Refused"]
 
 
 @dataclass(frozen=True)
@@ -26,6 +26,20 @@ class Place:
     """Keys and places of lists that lead there, ``sets[0].k``; empty for the whole document."""
 
 
+@dataclass(frozen=True)
+class Fault:
+    """One of the faults of an :class:`Error`."""
+
+    name: str
+    """Kind of the fault, ``missing-unit``; it stays the same whatever the message says."""
+    message: str
+    value: str | None = None
+    """Text of the wrong value or key as it stands in the file or in the call."""
+    remedy: str | None = None
+    """Text to write in its place, where one is known."""
+    place: Place | None = None
+
+
 class Error(Exception):
     """A call without an answer.
 
@@ -38,6 +52,8 @@ class Error(Exception):
     option: str | None
     """The option of the command line that it is about, ``--torque``; the argument has its name without the dashes."""
     place: Place | None
+    faults: tuple[Fault, ...]
+    """All faults, at least one: of a file each value that is wrong."""
     exit_code: int
     """Exit code of the command line."""
     answer: Answer | None = None
@@ -50,13 +66,15 @@ class Error(Exception):
         name: str = "usage",
         option: str | None = None,
         place: Place | None = None,
+        faults: tuple[Fault, ...] = (),
         exit_code: int = 2,
     ) -> None:
         super().__init__(message)
         self.message, self.name, self.option, self.place, self.exit_code = message, name, option, place, exit_code
+        self.faults = faults or (Fault(name, message, place=place),)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (_again, (type(self), self.message, self.name, self.option, self.place, self.exit_code))
+        return (_again, (type(self), self.message, self.name, self.option, self.place, self.faults, self.exit_code))
 
 
 class Refused(Error, ValueError):
@@ -74,19 +92,32 @@ class FileFailure(Error, OSError):
 _KINDS: dict[int, type[Error]] = {1: NothingFound, 2: Refused, 3: FileFailure}
 
 
-def _again(kind: type[Error], message: str, name: str, option: str | None, place: Place | None, code: int) -> Error:
-    return kind(message, name=name, option=option, place=place, exit_code=code)
+def _again(
+    kind: type[Error],
+    message: str,
+    name: str,
+    option: str | None,
+    place: Place | None,
+    faults: tuple[Fault, ...],
+    code: int,
+) -> Error:
+    return kind(message, name=name, option=option, place=place, faults=faults, exit_code=code)
+
+
+def _place(record: Mapping[str, Any] | None) -> Place | None:
+    return Place(**record) if record else None
 
 
 def of_record(record: Mapping[str, Any]) -> Error:
     """The exception of a record that stands in place of an answer."""
-    place = record.get("place")
+    faults = (Fault(**{**fault, "place": _place(fault["place"])}) for fault in record.get("faults", []))
     code = int(record.get("exit_code", 2))
     return _KINDS.get(code, Refused)(
         str(record["message"]),
         name=str(record["name"]),
         option=record.get("option"),
-        place=Place(**place) if place else None,
+        place=_place(record.get("place")),
+        faults=tuple(faults),
         exit_code=code,
     )
 

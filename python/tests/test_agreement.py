@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import keyword
 import math
@@ -151,6 +152,7 @@ def test_python_answers_as_the_command_line(line: str, folder: Path, program: st
             assert record["option"] == error.option
             place = record["place"]
             assert place == (error.place and vars(error.place)), line
+            assert record["faults"] == [dataclasses.asdict(fault) for fault in error.faults], line
         else:
             assert error.message in called.stderr.decode()
         return

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import pickle
 from pathlib import Path
 from typing import Any
 
@@ -107,6 +108,24 @@ def test_a_refusal_is_the_same_with_a_file_and_nothing_is_written(tmp_path: Path
             box.analyze(**options)
         assert placed.value.place is not None and placed.value.place.line == 4
     assert not file.exists()
+
+
+def test_a_refusal_has_all_faults_of_a_file() -> None:
+    text = "gearbox: x\ninput: D\noutput: B\nsets: [{ id: 1, sun: D, ring: T, carrier: B, k: '3,5', modul: 4 mm }]\n"
+    with pytest.raises(epicyclic.Refused) as refused:
+        epicyclic.Gearbox.from_yaml(text, file="x.yaml").analyze()
+    error = refused.value
+    found = [(fault.name, fault.value, fault.remedy, fault.place and fault.place.path) for fault in error.faults]
+    assert found == [
+        ("wrong-type", "1", '"1"', "sets[0].id"),
+        ("decimal-comma", "3,5", "3.5", "sets[0].k"),
+        ("unknown-key", "modul", "module", "sets[0].modul"),
+    ]
+    assert pickle.loads(pickle.dumps(error)).faults == error.faults
+    with pytest.raises(epicyclic.Refused) as option:
+        epicyclic.analyze("II-3", k1=2.15, k2=2.354, gear="9")
+    only = option.value
+    assert only.faults == (epicyclic.Fault(only.name, only.message),)
 
 
 def test_nothing_found_has_its_answer_with_a_file_too(tmp_path: Path) -> None:

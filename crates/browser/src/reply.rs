@@ -3,7 +3,8 @@
 use epicyclic_commands::answer::Answer;
 use epicyclic_commands::answer::to_json;
 use epicyclic_commands::error::Error;
-use epicyclic_commands::refused::{Place, Refused};
+use epicyclic_commands::failure::WRONG;
+use epicyclic_commands::refused::Refused;
 
 /// Error returned instead of an answer.
 pub(crate) type Failure = Box<Refused>;
@@ -32,11 +33,10 @@ pub(crate) fn text(text: &str) -> String {
 /// A refusal of the answers.
 #[allow(clippy::needless_pass_by_value)] // `map_err` hands it over.
 pub(crate) fn refused(error: Error) -> Failure {
-    let place = Place::of_answer(&error);
-    Box::new(Refused { name: error.name(), message: error.to_string(), exit_code: 2, option: None, place })
+    Box::new(Refused::of_answer(&error, WRONG))
 }
 
 /// A refusal in words of its own.
 pub(crate) fn refuse(name: &'static str, message: impl Into<String>) -> Failure {
-    Box::new(Refused { name, message: message.into(), exit_code: 2, option: None, place: None })
+    Box::new(Refused::new(name, message.into(), WRONG))
 }

@@ -13,13 +13,25 @@ pub(crate) fn refused(error: &clap::Error) -> Refused {
     // What follows the first paragraph is advice for people at a terminal: usage, and where help is.
     let message = text.split("\n\n").next().unwrap_or_default();
     let message = message.strip_prefix("error: ").unwrap_or(message);
-    Refused {
-        name: name(error.kind()),
-        message: message.lines().map(str::trim).collect::<Vec<_>>().join(" "),
-        exit_code: WRONG,
-        option: option(error),
-        place: None,
+    let message = message.lines().map(str::trim).collect::<Vec<_>>().join(" ");
+    let text = |kind| match error.get(kind)? {
+        ContextValue::String(text) => Some(text.clone()).filter(|text| !text.is_empty()),
+        ContextValue::Strings(texts) => texts.first().cloned(),
+        _ => None,
+    };
+    let mut refused = Refused::new(name(error.kind()), message, WRONG).of_option(option(error));
+    for fault in &mut refused.faults {
+        let unknown = match error.kind() {
+            ErrorKind::UnknownArgument => text(ContextKind::InvalidArg),
+            ErrorKind::InvalidSubcommand => text(ContextKind::InvalidSubcommand),
+            _ => None,
+        };
+        fault.value = text(ContextKind::InvalidValue).or(unknown);
+        let suggested =
+            [ContextKind::SuggestedValue, ContextKind::SuggestedArg, ContextKind::SuggestedSubcommand];
+        fault.remedy = suggested.into_iter().find_map(text);
     }
+    refused
 }
 
 /// The option at fault, without the name of its value.

@@ -6,7 +6,7 @@
 //! - 3: a file or stream that cannot be read or written
 //! - 130: asked to end: Ctrl-C, or SIGTERM
 
-use crate::refused::{Place, Refused};
+use crate::refused::Refused;
 use crate::shared::drawability::answer::Conflict;
 use crate::shared::drawability::table as drawability;
 use crate::shared::fault::Fault;
@@ -272,12 +272,14 @@ impl Failure {
             Self::WrittenDash { option } => Some(option.clone()),
             _ => None,
         };
-        let place = match self {
-            Self::Document(error) => Some(Place::of(error)),
-            Self::Answer(error) => Place::of_answer(error),
-            _ => None,
+        let refused = match self {
+            Self::Answer(error) => Refused::of_answer(error, self.code()),
+            _ => Refused::new(self.name(), self.to_string(), self.code()),
         };
-        Refused { name: self.name(), message: self.to_string(), exit_code: self.code(), option, place }
+        match self {
+            Self::Document(error) => refused.in_file(error),
+            _ => refused.of_option(option),
+        }
     }
 
     /// Text of the failure for people. Names cannot break the line; only messages that list several things

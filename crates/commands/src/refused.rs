@@ -3,6 +3,7 @@
 
 use crate::answer::Answer;
 use crate::error::Error;
+use epicyclic_formats::Fault;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -18,6 +19,24 @@ pub struct Refused {
     pub exit_code: u8,
     /// The option that it is about; `null` where it is about none.
     pub option: Option<String>,
+    /// Where in a file it is; `null` where it is not in a file.
+    pub place: Option<Place>,
+    /// All faults, at least one: of a file each value that is wrong, else this one.
+    pub faults: Vec<RefusedFault>,
+}
+
+/// One of the faults of a refusal.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct RefusedFault {
+    /// Kind of the fault: a name that does not change with the message.
+    pub name: &'static str,
+    /// Fault and allowed values, for people.
+    pub message: String,
+    /// Text of the wrong value or key as written in the file or call; `null` for lists, maps and missing keys.
+    pub value: Option<String>,
+    /// Text to write in its place; `null` where none is known.
+    pub remedy: Option<String>,
     /// Where in a file it is; `null` where it is not in a file.
     pub place: Option<Place>,
 }
@@ -36,26 +55,59 @@ pub struct Place {
     pub path: String,
 }
 
-impl Place {
-    /// Where a fault of a document is.
+impl Refused {
+    /// A refusal with one fault, which is in no file.
     #[must_use]
-    pub fn of(error: &epicyclic_formats::Error) -> Self {
-        let at = error.at();
+    pub fn new(name: &'static str, message: String, exit_code: u8) -> Self {
+        let fault = RefusedFault { name, message: message.clone(), value: None, remedy: None, place: None };
+        Self { name, message, exit_code, option: None, place: None, faults: vec![fault] }
+    }
+
+    /// A refusal of a command.
+    #[must_use]
+    pub fn of_answer(error: &Error, exit_code: u8) -> Self {
+        let refused = Self::new(error.name(), error.to_string(), exit_code);
+        match error {
+            Error::Document(error) => refused.in_file(error),
+            Error::Placed { at, .. } => refused.in_file(at),
+            _ => refused,
+        }
+    }
+
+    /// The refusal with the places and faults of this error of a file.
+    #[must_use]
+    pub fn in_file(self, error: &epicyclic_formats::Error) -> Self {
+        let faults: Vec<RefusedFault> = error.faults().map(RefusedFault::of).collect();
+        Self { place: Some(Place::of(error.at())), faults, ..self }
+    }
+
+    /// The refusal of this option.
+    #[must_use]
+    pub fn of_option(self, option: impl Into<Option<String>>) -> Self {
+        Self { option: option.into(), ..self }
+    }
+}
+
+impl RefusedFault {
+    fn of(fault: &Fault) -> Self {
+        let Fault { at, problem, value } = fault;
+        Self {
+            name: problem.name(),
+            message: problem.to_string(),
+            value: value.clone(),
+            remedy: problem.remedy().map(str::to_owned),
+            place: Some(Place::of(at)),
+        }
+    }
+}
+
+impl Place {
+    fn of(at: &epicyclic_formats::Place) -> Self {
         Self {
             file: at.file.to_string(),
             line: at.position.line,
             column: at.position.column,
             path: if at.path.is_root() { String::new() } else { at.path.to_string() },
-        }
-    }
-
-    /// Where an error that has a place is.
-    #[must_use]
-    pub fn of_answer(error: &Error) -> Option<Self> {
-        match error {
-            Error::Document(error) => Some(Self::of(error)),
-            Error::Placed { at, .. } => Some(Self::of(at)),
-            _ => None,
         }
     }
 }

@@ -18,7 +18,7 @@ use uom::si::f64::{
     Angle, AngularVelocity, Length, Mass, MassDensity, MomentOfInertia, Power, Pressure, Ratio, Torque,
 };
 
-use crate::{Document, Error, FileKind, Path, Problem, Span};
+use crate::{Document, Error, FileKind, Path, Span};
 use epicyclic_units::{Number, Quantity};
 
 mod fields;
@@ -34,7 +34,7 @@ pub use place::place;
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DriveFile {
-    /// What the drive is for; printed above the answer.
+    /// Purpose of the drive; printed above the answer.
     pub title: Option<String>,
     /// Power at the sun's shaft.
     pub power: Quantity<Power>,
@@ -45,7 +45,7 @@ pub struct DriveFile {
     pub ratio: Option<Number>,
     /// How far the ratio may be off, below 100 %. Default 1 %.
     pub ratio_tolerance: Option<Quantity<Ratio>>,
-    /// Tooth numbers, or bounds for them. Default: sought.
+    /// Tooth numbers, or bounds for them. Default: found by a search.
     pub teeth: Option<TeethFile>,
     /// Efficiencies of the meshes.
     pub mesh_efficiency: Option<MeshEfficiencyFile>,
@@ -111,11 +111,11 @@ impl From<Spacing> for Placement {
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MeshEfficiencyFile {
-    /// Of sun and planet. Default 0.97.
+    /// Mesh of sun and planet. Default 0.97.
     pub sun_planet: Option<Quantity<Ratio>>,
-    /// Of planet and ring. Default 0.98.
+    /// Mesh of planet and ring. Default 0.98.
     pub planet_ring: Option<Quantity<Ratio>>,
-    /// Of the bearings of a planet on its pin. Default 1: nothing lost in them.
+    /// Bearings of a planet on its pin. Default 1: nothing lost in them.
     pub planet_bearings: Option<Quantity<Ratio>>,
 }
 
@@ -124,11 +124,11 @@ pub struct MeshEfficiencyFile {
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PartsFile {
-    /// Of the sun.
+    /// The sun.
     pub sun: Option<PartFile>,
-    /// Of one planet.
+    /// One planet.
     pub planet: Option<PartFile>,
-    /// Of the carrier without planets.
+    /// The carrier without planets.
     pub carrier: Option<PartFile>,
 }
 
@@ -183,7 +183,7 @@ pub struct ShaftsFile {
     pub carrier: Option<ShaftFile>,
 }
 
-/// What is already decided of a shaft; a warning says where it does not satisfy the formula.
+/// Data of a shaft that are already decided; a warning says where they do not satisfy the formula.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ShaftFile {
@@ -261,25 +261,6 @@ pub struct StartFile {
     pub load: Option<Quantity<Torque>>,
 }
 
-/// A value that is well written but means nothing, and the path to it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Misfit {
-    /// Where it is.
-    pub path: Path,
-    /// What is wrong with it.
-    pub problem: Problem,
-}
-
-impl Misfit {
-    fn new(path: &str, name: &'static str, reason: impl std::fmt::Display) -> Self {
-        Self { path: place::path(path), problem: Problem::refused(name, reason.to_string()) }
-    }
-
-    fn of_gear(path: &str, error: &epicyclic_gears::Error) -> Self {
-        Self::new(path, error.name(), error)
-    }
-}
-
 /// The file in a document, and what is meant by it.
 ///
 /// ```
@@ -296,10 +277,10 @@ impl Misfit {
 /// ```
 ///
 /// # Errors
-/// The first thing wrong, with its place.
+/// All independent faults with their places.
 pub fn read(document: &Document) -> Result<(DriveFile, DriveSpec), Error> {
     document.must_be(FileKind::Drive)?;
     let file: DriveFile = document.read()?;
-    let spec = file.spec().map_err(|misfit| document.error(&misfit.path, misfit.problem))?;
+    let spec = file.spec().map_err(|faults| faults.placed(document, &Path::root()))?;
     Ok((file, spec))
 }

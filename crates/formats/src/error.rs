@@ -1,4 +1,4 @@
-//! What may be wrong with a document, and where.
+//! Faults of documents and their places.
 
 use std::{fmt, sync::Arc};
 
@@ -17,6 +17,24 @@ pub struct Fault {
     pub at: Place,
     /// Problem of the value or key.
     pub problem: Problem,
+    /// Text of the wrong value, or of the wrong key, as written in the file; `None` for lists, maps and
+    /// missing keys.
+    pub value: Option<String>,
+}
+
+impl Fault {
+    /// A fault at a place with a value of this text.
+    pub(crate) fn new(at: Place, problem: Problem, value: Option<&str>) -> Self {
+        let value = match &problem {
+            Problem::UnknownKey { key, .. } | Problem::RenamedKey { key, .. } => Some(key.as_str()),
+            // Within braces the text is two entries.
+            Problem::Quantity(QuantityError::DecimalComma { text, .. }) => Some(text.as_str()),
+            Problem::MissingKey { .. } => None,
+            _ => value,
+        };
+        let value = value.map(str::to_owned);
+        Self { at, problem, value }
+    }
 }
 
 impl fmt::Display for Fault {
@@ -28,20 +46,18 @@ impl fmt::Display for Fault {
 
 impl Error {
     pub(crate) fn new(at: Place, problem: Problem) -> Self {
-        Self(Box::new((Fault { at, problem }, vec![])))
+        Fault::new(at, problem, None).into()
     }
 
     /// An error of several faults, in this order. Without any it is an empty file.
-    pub(crate) fn all(faults: Vec<(Place, Problem)>) -> Self {
-        let mut faults = faults.into_iter().map(|(at, problem)| Fault { at, problem });
-        let none = || Fault {
-            at: Place { file: "".into(), position: Position::START, path: Path::root() },
-            problem: Problem::EmptyFile,
-        };
-        Self(Box::new((faults.next().unwrap_or_else(none), faults.collect())))
+    pub(crate) fn all(faults: Vec<Fault>) -> Self {
+        let mut faults = faults.into_iter();
+        let empty = Place { file: "".into(), position: Position::START, path: Path::root() };
+        let first = faults.next().unwrap_or_else(|| Fault::new(empty, Problem::EmptyFile, None));
+        Self(Box::new((first, faults.collect())))
     }
 
-    /// All faults, in the order of their positions.
+    /// Faults in the order of their positions.
     pub fn faults(&self) -> impl Iterator<Item = &Fault> {
         let (first, others) = &*self.0;
         std::iter::once(first).chain(others)
@@ -75,6 +91,12 @@ impl fmt::Display for Error {
     }
 }
 
+impl From<Fault> for Error {
+    fn from(fault: Fault) -> Self {
+        Self(Box::new((fault, vec![])))
+    }
+}
+
 // No `source`: the message already says all the problem says.
 impl std::error::Error for Error {}
 
@@ -96,7 +118,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// What may be wrong with a document.
+/// Problem of a document.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, strum::IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
@@ -110,7 +132,7 @@ pub enum Problem {
     /// A control character, or another that shows nothing.
     #[error("an invisible character, U+{code:04X}; remove it")]
     ControlCharacter {
-        /// Its code point.
+        /// Code point of the character.
         code: u32,
     },
     /// More bytes than a document may have.
@@ -136,7 +158,7 @@ pub enum Problem {
     /// Not YAML.
     #[error("not YAML: {message}")]
     Syntax {
-        /// What the parser says.
+        /// Message of the parser.
         message: String,
     },
     /// Maps and sequences within each other beyond reason.
@@ -187,7 +209,7 @@ pub enum Problem {
     RenamedKey {
         /// The key.
         key: String,
-        /// Its name today.
+        /// Name of the key today.
         new: String,
     },
     /// A key that must be here.
@@ -207,19 +229,19 @@ pub enum Problem {
     /// Text for a number, a number for a map, and so on.
     #[error("{found} where {expected} is due{}", or_write(correction.as_deref()))]
     WrongType {
-        /// What is there.
+        /// Value in the file, in words.
         found: String,
-        /// What is due.
+        /// Allowed values, in words.
         expected: String,
-        /// What to write, if that can be told.
+        /// Text to write instead, if it is known.
         correction: Option<String>,
     },
     /// A value of the right type that is out of its range.
     #[error("{found} where {expected} is due")]
     OutOfRange {
-        /// What is there.
+        /// Value in the file, in words.
         found: String,
-        /// What is due.
+        /// Allowed values, in words.
         expected: String,
     },
     /// A sequence or map with too few or too many entries.
@@ -227,7 +249,7 @@ pub enum Problem {
     WrongLength {
         /// How many there are.
         found: usize,
-        /// What is due.
+        /// Allowed values, in words.
         expected: String,
     },
     /// A value that its type or a calculation refuses.
@@ -235,8 +257,10 @@ pub enum Problem {
     Refused {
         /// The name of the fault, which does not change with the message: `cyclic-grounds`.
         name: &'static str,
-        /// Why.
+        /// Reason of the refusal.
         message: String,
+        /// Text that would be right here, if it is known.
+        remedy: Option<String>,
     },
     /// A fault of a number or quantity.
     #[error(transparent)]
@@ -247,7 +271,26 @@ impl Problem {
     /// A refusal by its name, and why.
     #[must_use]
     pub fn refused(name: &'static str, message: impl Into<String>) -> Self {
-        Self::Refused { name, message: message.into() }
+        Self::Refused { name, message: message.into(), remedy: None }
+    }
+
+    /// Text to write in place of the wrong value or key, if it is known.
+    #[must_use]
+    pub fn remedy(&self) -> Option<&str> {
+        match self {
+            Self::UnknownKey { key: text, allowed } | Self::UnknownName { found: text, allowed } => {
+                nearest(text, allowed).filter(|_| !is_after_comma(text))
+            }
+            Self::RenamedKey { new, .. } => Some(new),
+            Self::WrongType { correction, .. } => {
+                let text = correction.as_deref()?;
+                let known = [" for an empty one", " for one entry"].into_iter();
+                Some(known.fold(text, |text, reason| text.strip_suffix(reason).unwrap_or(text)))
+            }
+            Self::Refused { remedy, .. } => remedy.as_deref(),
+            Self::Quantity(error) => error.corrected(),
+            _ => None,
+        }
     }
 
     /// The name of the fault, which does not change: `unknown-key`; of a quantity or a calculation that of
@@ -276,9 +319,13 @@ pub fn nearest<'a>(text: &str, allowed: &'a [String]) -> Option<&'a str> {
     (likeness(best) >= 0.5).then_some(best)
 }
 
+/// Whether a key is the rest of a decimal: `efficiency: 0,99` within braces is two entries.
+fn is_after_comma(key: &str) -> bool {
+    !key.is_empty() && key.bytes().all(|byte| byte.is_ascii_digit())
+}
+
 fn suggestion(text: &str, allowed: &[String]) -> String {
-    if !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit()) {
-        // `efficiency: 0,99` within braces is two entries.
+    if is_after_comma(text) {
         return "; a comma parts entries: write a decimal point before these digits?".to_owned();
     }
     nearest(text, allowed).map(|best| format!("; write {best}?")).unwrap_or_default()

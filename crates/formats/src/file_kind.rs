@@ -1,15 +1,15 @@
-//! What a file describes, told by its keys.
+//! Kinds of files, recognized by their keys.
 
 use crate::{Document, Error, Path, Problem};
 
-/// What a file describes.
+/// Kind of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum FileKind {
     /// A gearbox.
     Gearbox,
     /// A list of published gearboxes.
     Transmissions,
-    /// What is simulated.
+    /// A motion to simulate.
     Scenario,
     /// A drive whose planetary set is designed.
     Drive,
@@ -18,7 +18,7 @@ pub enum FileKind {
 }
 
 impl FileKind {
-    /// With its article.
+    /// Name of the kind with its article.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -43,7 +43,7 @@ impl FileKind {
 }
 
 impl Document {
-    /// What it describes by its first keys; nothing where these are of no file that the program reads.
+    /// Kind of the file by its first keys; `None` if they belong to no file that the program reads.
     #[must_use]
     pub fn kind(&self) -> Option<FileKind> {
         let has = |key: &str| self.value().get(key).is_some();
@@ -63,7 +63,7 @@ impl Document {
         }
     }
 
-    /// Refuses a file that describes something else than what is due, and tells who reads it.
+    /// Refuses a file that describes something else than required; the message says which commands read it.
     ///
     /// # Errors
     /// [`Problem::Refused`] at the beginning of the document. What describes nothing known is left to whoever

@@ -48,19 +48,18 @@
 //! # }
 //! ```
 
-use crate::Path;
+use crate::Problem;
 use crate::drive::Spacing;
-use epicyclic_train::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_SETS};
-use epicyclic_train::{GROUND, GearSpec, Gearbox, Named};
 use epicyclic_units::{Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity, Ratio, Time, Torque};
 
 mod checks;
 mod compound;
 mod data_sheet;
+mod described;
 mod drag;
 mod kind;
 mod losses;
@@ -73,13 +72,12 @@ mod tools;
 mod transmissions;
 mod vibration;
 mod written;
-use checks::unique;
 pub use compound::{CompoundEntry, ListedPlanetEntry, MeshEntry, Note, PlanetSizeEntry, PlanetSized};
 pub use data_sheet::DataSheetEntry;
 pub use drag::{BeyondEntry, DragCurveEntry, DragEntry};
 pub use kind::{KindEntry, RollingEntry};
 use losses::losses;
-pub use place::{gear_place, located, part_place};
+pub use place::{gear_place, part_place};
 use spacing::spaced;
 pub use strength::{
     AccuracyEntry, DutyEntry, FloatingEntry, MaterialClass, MaterialEntry, OilEntry, OverloadEntry,
@@ -157,8 +155,6 @@ pub enum DescriptionError {
     Tools {
         /// The set.
         set: String,
-        /// Way from the set to what is wrong; of it as much counts as the file has.
-        at: Path,
         /// Why.
         source: ToolMisfit,
     },
@@ -184,7 +180,7 @@ pub enum DescriptionError {
     Missing {
         /// The set.
         set: String,
-        /// What is missing.
+        /// Missing key.
         missing: &'static str,
     },
     /// A member of a set in no link.
@@ -205,13 +201,11 @@ pub enum DescriptionError {
         /// The other.
         second: String,
     },
-    /// What one set refuses.
+    /// Error of the gears of a set.
     #[error("set `{set}`: {source}")]
     Set {
         /// The set.
         set: String,
-        /// The way to the value within the set; the root where the source tells the key.
-        at: Path,
         /// The reason.
         source: epicyclic_gears::Error,
     },
@@ -236,7 +230,7 @@ pub enum DescriptionError {
         set: String,
         /// The key.
         key: &'static str,
-        /// What the values are of.
+        /// Gears or meshes that the values belong to.
         of: &'static str,
         /// How many are given.
         given: usize,
@@ -251,9 +245,6 @@ pub enum DescriptionError {
         /// The set.
         set: String,
     },
-    /// What the solver refuses.
-    #[error(transparent)]
-    Gearbox(#[from] epicyclic_train::Error),
 }
 
 impl DescriptionError {
@@ -263,9 +254,19 @@ impl DescriptionError {
         match self {
             Self::Rack(source) => source.name(),
             Self::Set { source, .. } => source.name(),
-            Self::Gearbox(error) => error.name(),
             named => named.into(),
         }
+    }
+
+    /// Error of the gears of a set.
+    fn of_set(set: &str, source: epicyclic_gears::Error) -> Self {
+        Self::Set { set: set.to_owned(), source }
+    }
+}
+
+impl From<DescriptionError> for Problem {
+    fn from(error: DescriptionError) -> Self {
+        Self::refused(error.name(), error.to_string())
     }
 }
 
@@ -273,7 +274,7 @@ impl DescriptionError {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GearboxFile {
-    /// Its name.
+    /// Name of the gearbox.
     pub gearbox: String,
     /// Link where power enters, unless a gear says otherwise.
     pub input: String,
@@ -335,7 +336,7 @@ pub struct GearboxFile {
     /// Part of the planet bearings that reach their life: 90, 95, 96, 97, 98 or 99 %. Default 90 %.
     #[serde(default)]
     pub bearing_reliability: Option<Quantity<Ratio>>,
-    /// What the gearbox does in its life: shares of the time in gears at loads.
+    /// Duty of the gearbox: shares of the time in gears at loads.
     #[serde(default)]
     pub duty: Vec<DutyEntry>,
     /// The greatest torques in its life, for the static strength of teeth.
@@ -353,7 +354,7 @@ pub struct GearboxFile {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SetEntry {
-    /// Its name.
+    /// Name of the set.
     pub id: String,
     /// How its planets join the central wheels; `simple` unless given.
     #[serde(default)]
@@ -397,7 +398,7 @@ pub struct SetEntry {
     /// fillets of the planets.
     #[serde(default)]
     pub tip_alterations: Option<Vec<Number>>,
-    /// What cuts the gears of a simple set.
+    /// Tools that cut the gears of a simple set.
     #[serde(default)]
     pub tools: Option<ToolsEntry>,
     /// Helix angle of a simple set with `teeth`, at the reference cylinders and without its hand. `module` is
@@ -432,7 +433,7 @@ pub struct SetEntry {
     /// Dynamic load rating of the bearings of one planet together, for their life.
     #[serde(default)]
     pub load_rating: Option<Quantity<Force>>,
-    /// What rolls in these bearings. Default balls.
+    /// Rolling elements of these bearings. Default balls.
     #[serde(default)]
     pub bearing_rolling: RollingEntry,
     /// Static load rating of these bearings together, for their safety at rest.
@@ -462,11 +463,11 @@ pub struct SetEntry {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BrakeEntry {
-    /// Its name.
+    /// Name of the brake.
     pub id: String,
     /// The link it holds.
     pub link: String,
-    /// Its drag torque while it is not engaged, for `epicyclic losses` and `epicyclic simulate`.
+    /// Drag torque while the element is not engaged, for `epicyclic losses` and `epicyclic simulate`.
     #[serde(default)]
     pub drag: Option<DragCurveEntry>,
 }
@@ -475,7 +476,7 @@ pub struct BrakeEntry {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ClutchEntry {
-    /// Its name.
+    /// Name of the clutch.
     pub id: String,
     /// The links it joins.
     #[serde(default)]
@@ -483,7 +484,7 @@ pub struct ClutchEntry {
     /// In place of `links`, of a one-way clutch: it keeps the first link from turning slower than the second.
     #[serde(default)]
     pub one_way: Option<[String; 2]>,
-    /// Its drag torque while it is not engaged, for `epicyclic losses` and `epicyclic simulate`.
+    /// Drag torque while the element is not engaged, for `epicyclic losses` and `epicyclic simulate`.
     #[serde(default)]
     pub drag: Option<DragCurveEntry>,
 }
@@ -492,7 +493,7 @@ pub struct ClutchEntry {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GearEntry {
-    /// Its name.
+    /// Name of the gear.
     pub name: String,
     /// Engaged brakes and clutches.
     #[serde(default)]
@@ -511,85 +512,13 @@ pub struct GearEntry {
     pub torques: BTreeMap<String, Quantity<Torque>>,
 }
 
-impl GearboxFile {
-    /// The gearbox described.
-    ///
-    /// # Errors
-    /// [`DescriptionError`]; a shift element or gear that names a link which exists nowhere else is
-    /// [`epicyclic_train::Error::Unknown`], with the nearest name.
-    pub fn gearbox(&self) -> Result<Gearbox, DescriptionError> {
-        self.check_counts()?;
-        let sets = self.sets.iter().map(|set| &set.id).chain(self.compound_sets.iter().map(|set| &set.id));
-        let brakes = self.brakes.iter().map(|brake| &brake.id);
-        unique(Named::Set, sets)?;
-        unique(Named::ShiftElement, brakes.chain(self.clutches.iter().map(|clutch| &clutch.id)))?;
-        unique(Named::Gear, self.gears.iter().map(|gear| &gear.name))?;
-        let short = self.sets.iter().flat_map(|set| [Some(&set.sun), Some(&set.ring), set.carrier.as_ref()]);
-        let members = short.flatten().chain(self.compound_sets.iter().flat_map(CompoundEntry::members));
-        let clutches =
-            self.clutches.iter().flat_map(|clutch| clutch.links.iter().chain(&clutch.one_way).flatten());
-        let tied = clutches.chain(self.ties.iter().flatten());
-        // A terminal that nothing else names is a slip of the pen, and no link.
-        let is_named = |terminal: &&String| {
-            members.clone().chain(&self.links).chain(tied.clone()).any(|link| link == *terminal)
-        };
-        let input = Some(&self.input).filter(is_named);
-        let output = Some(&self.output).filter(is_named);
-        let mut seen = BTreeSet::from([GROUND]);
-        let named = input.into_iter().chain(members.clone()).chain(output).chain(&self.links);
-        let links: Vec<&str> = named.map(String::as_str).filter(|link| seen.insert(link)).collect();
-        let mut builder =
-            Gearbox::builder(&self.gearbox).links(links).input(&self.input).output(&self.output);
-        for set in &self.sets {
-            builder = builder.set(self.with_friction(set, self.with_tools(set, set.spec()?)?)?);
-        }
-        for set in &self.compound_sets {
-            builder = builder.compound_set(set.spec(|link| Ok(link.to_owned()))?);
-        }
-        for brake in &self.brakes {
-            builder = builder.brake(&brake.id, &brake.link);
-        }
-        for ClutchEntry { id, links, one_way, .. } in &self.clutches {
-            builder = match (links, one_way) {
-                (Some([first, second]), None) => builder.clutch(id, first, second),
-                (None, Some([first, second])) => builder.one_way_clutch(id, first, second),
-                _ => return Err(DescriptionError::Clutch { clutch: id.clone() }),
-            };
-        }
-        for link in &self.grounds {
-            builder = builder.ground(link);
-        }
-        for [first, second] in &self.ties {
-            builder = builder.tie(first, second);
-        }
-        for GearEntry { name, engaged, input, output, .. } in self.gears.iter().cloned() {
-            builder = builder.gear_spec(GearSpec { name, engaged, input, output });
-        }
-        Ok(builder.build()?)
-    }
-
-    /// What is too much is refused before anything is looked up.
-    fn check_counts(&self) -> Result<(), DescriptionError> {
-        let counts = [
-            (Named::Set, self.sets.len() + self.compound_sets.len(), MOST_SETS),
-            (Named::ShiftElement, self.brakes.len() + self.clutches.len(), MOST_ELEMENTS),
-            (Named::Gear, self.gears.len(), MOST_GEARS),
-            (Named::Link, self.links.len().max(self.ties.len()).max(self.grounds.len()), MOST_LINKS),
-        ];
-        match counts.into_iter().find(|(_, count, limit)| count > limit) {
-            Some((what, count, limit)) => Err(epicyclic_train::Error::TooMany { what, count, limit }.into()),
-            None => Ok(()),
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::Document;
     use epicyclic_gears::efficiency::MeshEfficiency;
-    use epicyclic_train::PlanetSet;
     use epicyclic_train::set::MeshLoss;
+    use epicyclic_train::{Gearbox, PlanetSet};
 
     fn read(text: &str) -> Result<Gearbox, String> {
         let document = Document::parse_one("box.yaml", text.as_bytes()).map_err(|e| e.to_string())?;

@@ -1,4 +1,4 @@
-//! What people write: quantities with units, YAML with positions, schemas.
+//! Input files: quantities with units, YAML with positions, schemas.
 //!
 //! | module | answers |
 //! |---|---|
@@ -42,6 +42,7 @@
 pub mod document;
 pub mod drive;
 mod error;
+mod faults;
 mod file_kind;
 pub mod gearbox;
 pub mod motor;
@@ -52,6 +53,7 @@ pub mod yaml;
 
 pub use document::{Document, Path, Position};
 pub use error::{Error, Fault, Place, Problem, nearest};
+pub use faults::Faults;
 pub use file_kind::FileKind;
 pub use range::{RangeError, Span};
 pub use wanted_ratio::WantedRatio;

@@ -34,7 +34,7 @@ use epicyclic_units::{Number, Quantity};
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MotorFile {
-    /// What the motor is for; the title of its page.
+    /// Purpose of the motor; the title of its page.
     pub title: Option<String>,
     /// `N`: arches of the stator.
     pub stator: u32,
@@ -95,11 +95,11 @@ pub struct TeethForm {
     pub backlash: Option<Number>,
     /// Radius `ρ*` of the rounded tips of the cutters. Default 0.1.
     pub fillet: Option<Number>,
-    /// What lies in the middle of the stator's crests. Default `space`.
+    /// Middle of the stator's crests. Default `space`.
     pub crest: Option<Crest>,
 }
 
-/// What lies in the middle of the stator's crests.
+/// Middle of the stator's crests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Crest {
@@ -167,7 +167,7 @@ impl MotorFile {
         Ok((Motor::of_two_arcs(numbers, module, arcs.trough_distance())?, Some(family)))
     }
 
-    /// What it says beside the geometry.
+    /// Data besides the geometry.
     #[must_use]
     pub fn made(&self) -> Keys {
         Keys {

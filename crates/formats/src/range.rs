@@ -26,9 +26,9 @@ pub struct Span<T> {
     to: Option<T>,
 }
 
-/// What may stand at the ends of a [`Span`].
+/// Value at the ends of a [`Span`].
 pub trait End: Copy + PartialOrd + fmt::Display + sealed::Sealed {
-    /// What it is called: `a whole number`.
+    /// Name of the value in messages: `a whole number`.
     const NAME: &'static str;
     /// Shown where one is due.
     const EXAMPLE: &'static str;
@@ -73,7 +73,7 @@ pub enum RangeError {
     Empty {
         /// The text.
         text: String,
-        /// What to write.
+        /// Text to write instead.
         example: &'static str,
     },
     /// An end that is not a number.
@@ -81,9 +81,9 @@ pub enum RangeError {
     End {
         /// The text.
         text: String,
-        /// What is wrong with the end.
+        /// Fault of the end.
         reason: String,
-        /// What to write.
+        /// Text to write instead.
         example: &'static str,
     },
     /// The greater number first.

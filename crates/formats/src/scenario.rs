@@ -44,7 +44,7 @@ use uom::si::f64::{AngularVelocity, Length, Mass, MomentOfInertia, Ratio, Time};
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ScenarioFile {
-    /// Its name.
+    /// Name of the scenario.
     pub scenario: String,
     /// The gearbox, with the keys of a gearbox file.
     #[serde(default)]
@@ -149,7 +149,7 @@ pub struct StartEntry {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ThresholdEntry {
-    /// Its name.
+    /// Name of the threshold.
     pub id: String,
     /// The link.
     pub link: String,
@@ -197,7 +197,7 @@ pub fn read(document: &Document) -> Result<ScenarioFile, Error> {
     read_changed(document, document.value())
 }
 
-/// The same of another value in place of the document's own: one with another number in it.
+/// The scenario of a changed value in place of the document's own.
 ///
 /// # Errors
 /// As [`read`].

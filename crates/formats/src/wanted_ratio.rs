@@ -35,30 +35,30 @@ use uom::si::f64::Ratio;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WantedRatio {
-    /// Its ratio.
+    /// Ratio of the gear.
     pub wanted: Wanted,
     /// Whether the gear may be missing.
     pub optional: bool,
 }
 
-/// Which ratios a gear may have.
+/// Ratios that a gear may have.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Wanted {
-    /// Those near one.
+    /// Ratios near one.
     Around {
         /// The ratio, not 0.
         ratio: f64,
         /// How near; nothing where the tolerance of the list holds.
         within: Option<Within>,
     },
-    /// Those from the lower to the upper bound, of one sign.
+    /// Ratios from the lower to the upper bound, of one sign.
     Range {
         /// The lower.
         least: f64,
         /// The upper.
         most: f64,
     },
-    /// Those between the gears before and after.
+    /// Ratios between those of the gears before and after.
     Free,
 }
 
@@ -80,7 +80,7 @@ pub enum WantedRatioError {
     Number {
         /// The text of the gear.
         text: String,
-        /// What is wrong, with the text of the number.
+        /// Fault of the text, with the text of the number.
         reason: QuantityError,
     },
     /// A range with one end.

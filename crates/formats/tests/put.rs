@@ -1,10 +1,11 @@
-//! Faults put into gearbox files of several styles: each is found with its name, line, column and path, alone
-//! and together with another one.
+//! Faults put into files: each is found with its name, line, column and path, alone and together with another
+//! one; in gearbox files of several styles those of values, in all kinds of files those of what they describe.
 
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use epicyclic_formats::Document;
-use epicyclic_formats::gearbox::GearboxFile;
+use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
+use epicyclic_formats::scenario::ScenarioFile;
+use epicyclic_formats::{Document, Error, Path, drive, motor};
 use proptest::prelude::*;
 
 /// Changed text, the wrong key or value in it, path and name of the fault.
@@ -152,4 +153,314 @@ fn missing_keys_and_wrong_values_are_found_together() {
             "box.yaml:5:16: sets[1].k wrong-type",
         ]
     );
+}
+
+/// A file without faults, how it is read, and the faults put into it.
+struct Sound {
+    text: &'static str,
+    read: fn(&Document) -> Result<(), Error>,
+    cases: &'static [(&'static str, &'static str, &'static str, &'static str)],
+}
+
+const BOX: &str = "\
+gearbox: II
+input: D
+output: B
+links: [L]
+sets:
+  - { id: P, sun: D, ring: T1, carrier: B, k: 3 }
+  - { id: Q, sun: D, ring: T2, carrier: T1, teeth: [20, 60], planets: 3 }
+  - { id: R, sun: D, ring: T4, carrier: T1, teeth: [24, 66], planets: 3 }
+  - { id: S, kind: stepped_suns, sun: D, ring: T5, carrier: T1, k: 2 }
+compound_sets:
+  - { id: C, carrier: B, suns: { D: 20 }, rings: { T3: 60 }, planet_gears: { p: [20] }, meshes: [{ gears: [D, p] }, { gears: [p, T3] }] }
+brakes:
+  - { id: K1, link: T1 }
+  - { id: K2, link: T2, drag: { speeds: [0 rpm, 100 rpm], torques: [1 N·m, 2 N·m] } }
+clutches:
+  - { id: K3, links: [T1, B] }
+  - { id: F, one_way: [T2, B] }
+grounds: [L]
+ties: [[T3, T2]]
+drags:
+  - { id: seal, between: [D, ground], curve: { speeds: [0 rpm, 3000 rpm], torques: [1 N·m, 3 N·m] } }
+gears:
+  - { name: one, engaged: [K1, K3] }
+  - { name: two, engaged: [K2], input: D }
+";
+
+const LIST: &str = "\
+transmissions:
+- name: n_x
+  sets:
+  - { id: P, planet: simple, sun: X, ring: Y, carrier: Z, z_s: 20, z_r: 60, n_p: 3 }
+  - { id: Q, planet: pair, gear_a: V, gear_b: W, z_a: 24, z_b: 77 }
+  links: { n_x: [X, V], n_y: [Y], n_z: [Z], n_w: [W] }
+  input: n_x
+  output: n_z
+  shift_elements: { C: [n_y, ground] }
+  one_way: { F: [n_w, n_z] }
+  gears:
+  - { name: one, engaged: [C], published_ratio: 4.00, printed_decimals: 2 }
+";
+
+const DRIVE: &str = "\
+power: 30 kW
+speed: 1450 rpm
+ratio: 5
+teeth: { sun: 18..30, planets: 3 }
+mesh_efficiency: { sun_planet: 0.97, planet_ring: 98 % }
+gear_set: { module: 5 mm, face_width: 50 mm, sun_bore: 10 mm }
+shafts: { sun: { diameter: 40 mm, bearing: 6310 } }
+carrier: { inertia: 1 kg·m² }
+parts: { sun: { mass: 3 kg }, planet: { inertia: 0.1 kg·m² } }
+";
+
+const SCENARIO: &str = "\
+scenario: run up
+gearbox:
+  gearbox: I
+  input: D
+  output: B
+  sets: [{ id: P, sun: D, ring: T1, carrier: B, k: 3 }]
+  brakes: [{ id: K1, link: T1 }]
+inertias: { D: 1 kg·m² }
+engaged: [K1]
+start: { input_speed: 100 rpm }
+duration: 2 s
+";
+
+const MOTOR: &str = "stator: 5\nrotor: 3\nz3: 55\nzs: 10\nmodule: 2 mm\nwidth: 30 mm\n";
+
+fn gearbox(document: &Document) -> Result<(), Error> {
+    let file: GearboxFile = document.read()?;
+    let built = file.gearbox().and_then(|gearbox| {
+        let drags = file.drags(&gearbox);
+        match file.planet_bearings(&gearbox) {
+            Ok(_) => drags.map(drop),
+            Err(faults) => Err(faults.and(drags.err())),
+        }
+    });
+    built.map_err(|faults| faults.placed(document, &Path::root()))
+}
+
+fn transmission(document: &Document) -> Result<(), Error> {
+    let file: TransmissionsFile = document.read()?;
+    let base = Path::root().key("transmissions").index(0);
+    file.transmissions[0].gearbox().map(drop).map_err(|faults| faults.placed(document, &base))
+}
+
+fn scenario(document: &Document) -> Result<(), Error> {
+    let file: ScenarioFile = document.read()?;
+    let gearbox = file.gearbox.unwrap().gearbox();
+    gearbox.map(drop).map_err(|faults| faults.placed(document, &Path::root().key("gearbox")))
+}
+
+/// Faults of one list are found together; those of values come before the others.
+const SOUND: [Sound; 8] = [
+    Sound {
+        text: BOX,
+        read: gearbox,
+        cases: &[
+            ("link: T1 }", "link: @zz@ }", "brakes[0].link", "unknown"),
+            ("links: [T1, B]", "links: [T1, @zz@]", "clutches[0].links[1]", "unknown"),
+            ("one_way: [T2, B]", "one_way: [@zz@, B]", "clutches[1].one_way[0]", "unknown"),
+            ("[T3, T2]", "[@zz@, T2]", "ties[0][0]", "unknown"),
+            ("grounds: [L]", "grounds: [@zz@]", "grounds[0]", "unknown"),
+            ("grounds: [L]", "grounds: [L, @L@]", "grounds[1]", "cyclic-grounds"),
+            ("[K1, K3]", "[K1, @K9@]", "gears[0].engaged[1]", "unknown"),
+            ("[K1, K3]", "[K1, @K1@]", "gears[0].engaged[1]", "engaged-twice"),
+            ("input: D }", "input: @yy@ }", "gears[1].input", "unknown"),
+            ("input: D }", "input: @ground@ }", "gears[1].input", "grounded-terminal"),
+            ("output: B\n", "output: @xx@\n", "output", "unknown"),
+            ("output: B\n", "output: @ground@\n", "output", "grounded-terminal"),
+            ("{ id: Q", "@{ id: P@", "sets[1]", "duplicate"),
+            ("{ id: C", "@{ id: R@", "compound_sets[0]", "duplicate"),
+            ("{ id: F", "@{ id: K3@", "clutches[1]", "duplicate"),
+            ("{ name: two", "@{ name: one@", "gears[1]", "duplicate"),
+            ("k: 3", "k: @0.5@", "sets[0].k", "ring-to-sun-ratio"),
+            ("k: 3", "k: 3, efficiency: @1.2@", "sets[0].efficiency", "efficiency"),
+            ("k: 3", "k: 3, meshes: @[0.9]@", "sets[0].meshes", "losses"),
+            ("k: 3", "k: 3, teeth: @[20, 60]@", "sets[0].teeth", "row-known-in-one-way"),
+            ("[20, 60], planets: 3", "[20, @0@], planets: 3", "sets[1].teeth[1]", "no-teeth"),
+            ("[20, 60], planets: 3", "[20, 60], planets: @0@", "sets[1].planets", "planet-count"),
+            ("66], planets: 3", "66], planet_angles: @[0 deg, 0 deg]@", "sets[2].planet_angles", "spacing"),
+            ("[24, 66]", "[24, 66], helix_angle: @80 deg@", "sets[2].helix_angle", "out-of-range"),
+            ("{ id: R, sun: D, ring: T4", "@{ id: R, sun: D, ring: D@", "sets[2]", "coincident-members"),
+            (
+                "{ id: S, kind: stepped_suns, sun: D, ring: T5, carrier: T1, k: 2",
+                "@{ id: S, kind: stepped_suns, sun: D, ring: T5, carrier: T1, teeth: [20, 30]@",
+                "sets[3]",
+                "steps-missing",
+            ),
+            ("suns: { D: 20 }", "suns: { D: @0@ }", "compound_sets[0].suns.D", "compound"),
+            ("rings: { T3: 60 }", "rings: { T3: @60.5@ }", "compound_sets[0].rings.T3", "compound"),
+            ("{ p: [20] }", "{ p: [@0@] }", "compound_sets[0].planet_gears.p[0]", "compound"),
+            ("[D, p]", "[@zz@, p]", "compound_sets[0].meshes[0].gears[0]", "compound"),
+            ("[p, T3]", "[p, @zz@]", "compound_sets[0].meshes[1].gears[1]", "compound"),
+            ("{ gears: [p, T3] }", "@{ gears: [T3, D] }@", "compound_sets[0].meshes[1]", "compound"),
+            (
+                "gears: [p, T3]",
+                "gears: [p, T3], efficiency: @2@",
+                "compound_sets[0].meshes[1].efficiency",
+                "efficiency",
+            ),
+            (
+                "{ id: K3, links: [T1, B]",
+                "@{ id: K3, links: [B, B]@",
+                "clutches[0]",
+                "shift-element-joins-itself",
+            ),
+            (
+                "{ id: F, one_way: [T2, B]",
+                "@{ id: F, one_way: [T2, B], links: [T2, B]@",
+                "clutches[1]",
+                "clutch",
+            ),
+            ("[0 rpm, 3000 rpm]", "[0 rpm, @0 rpm@]", "drags[0].curve.speeds[1]", "drag"),
+            ("[1 N·m, 2 N·m]", "[1 N·m, @-2 N·m@]", "brakes[1].drag.torques[1]", "drag"),
+        ],
+    },
+    Sound {
+        text: BOX,
+        read: gearbox,
+        cases: &[
+            ("between: [D, ground]", "between: [@zz@, ground]", "drags[0].between[0]", "unknown"),
+            ("between: [D, ground]", "between: @[D, D]@", "drags[0].between", "drag"),
+            ("[0 rpm, 3000 rpm]", "[0 rpm, @0 rpm@]", "drags[0].curve.speeds[1]", "drag"),
+            ("[0 rpm, 100 rpm]", "[@-1 rpm@, 100 rpm]", "brakes[1].drag.speeds[0]", "drag"),
+            ("{ id: seal", "@{ id: K2@", "drags[0]", "duplicate"),
+            ("[20, 60]", "[20, 60], module: @-1 mm@", "sets[1].module", "not-positive"),
+        ],
+    },
+    Sound {
+        text: LIST,
+        read: transmission,
+        cases: &[
+            ("{ id: Q", "@{ id: P@", "transmissions[0].sets[1]", "duplicate"),
+            ("F: [n_w, n_z]", "C: @[n_w, n_z]@", "transmissions[0].one_way.C", "duplicate"),
+            ("ring: Y", "ring: @zz@", "transmissions[0].sets[0].ring", "member-in-no-link"),
+            ("gear_b: W", "gear_b: @zz@", "transmissions[0].sets[1].gear_b", "member-in-no-link"),
+            ("n_y: [Y]", "n_y: [Y, @X@]", "transmissions[0].links.n_y[1]", "member-in-two-links"),
+            ("n_y: [Y]", "n_y: [Y, @Y@]", "transmissions[0].links.n_y[1]", "member-in-two-links"),
+            ("z_r: 60", "z_r: @0@", "transmissions[0].sets[0].z_r", "no-teeth"),
+            ("z_r: 60", "z_r: @10@", "transmissions[0].sets[0].z_r", "ring-to-sun-ratio"),
+            ("n_p: 3", "n_p: @0@", "transmissions[0].sets[0].n_p", "planet-count"),
+            (
+                "{ id: Q, planet: pair, gear_a: V, gear_b: W, z_a: 24, z_b: 77",
+                "@{ id: Q, planet: pair, gear_a: V, gear_b: W, z_a: 24@",
+                "transmissions[0].sets[1]",
+                "missing",
+            ),
+            ("C: [n_y, ground]", "C: [n_y, @zz@]", "transmissions[0].shift_elements.C[1]", "unknown"),
+            ("engaged: [C]", "engaged: [@Z@]", "transmissions[0].gears[0].engaged[0]", "unknown"),
+            ("input: n_x", "input: @X@", "transmissions[0].input", "unknown"),
+        ],
+    },
+    Sound {
+        text: DRIVE,
+        read: |document| drive::read(document).map(drop),
+        cases: &[
+            ("sun: 18..30", "sun: @0..30@", "teeth.sun", "no-teeth"),
+            ("planets: 3", "planets: @9..@", "teeth.planets", "range"),
+            ("0.97", "@1.97@", "mesh_efficiency.sun_planet", "efficiency"),
+            ("98 %", "@0 %@", "mesh_efficiency.planet_ring", "efficiency"),
+            ("sun_bore: 10 mm", "sun_bore: @-10 mm@", "gear_set.sun_bore", "negative"),
+            ("diameter: 40 mm", "diameter: @0 mm@", "shafts.sun.diameter", "not-positive"),
+            ("bearing: 6310", "bearing: @6999@", "shafts.sun.bearing", "unknown-bearing"),
+            ("mass: 3 kg", "mass: @0 kg@", "parts.sun.mass", "not-positive"),
+            ("mass: 3 kg", "mass: @-3 kg@", "parts.sun.mass", "negative"),
+            ("inertia: 0.1 kg·m²", "inertia: @-1 kg·m²@", "parts.planet.inertia", "negative"),
+            (
+                "inertia: 1 kg·m²",
+                "inertia: @1 kg·m²@, hub: { outside_radius: 1 mm, width: 1 mm }",
+                "carrier.inertia",
+                "carrier-twice",
+            ),
+        ],
+    },
+    Sound {
+        text: DRIVE,
+        read: |document| drive::read(document).map(drop),
+        cases: &[
+            ("power: 30 kW", "power: @30@", "power", "missing-unit"),
+            ("ratio: 5", "ratio: @5 mm@", "ratio", "unexpected-unit"),
+            ("sun: 18..30", "sun: @many@", "teeth.sun", "invalid-value"),
+            ("sun_planet", "@sun_planets@", "mesh_efficiency.sun_planets", "unknown-key"),
+            ("module: 5 mm", "module: @5 kg@", "gear_set.module", "wrong-dimension"),
+            ("mass: 3 kg", "mass: @'3,5 kg'@", "parts.sun.mass", "decimal-comma"),
+        ],
+    },
+    Sound {
+        text: SCENARIO,
+        read: scenario,
+        cases: &[
+            ("duration: 2 s", "duration: @2@", "duration", "missing-unit"),
+            ("1 kg·m²", "@1 kg@", "inertias.D", "wrong-dimension"),
+            ("engaged: [K1]", "engaged: @K1@", "engaged", "wrong-type"),
+            ("input_speed: 100 rpm", "input_speed: @100@", "start.input_speed", "missing-unit"),
+            ("k: 3", "k: @three@", "gearbox.sets[0].k", "wrong-type"),
+        ],
+    },
+    Sound {
+        text: SCENARIO,
+        read: scenario,
+        cases: &[
+            ("k: 3", "k: @0.5@", "gearbox.sets[0].k", "ring-to-sun-ratio"),
+            ("link: T1", "link: @zz@", "gearbox.brakes[0].link", "unknown"),
+            ("input: D", "input: @xx@", "gearbox.input", "unknown"),
+        ],
+    },
+    Sound {
+        text: MOTOR,
+        read: |document| motor::read(document).map(drop),
+        cases: &[
+            ("stator: 5", "stator: @five@", "stator", "wrong-type"),
+            ("rotor: 3", "rotor: @-3@", "rotor", "out-of-range"),
+            ("z3: 55", "z3: @5.5@", "z3", "wrong-type"),
+            ("module: 2 mm", "module: @2@", "module", "missing-unit"),
+            ("width: 30 mm", "@widht@: 30 mm", "widht", "unknown-key"),
+        ],
+    },
+];
+
+/// Faults are put in alone and in pairs of one list: exactly those are found, where they are.
+#[test]
+fn faults_of_all_kinds_of_files_are_found_together() {
+    for Sound { text, read, cases } in SOUND {
+        let faults = |text: &str| -> Vec<(String, &str, (usize, usize))> {
+            let error = read(&Document::parse_one("x.yaml", text.as_bytes()).unwrap()).err();
+            let found = |fault: &epicyclic_formats::Fault| {
+                let position = fault.at.position;
+                (fault.at.path.to_string(), fault.problem.name(), (position.line, position.column))
+            };
+            error.iter().flat_map(Error::faults).map(found).collect()
+        };
+        assert_eq!(faults(text), []);
+        for (number, one) in cases.iter().enumerate() {
+            for other in &cases[number..] {
+                let mut put = vec![one];
+                // Two changes of one place do not go together.
+                if other != one {
+                    if !text.replace(one.0, "").contains(other.0) {
+                        continue;
+                    }
+                    put.push(other);
+                }
+                let marked = put.iter().fold(text.to_owned(), |text, case| {
+                    assert_eq!(text.matches(case.0).count(), 1, "{}", case.0);
+                    text.replace(case.0, case.1)
+                });
+                let (changed, places) = unmarked(&marked);
+                let found = faults(&changed);
+                let at: Vec<_> = found.iter().map(|(.., at)| *at).collect();
+                assert_eq!(at, places, "{changed}{found:?}");
+                let mut found: Vec<_> = found.into_iter().map(|(path, name, _)| (path, name)).collect();
+                let mut expected: Vec<_> = put.iter().map(|case| (case.2.to_owned(), case.3)).collect();
+                found.sort();
+                expected.sort();
+                assert_eq!(found, expected, "{changed}");
+            }
+        }
+    }
 }

@@ -6,7 +6,7 @@ use epicyclic_formats::document::RENAMED;
 use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
 use epicyclic_formats::{Document, drive};
 
-/// Which file an old key was in.
+/// Kind of file that an old key was in.
 #[derive(Clone, Copy)]
 enum In {
     Drive,

@@ -5,15 +5,15 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
 use epicyclic_dynamics::drive::design;
-use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile, located};
-use epicyclic_formats::{Document, Path, drive, motor};
+use epicyclic_formats::gearbox::{GearboxFile, TransmissionsFile};
+use epicyclic_formats::{Document, Faults, Path, drive, motor};
 use epicyclic_train::{Gearbox, InputLoad};
 use proptest::prelude::*;
 use uom::si::angular_velocity::radian_per_second;
 use uom::si::f64::{AngularVelocity, Torque};
 use uom::si::torque::newton_meter;
 
-/// What may stand where a name or a number stood.
+/// Replacements of a name or a number.
 const SCALARS: [&str; 40] = [
     "0",
     "-1",
@@ -157,7 +157,7 @@ fn is_placed(error: &str) {
 fn gearbox(text: &str) -> Result<(), String> {
     let document = Document::parse_one("file.yaml", text.as_bytes()).map_err(|e| e.to_string())?;
     let file: GearboxFile = document.read().map_err(|e| e.to_string())?;
-    let at = |error| located(&document, &Path::root(), &error).to_string();
+    let at = |faults: Faults| faults.placed(&document, &Path::root()).to_string();
     let gearbox = file.gearbox().map_err(at)?;
     work_through(&gearbox);
     let speed = AngularVelocity::new::<radian_per_second>(150.0);
@@ -186,8 +186,7 @@ fn transmissions(text: &str) -> Result<(), String> {
     let file: TransmissionsFile = document.read().map_err(|e| e.to_string())?;
     for (index, transmission) in file.transmissions.iter().enumerate() {
         let base = Path::root().key("transmissions").index(index);
-        let gearbox =
-            transmission.gearbox().map_err(|error| located(&document, &base, &error).to_string())?;
+        let gearbox = transmission.gearbox().map_err(|faults| faults.placed(&document, &base).to_string())?;
         work_through(&gearbox);
         for gear in &transmission.gears {
             let _ = gear.stands_for(3.0);
@@ -206,7 +205,7 @@ fn whole_drive(text: &str) -> Result<(), String> {
     Ok(())
 }
 
-/// So many cases, unless `PROPTEST_CASES` says how many.
+/// Number of cases: that of `PROPTEST_CASES`, or the usual one.
 fn cases(usual: u32) -> u32 {
     std::env::var("PROPTEST_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(usual)
 }

@@ -3,7 +3,8 @@
 use crate::work;
 use epicyclic_commands::answer::to_json;
 use epicyclic_commands::error::Error;
-use epicyclic_commands::refused::{Place, Refused};
+use epicyclic_commands::failure::WRONG;
+use epicyclic_commands::refused::Refused;
 use epicyclic_commands::shared::gearbox::{Choice, one};
 use epicyclic_commands::sweep::points::{Columns as PointColumns, Request as Points};
 use epicyclic_commands::sweep::{Columns, Request as Variants};
@@ -62,22 +63,11 @@ impl<E: Into<Error>> From<E> for Failure {
 impl Failure {
     /// Error as the program writes it with `--format json`.
     fn json(&self) -> String {
-        const WRONG: u8 = 2;
         let refused = match self {
-            Self::Answer(error) => Refused {
-                name: error.name(),
-                message: error.to_string(),
-                exit_code: WRONG,
-                option: None,
-                place: Place::of_answer(error),
-            },
-            Self::Option(option, message) => Refused {
-                name: "option",
-                message: message.clone(),
-                exit_code: WRONG,
-                option: Some((*option).to_owned()),
-                place: None,
-            },
+            Self::Answer(error) => Refused::of_answer(error, WRONG),
+            Self::Option(option, message) => {
+                Refused::new("option", message.clone(), WRONG).of_option((*option).to_owned())
+            }
         };
         to_json(&refused).unwrap_or_default()
     }

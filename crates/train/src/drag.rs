@@ -146,14 +146,32 @@ impl Gearbox {
     /// # Errors
     /// [`Error::Unknown`] for a link, [`Error::Drag`] for a link and itself.
     pub fn drag(&self, name: &str, links: [&str; 2], curve: DragCurve) -> Result<Drag, Error> {
-        let link =
-            |link: &str| self.link(link).ok_or_else(|| self.unknown_link(link, Place::Drag(name.to_owned())));
-        let pair = [link(links[0])?, link(links[1])?];
-        if pair[0] == pair[1] {
-            let fault = DragFault::OneLink { link: links[0].to_owned() };
-            return Err(Error::Drag { drag: name.to_owned(), fault });
+        let links = self.drag_links(name, links).map_err(|mut faults| faults.swap_remove(0).1)?;
+        Ok(Drag { name: name.to_owned(), links, curve, shift_element: None })
+    }
+
+    /// The links of a drag, by their names.
+    ///
+    /// # Errors
+    /// Those of [`drag`](Self::drag), at least one, each with the index of its link; without an index if it
+    /// is about both.
+    pub fn drag_links(
+        &self,
+        name: &str,
+        links: [&str; 2],
+    ) -> Result<[LinkId; 2], Vec<(Option<usize>, Error)>> {
+        match links.map(|link| self.link(link)) {
+            [Some(first), Some(second)] if first == second => {
+                let fault = DragFault::OneLink { link: links[0].to_owned() };
+                Err(vec![(None, Error::Drag { drag: name.to_owned(), fault })])
+            }
+            [Some(first), Some(second)] => Ok([first, second]),
+            found => {
+                let unknown = (0..2).filter(|&end| found[end].is_none());
+                let place = || Place::Drag(name.to_owned());
+                Err(unknown.map(|end| (Some(end), self.unknown_link(links[end], place()))).collect())
+            }
         }
-        Ok(Drag { name: name.to_owned(), links: pair, curve, shift_element: None })
     }
 
     /// The drag of a shift element while it is not engaged.

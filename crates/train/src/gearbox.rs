@@ -3,6 +3,7 @@
 use crate::drawn_set::DrawnSet;
 use crate::error::{Place, Terminal};
 use crate::names::nearest;
+use crate::tolerance::MOST_FAULTS;
 use crate::{Error, LinkId, Named, PlanetSet, Warning};
 use epicyclic_gears::simple_set::Fraction;
 use std::ops::Range;
@@ -264,16 +265,30 @@ impl Gearbox {
         ids: &[impl AsRef<str>],
         place: impl Fn() -> Place,
     ) -> Result<Vec<usize>, Error> {
-        let mut places = vec![];
-        for id in ids.iter().map(AsRef::as_ref) {
-            let engaged = self.shift_element(id, &place)?;
-            if places.contains(&engaged) {
-                return Err(Error::EngagedTwice { place: place(), name: id.to_owned() });
+        self.engaged_all(ids, place).map_err(|mut faults| faults.swap_remove(0).1)
+    }
+
+    /// Places of the engaged shift elements, ascending; or the faults of the list with their indices in it.
+    pub(crate) fn engaged_all(
+        &self,
+        ids: &[impl AsRef<str>],
+        place: impl Fn() -> Place,
+    ) -> Result<Vec<usize>, Vec<(usize, Error)>> {
+        let (mut places, mut faults) = (vec![], vec![]);
+        for (index, id) in ids.iter().map(AsRef::as_ref).enumerate() {
+            match self.shift_element(id, &place) {
+                Ok(engaged) if places.contains(&engaged) => {
+                    faults.push((index, Error::EngagedTwice { place: place(), name: id.to_owned() }));
+                }
+                Ok(engaged) => places.push(engaged),
+                Err(error) => faults.push((index, error)),
             }
-            places.push(engaged);
+            if faults.len() == MOST_FAULTS {
+                break;
+            }
         }
         places.sort_unstable();
-        Ok(places)
+        if faults.is_empty() { Ok(places) } else { Err(faults) }
     }
 
     pub(crate) fn shift_element(&self, id: &str, place: impl Fn() -> Place) -> Result<usize, Error> {
@@ -288,6 +303,10 @@ impl Gearbox {
                 ),
             }
         })
+    }
+
+    pub(crate) fn known_link(&self, name: &str, place: impl Fn() -> Place) -> Result<LinkId, Error> {
+        self.link(name).ok_or_else(|| self.unknown_link(name, place()))
     }
 
     pub(crate) fn unknown_link(&self, name: &str, place: Place) -> Error {

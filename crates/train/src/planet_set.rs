@@ -28,6 +28,7 @@
 use crate::compound::{CentralKind, CompoundSpec, SetMember};
 use crate::elimination::decimal;
 use crate::set::{Gearing, MeshLoss, SetKind, SetSpec};
+use crate::site::SetPart;
 use crate::spacing::Spacing;
 use crate::tolerance::BASIC_RATIO;
 use crate::{Error, LinkId};
@@ -55,6 +56,15 @@ impl Description {
         match self {
             Self::Short(spec) => &spec.id,
             Self::Compound(spec) => &spec.id,
+        }
+    }
+
+    /// Number of planets of each kind around the axis, if known.
+    #[must_use]
+    pub fn planet_count(&self) -> Option<u32> {
+        match self {
+            Self::Short(spec) => spec.planet_count,
+            Self::Compound(spec) => spec.planet_count,
         }
     }
 
@@ -228,10 +238,7 @@ impl PlanetSet {
     /// Number of planets of each kind around the axis, if known.
     #[must_use]
     pub fn planet_count(&self) -> Option<u32> {
-        match &self.description {
-            Description::Short(spec) => spec.planet_count,
-            Description::Compound(spec) => spec.planet_count,
-        }
+        self.description.planet_count()
     }
 
     /// The meshes.
@@ -376,7 +383,11 @@ pub(crate) struct Parts {
 
 impl PlanetSet {
     /// A set of these parts.
-    pub(crate) fn new(description: Description, carrier: LinkId, parts: Parts) -> Result<Self, Error> {
+    pub(crate) fn new(
+        description: Description,
+        carrier: LinkId,
+        parts: Parts,
+    ) -> Result<Self, (SetPart, Error)> {
         let Parts { centrals, planets, mut meshes, factors, exact, rational, loss } = parts;
         let root = match &description {
             Description::Short(_) => 0,
@@ -409,12 +420,9 @@ impl PlanetSet {
         }
         for (&ratio, &central) in set.tree.ratios.iter().zip(&set.tree.order) {
             if !(1.0 / BASIC_RATIO..=BASIC_RATIO).contains(&ratio.abs()) {
-                return Err(Error::BasicRatio {
-                    set: set.id().to_owned(),
-                    first: set.gear_name(GearOf::Central(root)),
-                    second: set.gear_name(GearOf::Central(central)),
-                    ratio,
-                });
+                let [first, second] = [root, central].map(|one| set.gear_name(GearOf::Central(one)));
+                let set = set.id().to_owned();
+                return Err((SetPart::Whole, Error::BasicRatio { set, first, second, ratio }));
             }
         }
         Ok(set)

@@ -110,6 +110,9 @@ pub const MOST_ELEMENTS: usize = 128;
 /// Largest number of gears in a gearbox.
 pub const MOST_GEARS: usize = 1000;
 
+/// Number of faults after which a description is checked no further.
+pub(crate) const MOST_FAULTS: usize = 50;
+
 /// Largest number of drags in a gearbox besides those of its shift elements.
 pub const MOST_DRAGS: usize = 256;
 

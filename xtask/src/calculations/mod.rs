@@ -127,7 +127,7 @@ refusals! {
     epicyclic_strength::Error,
     epicyclic_motion::Error,
     epicyclic_vibration::Error,
-    epicyclic_formats::gearbox::DescriptionError,
+    epicyclic_formats::Faults,
 }
 
 /// Why a calculation gave no results.

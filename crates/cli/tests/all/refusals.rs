@@ -63,6 +63,48 @@ fn a_wrong_command_line_is_refused_in_json() {
     }
 }
 
+/// Name, value, remedy and path of each fault.
+fn faults(refused: &Value) -> Vec<[Option<&str>; 4]> {
+    let faults = refused["faults"].as_array().unwrap().iter();
+    let of =
+        |fault| ["/name", "/value", "/remedy", "/place/path"].map(|key| Value::pointer(fault, key)?.as_str());
+    faults.map(of).collect()
+}
+
+#[test]
+fn all_faults_are_listed_with_value_and_remedy() {
+    let folder = here();
+    let text = "gearbox: I\ninput: D\noutput: B\nsets:\n- { id: P, sun: D, ring: T1, carrier: B, k: 3 }\n\
+                brakes:\n- { id: K1, link: T1 }\n- { id: K2, link: T12 }\ngears:\n- { name: slow, engaged: [K1, K3] }\n";
+    let file = folder.path().join("box.yaml");
+    let line = ["analyze", "box.yaml", "--format", "json"];
+    fs::write(&file, text.replace("k: 3", "k: 0.5")).unwrap();
+    let found = refused(folder.path(), &line);
+    let expected = [
+        [Some("ring-to-sun-ratio"), Some("0.5"), None, Some("sets[0].k")],
+        [Some("unknown"), Some("T12"), Some("T1"), Some("brakes[1].link")],
+        [Some("unknown"), Some("K3"), Some("K1"), Some("gears[0].engaged[1]")],
+    ];
+    assert_eq!(faults(&found), expected, "{found}");
+    assert_eq!(found["faults"][0]["place"], found["place"]);
+    fs::write(&file, text.replace("k: 3", "k: '3,94', modul: 4 mm")).unwrap();
+    let found = refused(folder.path(), &line);
+    let expected = [
+        [Some("decimal-comma"), Some("3,94"), Some("3.94"), Some("sets[0].k")],
+        [Some("unknown-key"), Some("modul"), Some("module"), Some("sets[0].modul")],
+    ];
+    assert_eq!(faults(&found), expected, "{found}");
+    // Of the command line.
+    let found = refused(folder.path(), &["teeth", "--ratoi", "5", "--format", "json"]);
+    assert_eq!(
+        faults(&found),
+        [[Some("unknown-argument"), Some("--ratoi"), Some("--ratio"), None]],
+        "{found}"
+    );
+    let found = refused(folder.path(), &["teeth", "--ratio", "abc", "--format", "json"]);
+    assert_eq!(faults(&found), [[Some("invalid-value"), Some("abc"), None, None]], "{found}");
+}
+
 #[test]
 fn a_fault_of_a_motor_file_is_at_its_key_and_of_an_option_at_the_option() {
     let folder = here();

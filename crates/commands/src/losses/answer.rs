@@ -10,9 +10,9 @@ use crate::analyze::answer::records::meshes;
 use crate::analyze::answer::{Input, analysis, warnings};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
+use crate::shared::fault::Fault;
 use crate::shared::gearbox::Gearbox;
 use crate::shared::places::Places;
-use epicyclic_formats::gearbox::{DescriptionError, located};
 use epicyclic_train::drag::{Load, WithDrags};
 use epicyclic_train::{self as train, Analysis, Gear, InputLoad, InputsFault, OperatingFault};
 use epicyclic_units::Physical;
@@ -333,10 +333,12 @@ impl Held {
     fn refused(self, subject: &Gearbox, gear: &str) -> Error {
         match self {
             Self::Released(clutch) => Error::Released { clutch, gear: gear.to_owned() },
-            Self::Refused(error) if matches!(*error, train::Error::Drag { .. }) => {
-                located(&subject.document, &subject.base, &DescriptionError::Gearbox(*error)).into()
+            Self::Refused(error) => {
+                let train::Error::Drag { drag, fault } = &*error else { return (*error).into() };
+                let drag = subject.drags.iter().position(|one| one.name == *drag);
+                let path = drag.map_or(subject.base.clone(), |drag| subject.drag_path(drag, fault));
+                subject.document.error(&path, error.problem()).into()
             }
-            Self::Refused(error) => (*error).into(),
         }
     }
 

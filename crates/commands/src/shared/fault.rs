@@ -27,7 +27,6 @@ macro_rules! faults {
 faults!(
     crate::error::Error,
     epicyclic_dynamics::Error,
-    epicyclic_formats::gearbox::DescriptionError,
     epicyclic_gears::Error,
     epicyclic_hydromotor::Error,
     epicyclic_motion::Error,

@@ -2,13 +2,12 @@
 
 use crate::error::Error;
 use epicyclic_formats::gearbox::gear_place;
-use epicyclic_formats::gearbox::{
-    DescriptionError, GearEntry, GearboxFile, PublishedGear, Transmission, TransmissionsFile, located,
-};
-use epicyclic_formats::{Document, FileKind, Path, Problem};
+use epicyclic_formats::gearbox::{GearEntry, GearboxFile, PublishedGear, Transmission, TransmissionsFile};
+use epicyclic_formats::{Document, Faults, FileKind, Path, Problem};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::drag::Drag;
+use epicyclic_train::error::DragFault;
 use epicyclic_train::planet_bearings::PlanetBearing;
 use epicyclic_train::planet_set::Description;
 use epicyclic_train::set::MeshLoss;
@@ -58,6 +57,8 @@ pub struct Gearbox {
     pub base: Path,
     /// Drag torques that the file states.
     pub drags: Vec<Drag>,
+    /// Paths of the curves of these drags.
+    drag_paths: Vec<Path>,
     inputs: Vec<(String, GearInputs)>,
     /// Modules that the file states of the meshes of each set, m.
     modules: Vec<Vec<Option<f64>>>,
@@ -121,6 +122,13 @@ impl Gearbox {
             }
             None => Ok(()),
         }
+    }
+
+    /// Path in the file of what is wrong with a drag at work, by its index in [`drags`](Self::drags).
+    pub(crate) fn drag_path(&self, drag: usize, fault: &DragFault) -> Path {
+        let Some(curve) = self.drag_paths.get(drag) else { return self.base.clone() };
+        let path = self.base.segments().iter().chain(curve.segments()).cloned().collect::<Path>();
+        if let DragFault::Outside { .. } = fault { path.key("speeds") } else { path }
     }
 
     /// The checks of the teeth of all sets.
@@ -225,11 +233,14 @@ pub(crate) fn gearbox(
     efficiency: Option<MeshEfficiency>,
 ) -> Result<Box<Gearbox>, Error> {
     let file: GearboxFile = document.read_at(&base)?;
-    let at = |error: DescriptionError| located(document, &base, &error);
+    let at = |faults: Faults| faults.placed(document, &base);
     let gearbox = with_losses(file.gearbox().map_err(at)?, efficiency)?;
-    let rack = file.rack().map_err(|error| at(DescriptionError::Rack(error)))?;
-    let planet_bearings = file.planet_bearings(&gearbox).map_err(at)?;
-    let drags = file.drags(&gearbox).map_err(at)?;
+    let rack = file.rack()?;
+    let (planet_bearings, drags) = match (file.planet_bearings(&gearbox), file.drags(&gearbox)) {
+        (Ok(planet_bearings), Ok(drags)) => (planet_bearings, drags),
+        (Err(faults), drags) => return Err(at(faults.and(drags.err())).into()),
+        (_, Err(faults)) => return Err(at(faults).into()),
+    };
     let (source, published) = (None, vec![]);
     let of_gear = |gear: &GearEntry| {
         let inputs = GearInputs { speeds: gear.speeds.clone(), torques: gear.torques.clone() };
@@ -246,6 +257,7 @@ pub(crate) fn gearbox(
         document: document.clone(),
         base,
         drags,
+        drag_paths: file.drag_paths(),
         inputs,
         modules,
         origin: Origin::GearboxFile,
@@ -260,7 +272,7 @@ fn transmission(
     efficiency: Option<MeshEfficiency>,
 ) -> Result<Box<Gearbox>, Error> {
     let base = Path::root().key("transmissions").index(index);
-    let at = |error: DescriptionError| located(document, &base, &error);
+    let at = |faults: Faults| faults.placed(document, &base);
     let gearbox = with_losses(transmission.gearbox().map_err(at)?, efficiency)?;
     let (source, published) = (transmission.source.clone(), transmission.gears.clone());
     let planet_bearings = transmission.planet_bearings(&gearbox).map_err(at)?;
@@ -279,6 +291,7 @@ fn transmission(
         document: document.clone(),
         base,
         drags,
+        drag_paths: vec![],
         inputs,
         modules,
         origin: Origin::GearboxFile,

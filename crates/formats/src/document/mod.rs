@@ -24,7 +24,7 @@ pub use self::{
     position::Position,
 };
 use crate::{
-    error::{Error, Place, Problem},
+    error::{Error, Fault, Place, Problem},
     yaml::Value,
 };
 pub use renamed::RENAMED;
@@ -111,13 +111,16 @@ impl Document {
         path.segments().iter().try_fold(self.value(), |value, segment| step(value, segment))
     }
 
+    /// Whether there is a value at a path.
+    #[must_use]
+    pub fn has(&self, path: &Path) -> bool {
+        path.segments().iter().try_fold(&self.root, Node::step).is_some()
+    }
+
     /// The text of a scalar exactly as written, but for quotes and escapes: `2.940`, where the value is 2.94.
     #[must_use]
     pub fn text_at(&self, path: &Path) -> Option<&str> {
-        match &path.segments().iter().try_fold(&self.root, Node::step)?.content {
-            Content::Scalar(_, text) => Some(text),
-            Content::Sequence(_) | Content::Map(_) => None,
-        }
+        self.root.text_at(path)
     }
 
     /// Where the value at `path` stands, or else its nearest ancestor. A map stands where its first key does,
@@ -146,7 +149,17 @@ impl Document {
     /// An error at a path of this document, for what only the caller can judge.
     #[must_use]
     pub fn error(&self, path: &Path, problem: Problem) -> Error {
-        self.error_at(self.position(path), path.clone(), problem)
+        self.fault(path.clone(), problem).into()
+    }
+
+    /// A fault at a path of this document.
+    pub(crate) fn fault(&self, path: Path, problem: Problem) -> Fault {
+        let value = self.root.text_at(&path);
+        Fault::new(self.place(self.position(&path), path), problem, value)
+    }
+
+    fn place(&self, position: Position, path: Path) -> Place {
+        Place { file: Arc::clone(&self.file), position, path }
     }
 
     /// The document as a `T`.
@@ -170,7 +183,7 @@ impl Document {
                     Segment::Index(index) => format!("[{index}]"),
                 };
                 let parent = path.segments()[..depth].iter().cloned().collect();
-                return Err(self.error_at(node.at, parent, Problem::MissingKey { key }));
+                return Err(Error::new(self.place(node.at, parent), Problem::MissingKey { key }));
             };
             node = next;
         }
@@ -190,15 +203,10 @@ impl Document {
     fn read_node<T: DeserializeOwned>(&self, node: &Node, base: &Path) -> Result<T, Error> {
         reader::read(node).map_err(|faults| {
             let faults = faults.into_iter().map(|(position, path, problem)| {
-                let path = base.segments().iter().chain(path.segments()).cloned().collect();
-                (Place { file: Arc::clone(&self.file), position, path }, problem)
+                Fault::new(self.place(position, base.join(&path)), problem, node.text_at(&path))
             });
             Error::all(faults.collect())
         })
-    }
-
-    fn error_at(&self, position: Position, path: Path, problem: Problem) -> Error {
-        Error::new(Place { file: Arc::clone(&self.file), position, path }, problem)
     }
 
     fn nearest(&self, path: &Path) -> &Node {

@@ -45,6 +45,24 @@ impl Path {
         self
     }
 
+    /// One step further into a sequence, if there is an index.
+    pub(crate) fn indexed(self, index: Option<usize>) -> Self {
+        match index {
+            Some(index) => self.index(index),
+            None => self,
+        }
+    }
+
+    /// A path from its keys joined by dots: `gear_set.module`.
+    pub(crate) fn dotted(keys: &str) -> Self {
+        keys.split('.').filter(|key| !key.is_empty()).fold(Self::root(), Self::key)
+    }
+
+    /// A path that leads from the end of this one.
+    pub(crate) fn join(&self, further: &Self) -> Self {
+        self.0.iter().chain(&further.0).cloned().collect()
+    }
+
     /// Whether this is the root.
     #[must_use]
     pub const fn is_root(&self) -> bool {

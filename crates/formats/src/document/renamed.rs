@@ -10,7 +10,7 @@ pub const RENAMED: [(&str, &str); 6] = [
     ("bearing_capacity", "load_rating"),
 ];
 
-/// What is written today for a key that is not known, where it is among those allowed.
+/// Name today of a key that is not known, if it is among those allowed.
 pub(super) fn renamed(key: &str, allowed: &[&'static str]) -> Option<&'static str> {
     let new = RENAMED.iter().find(|(old, _)| *old == key)?.1;
     allowed.contains(&new).then_some(new)

@@ -150,6 +150,14 @@ impl Node {
         }
     }
 
+    /// The text of the scalar at a path from here.
+    pub(super) fn text_at(&self, path: &Path) -> Option<&str> {
+        match &path.segments().iter().try_fold(self, Self::step)?.content {
+            Content::Scalar(_, text) => Some(text),
+            Content::Sequence(_) | Content::Map(_) => None,
+        }
+    }
+
     pub(super) const fn is_null(&self) -> bool {
         matches!(self.content, Content::Scalar(Scalar::Null, _))
     }

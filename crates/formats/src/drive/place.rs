@@ -12,7 +12,7 @@ use epicyclic_gears::{Error as Gear, Quantity};
 /// The key need not be written in the file: it is also the one that would help.
 #[must_use]
 pub fn place(error: &Error) -> Path {
-    path(match error {
+    Path::dotted(match error {
         Error::Gear(error) => of_gear(error),
         Error::UnequalCentreDistances { .. } => "teeth",
         Error::BoreTooLarge { gear: BoredGear::Sun, .. } => "gear_set.sun_bore",
@@ -79,9 +79,4 @@ fn of_quantity(quantity: Quantity) -> &'static str {
         Quantity::Width => "carrier.hub.width",
         _ => "",
     }
-}
-
-/// A path from its keys joined by dots.
-pub(super) fn path(keys: &str) -> Path {
-    keys.split('.').filter(|key| !key.is_empty()).fold(Path::root(), Path::key)
 }

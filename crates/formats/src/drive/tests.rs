@@ -1,6 +1,7 @@
 //! Drive files: what they mean, and what is refused where.
 
 use super::*;
+use crate::Problem;
 use epicyclic_dynamics::drive::{Bore, CarrierSpec, Start, TeethSpec, design};
 use epicyclic_units::Physical;
 

@@ -1,33 +1,53 @@
-//! Checks of names, numbers and tooth counts before a gearbox is built of them.
+//! Checks of numbers and tooth counts before a gearbox is built, and the faults of both together.
 
 use super::DescriptionError;
 use crate::Path;
+use crate::faults::{At, Faults};
 use epicyclic_gears::teeth::ToothCount;
-use epicyclic_train::Named;
+use epicyclic_train::set::SetSpec;
+use epicyclic_train::{Error, Gearbox, Located, Site};
 use epicyclic_units::Number;
-use std::collections::BTreeSet;
 
-/// Refuses a name that stands twice, before any fault is placed by its name.
-pub(super) fn unique<'n>(
-    what: Named,
-    mut names: impl Iterator<Item = &'n String>,
-) -> Result<(), DescriptionError> {
-    let mut seen = BTreeSet::new();
-    match names.find(|name| !seen.insert(name.as_str())) {
-        Some(name) => Err(epicyclic_train::Error::Duplicate { what, name: name.clone() }.into()),
-        None => Ok(()),
-    }
+/// Link of what was refused. An entry with a fault keeps its number and name for the faults of others, and what
+/// the solver finds of this link only follows.
+pub(super) const NO_LINK: &str = "\u{ffff}";
+
+/// A set in place of one that was refused, with this number of planets.
+pub(super) fn refused(set: &str, planet_count: Option<u32>) -> SetSpec {
+    SetSpec { planet_count, ..SetSpec::simple(set, [NO_LINK; 3], 2.0) }
 }
 
-/// Tooth counts with the way to each.
-pub(super) fn counts(set: &str, key: &str, teeth: &[u32]) -> Result<Vec<ToothCount>, DescriptionError> {
-    let count = |(place, count): (usize, &u32)| {
-        ToothCount::new(*count).map_err(|source| {
-            let at = Path::root().key(key).index(place);
-            DescriptionError::Set { set: set.to_owned(), at, source }
-        })
+/// The gearbox, or the faults of its record and those that the solver finds.
+pub(super) fn built(
+    mut faults: Faults,
+    gearbox: Result<Gearbox, Vec<Located>>,
+    at: impl Fn(Site) -> At,
+) -> Result<Gearbox, Faults> {
+    let found = match gearbox {
+        Ok(gearbox) => return faults.or(gearbox),
+        Err(found) => found,
     };
-    teeth.iter().enumerate().map(count).collect()
+    let is_sound = faults.is_empty();
+    let follows = |error: &Error| matches!(error, Error::Unknown { name, .. } if name == NO_LINK);
+    for Located { error, site } in found.into_iter().filter(|fault| is_sound || !follows(&fault.error)) {
+        faults.push(at(site), error);
+    }
+    Err(faults)
+}
+
+/// Tooth counts of a key.
+pub(super) fn counts(
+    set: &str,
+    key: &'static str,
+    teeth: &[u32],
+    faults: &mut Faults,
+) -> Option<Vec<ToothCount>> {
+    let count = |(place, count): (usize, &u32)| {
+        let count = ToothCount::new(*count).map_err(|source| DescriptionError::of_set(set, source));
+        faults.keep(Path::root().key(key).index(place), count)
+    };
+    let counts: Vec<_> = teeth.iter().enumerate().map(count).collect();
+    counts.into_iter().collect()
 }
 
 /// The values of a key of a set, one for each of these gears or meshes.
@@ -36,9 +56,10 @@ pub(super) fn numbers<const N: usize>(
     key: &'static str,
     of: &'static str,
     values: &[Number],
-) -> Result<[f64; N], DescriptionError> {
+    faults: &mut Faults,
+) -> Option<[f64; N]> {
     let wrong =
-        || DescriptionError::Values { set: set.to_owned(), key, of, given: values.len(), expected: N };
-    let values: [Number; N] = values.try_into().map_err(|_| wrong())?;
-    Ok(values.map(Number::get))
+        |_| DescriptionError::Values { set: set.to_owned(), key, of, given: values.len(), expected: N };
+    let values: [Number; N] = faults.keep(key, values.try_into().map_err(wrong))?;
+    Some(values.map(Number::get))
 }

@@ -1,13 +1,16 @@
 //! Compound sets in files, and remarks.
 
+use super::checks::NO_LINK;
+use super::place::{keys_of_part, of_set};
 use super::{DescriptionError, RollingEntry, spaced};
 use crate::Path;
 use crate::drive::Spacing;
+use crate::faults::{At, Faults};
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_train::PlanetSet;
 use epicyclic_train::compound::{CentralKind, CentralSpec, CompoundSpec, MeshSpec, PlanetSpec};
 use epicyclic_train::planet_bearings::{MeshSize, PlanetSize, SetSize};
 use epicyclic_train::planet_set::Planet;
+use epicyclic_train::{PlanetSet, SetPart};
 use epicyclic_units::{Number, Quantity};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
@@ -22,7 +25,7 @@ use uom::si::f64::{Angle, Force, Length, Mass, Ratio};
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CompoundEntry<P = PlanetSizeEntry> {
-    /// Its name.
+    /// Name of the set.
     pub id: String,
     /// Link of the carrier.
     pub carrier: String,
@@ -77,10 +80,10 @@ pub struct CompoundEntry<P = PlanetSizeEntry> {
 pub struct MeshEntry {
     /// The two gears.
     pub gears: [String; 2],
-    /// Its efficiency, 0.99 or 99 %; 1 unless given.
+    /// Efficiency of the mesh, 0.99 or 99 %; 1 unless given.
     #[serde(default)]
     pub efficiency: Option<Quantity<Ratio>>,
-    /// Its module, if not that of the set.
+    /// Module of the mesh, if not that of the set.
     #[serde(default)]
     pub module: Option<Quantity<Length>>,
     /// Of two planets in mesh: the second by name stands behind the first, not ahead of it in the positive
@@ -100,16 +103,16 @@ pub struct PlanetSizeEntry {
     /// Face width of each of its gears, for its mass.
     #[serde(default)]
     pub face_widths: Vec<Quantity<Length>>,
-    /// Its bore. Default: solid.
+    /// Bore of the planet. Default: solid.
     #[serde(default)]
     pub bore: Option<Quantity<Length>>,
-    /// Its mass with what turns about its pin; goes before that of its shape.
+    /// Mass of the planet with all that turns about its pin; used instead of the mass of its shape.
     #[serde(default)]
     pub mass: Option<Quantity<Mass>>,
     /// Basic dynamic load rating of its bearings together, for their life.
     #[serde(default)]
     pub load_rating: Option<Quantity<Force>>,
-    /// What rolls in these bearings. Default balls.
+    /// Rolling elements of these bearings. Default balls.
     #[serde(default)]
     pub bearing_rolling: RollingEntry,
     /// Static load rating of these bearings together, for their safety at rest.
@@ -137,21 +140,21 @@ pub struct ListedPlanetEntry {
     /// Face width of each of its gears, for its mass.
     #[serde(default)]
     pub face_widths: Vec<Quantity<Length>>,
-    /// Its bore. Default: solid.
+    /// Bore of the planet. Default: solid.
     #[serde(default)]
     pub bore: Option<Quantity<Length>>,
-    /// Its mass with what turns about its pin; goes before that of its shape.
+    /// Mass of the planet with all that turns about its pin; used instead of the mass of its shape.
     #[serde(default)]
     pub mass: Option<Quantity<Mass>>,
     /// Basic dynamic load rating of its bearings together, for their life.
     #[serde(default)]
     pub load_rating: Option<Quantity<Force>>,
-    /// What rolls in these bearings. Default balls.
+    /// Rolling elements of these bearings. Default balls.
     #[serde(default)]
     pub bearing_rolling: RollingEntry,
 }
 
-/// What states the size of a planet.
+/// Entry that states the size of a planet.
 pub trait PlanetSized {
     /// The size.
     fn size(&self) -> PlanetSize;
@@ -208,50 +211,55 @@ impl JsonSchema for Note {
     }
 }
 
+/// Path of a part of a set; of the sets so many have two central gears, and the others are these.
+pub(super) fn at_set<P: PlanetSized>(
+    simple: usize,
+    compound: &[CompoundEntry<P>],
+    set: usize,
+    part: SetPart,
+) -> At {
+    let compound = set.checked_sub(simple).and_then(|set| compound.get(set));
+    let at = compound.map_or_else(|| keys_of_part(part).into(), |compound| compound.at(part));
+    at.below(&of_set(simple, set))
+}
+
 impl<P: PlanetSized> CompoundEntry<P> {
     /// The set, with the link of each member by `link`.
-    pub(super) fn spec(
-        &self,
-        link: impl Fn(&str) -> Result<String, DescriptionError>,
-    ) -> Result<CompoundSpec, DescriptionError> {
-        let mut centrals = vec![];
-        for (kind, gears) in [
-            (CentralKind::Sun, &self.suns),
-            (CentralKind::Ring, &self.rings),
-            (CentralKind::BevelLeft, &self.bevels_left),
-            (CentralKind::BevelRight, &self.bevels_right),
-        ] {
-            for (name, &teeth) in gears {
-                let link = link(name)?;
-                centrals.push(CentralSpec { name: name.clone(), link, kind, teeth, planet: None });
-            }
-        }
-        for (name, planet) in &self.planet_shafts {
-            centrals.push(CentralSpec {
-                name: name.clone(),
-                link: link(name)?,
-                kind: CentralKind::PlanetShaft,
-                teeth: 0.0,
-                planet: Some(planet.clone()),
-            });
-        }
+    pub(super) fn spec<'a>(
+        &'a self,
+        link: impl Fn(&'a str) -> Option<&'a str>,
+        faults: &mut Faults,
+    ) -> CompoundSpec {
+        let mut node = |member: &'a String, at: Path| {
+            let lacks = || DescriptionError::MemberInNoLink { set: self.id.clone(), member: member.clone() };
+            faults.keep(at, link(member).ok_or_else(lacks)).unwrap_or(NO_LINK).to_owned()
+        };
+        let carrier = node(&self.carrier, Path::root().key("carrier"));
+        let central = |(key, kind, name, teeth): (&str, _, &'a String, _)| {
+            let link = node(name, Path::root().key(key).key(name));
+            let planet = self.planet_shafts.get(name).filter(|_| kind == CentralKind::PlanetShaft).cloned();
+            CentralSpec { name: name.clone(), link, kind, teeth, planet }
+        };
+        let centrals = self.centrals().map(central).collect();
         let mut meshes = vec![];
         for (place, mesh) in self.meshes.iter().enumerate() {
             let eta =
                 mesh.efficiency.map_or(Ok(MeshEfficiency::IDEAL), |eta| MeshEfficiency::new(eta.0.value));
+            let eta = eta.map_err(|source| DescriptionError::of_set(&self.id, source));
             let at = Path::root().key("meshes").index(place).key("efficiency");
-            let refuse = |source| DescriptionError::Set { set: self.id.clone(), at, source };
-            meshes.push(MeshSpec { between: mesh.gears.clone(), efficiency: eta.map_err(refuse)? });
+            let efficiency = faults.keep(at, eta).unwrap_or(MeshEfficiency::IDEAL);
+            meshes.push(MeshSpec { between: mesh.gears.clone(), efficiency });
         }
-        if let Some(name) = self.planet_sizes.keys().find(|name| !self.planet_gears.contains_key(*name)) {
-            return Err(DescriptionError::NoSuchPlanet { set: self.id.clone(), planet: name.clone() });
+        for name in self.planet_sizes.keys().filter(|name| !self.planet_gears.contains_key(*name)) {
+            let unknown = DescriptionError::NoSuchPlanet { set: self.id.clone(), planet: name.clone() };
+            faults.push(Path::root().key("planet_sizes").key(name), unknown);
         }
         let planet =
             |(name, teeth): (&String, &Vec<u32>)| PlanetSpec { name: name.clone(), teeth: teeth.clone() };
-        let spacing = spaced(&self.id, self.spacing, [self.planet_angles.as_deref(), None])?;
+        let spacing = spaced(&self.id, self.spacing, [self.planet_angles.as_deref(), None], faults);
         let spec = CompoundSpec {
             id: self.id.clone(),
-            carrier: link(&self.carrier)?,
+            carrier,
             centrals,
             planets: self.planet_gears.iter().map(planet).collect(),
             meshes,
@@ -259,10 +267,31 @@ impl<P: PlanetSized> CompoundEntry<P> {
             spacing: Default::default(),
             proportional: self.proportional,
         };
-        Ok(spec.spaced(spacing))
+        spec.spaced(spacing)
     }
 
-    /// What it says of its size; the rest as usual.
+    /// Path of a part of the set.
+    fn at(&self, part: SetPart) -> At {
+        let root = Path::root();
+        let planet = |planet: usize| {
+            let name = self.planet_gears.keys().nth(planet);
+            root.clone().key("planet_gears").key(name.cloned().unwrap_or_default())
+        };
+        match part {
+            SetPart::Central(central) => match self.centrals().nth(central) {
+                Some((key, _, name, _)) => root.key(key).key(name),
+                None => root,
+            },
+            SetPart::Planet(of) => planet(of),
+            SetPart::PlanetGear(of, gear) => planet(of).index(gear),
+            SetPart::Mesh(mesh) => root.key("meshes").index(mesh),
+            SetPart::MeshGear(mesh, gear) => root.key("meshes").index(mesh).key("gears").index(gear),
+            other => return keys_of_part(other).into(),
+        }
+        .into()
+    }
+
+    /// Size of the set, as far as the entry states it; the rest as usual.
     pub(super) fn size(&self, set: &PlanetSet, usual: &SetSize) -> SetSize {
         let planet =
             |planet: &Planet| self.planet_sizes.get(&planet.name).map_or_else(PlanetSize::default, P::size);
@@ -279,9 +308,23 @@ impl<P: PlanetSized> CompoundEntry<P> {
         }
     }
 
+    /// Key, kind, name and teeth of its central gears and planet shafts.
+    fn centrals(&self) -> impl Iterator<Item = (&'static str, CentralKind, &String, f64)> + Clone {
+        let gears = [
+            ("suns", CentralKind::Sun, &self.suns),
+            ("rings", CentralKind::Ring, &self.rings),
+            ("bevels_left", CentralKind::BevelLeft, &self.bevels_left),
+            ("bevels_right", CentralKind::BevelRight, &self.bevels_right),
+        ];
+        let gears = gears
+            .into_iter()
+            .flat_map(|(key, kind, gears)| gears.iter().map(move |(name, teeth)| (key, kind, name, *teeth)));
+        let shaft = |name| ("planet_shafts", CentralKind::PlanetShaft, name, 0.0);
+        gears.chain(self.planet_shafts.keys().map(shaft))
+    }
+
     /// Names of its members, the carrier last.
     pub(super) fn members(&self) -> impl Iterator<Item = &String> + Clone {
-        let gears = [&self.suns, &self.rings, &self.bevels_left, &self.bevels_right];
-        gears.into_iter().flat_map(BTreeMap::keys).chain(self.planet_shafts.keys()).chain([&self.carrier])
+        self.centrals().map(|(_, _, name, _)| name).chain([&self.carrier])
     }
 }

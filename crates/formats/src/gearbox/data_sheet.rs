@@ -1,4 +1,4 @@
-//! What a gearbox file says for the data sheets of its gears.
+//! Keys of a gearbox file for the data sheets of its gears.
 
 use epicyclic_units::Quantity;
 use schemars::JsonSchema;

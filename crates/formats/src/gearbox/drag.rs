@@ -1,25 +1,27 @@
-//! What a gearbox file says of losses that do not depend on the load: curves of drag torques.
+//! Losses that do not depend on the load in a gearbox file: curves of drag torques.
 
-use super::checks::unique;
-use super::{DescriptionError, GearboxFile};
+use super::GearboxFile;
+use crate::Path;
+use crate::faults::Faults;
 use epicyclic_train::drag::{Beyond, Drag, DragCurve};
 use epicyclic_train::error::DragFault;
 use epicyclic_train::tolerance::MOST_DRAGS;
-use epicyclic_train::{Gearbox, Named};
+use epicyclic_train::{Error, Gearbox, Named};
 use epicyclic_units::Quantity;
 use schemars::JsonSchema;
 use serde::Deserialize;
+use std::collections::BTreeSet;
 use uom::si::f64::{AngularVelocity, Torque};
 
 /// A drag between two links: of a seal, of bearings, of parts that churn oil.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DragEntry {
-    /// Its name.
+    /// Name of the drag.
     pub id: String,
     /// The links; `ground` is the housing.
     pub between: [String; 2],
-    /// Its torque over their relative speed.
+    /// Drag torque over the relative speed of the links.
     pub curve: DragCurveEntry,
 }
 
@@ -31,12 +33,12 @@ pub struct DragCurveEntry {
     pub speeds: Vec<Quantity<AngularVelocity>>,
     /// The torque at each, at least 0; it opposes the motion.
     pub torques: Vec<Quantity<Torque>>,
-    /// What holds outside these speeds; a speed there is refused unless given.
+    /// Torque outside these speeds. Default: a speed there is refused.
     #[serde(default)]
     pub beyond: BeyondEntry,
 }
 
-/// What holds outside the speeds of a curve.
+/// Torque outside the speeds of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum BeyondEntry {
@@ -69,38 +71,87 @@ impl GearboxFile {
     /// # Errors
     /// [`epicyclic_train::Error::Drag`] for a curve that is none, [`epicyclic_train::Error::Unknown`] for a
     /// link, and [`epicyclic_train::Error::Duplicate`] for a name that stands twice.
-    pub fn drags(&self, gearbox: &Gearbox) -> Result<Vec<Drag>, DescriptionError> {
-        if self.drags.len() > MOST_DRAGS {
-            let (what, count, limit) = (Named::Drag, self.drags.len(), MOST_DRAGS);
-            return Err(epicyclic_train::Error::TooMany { what, count, limit }.into());
+    pub fn drags(&self, gearbox: &Gearbox) -> Result<Vec<Drag>, Faults> {
+        let (mut all, mut faults) = (vec![], Faults::default());
+        let curves = self.curves(&mut faults);
+        for (place, ((id, ..), curve)) in self.drag_entries().zip(curves).enumerate() {
+            let Some(DragEntry { between, .. }) = self.drags.get(place) else {
+                all.extend(curve.and_then(|curve| gearbox.drag_of_shift_element(id, curve).ok()));
+                continue;
+            };
+            let at = Path::root().key("drags").index(place).key("between");
+            match (gearbox.drag_links(id, between.each_ref().map(String::as_str)), curve) {
+                (Ok(links), Some(curve)) => {
+                    all.push(Drag { name: id.clone(), links, curve, shift_element: None });
+                }
+                (Ok(_), None) => {}
+                (Err(refused), _) => {
+                    refused.into_iter().for_each(|(end, error)| faults.push(at.clone().indexed(end), error));
+                }
+            }
         }
-        // Of the open shift elements, too: a drag has no other name than theirs.
-        let of_elements = self.brakes.iter().filter(|brake| brake.drag.is_some()).map(|brake| &brake.id);
-        let of_clutches =
-            self.clutches.iter().filter(|clutch| clutch.drag.is_some()).map(|clutch| &clutch.id);
-        unique(Named::Drag, of_elements.chain(of_clutches).chain(self.drags.iter().map(|drag| &drag.id)))?;
-        let mut all: Vec<Drag> = vec![];
-        let fault = |name: &str| {
-            let drag = name.to_owned();
-            move |fault| epicyclic_train::Error::Drag { drag, fault }
+        faults.or(all)
+    }
+
+    /// Paths of the curves of the [`drags`](Self::drags), in their order.
+    #[must_use]
+    pub fn drag_paths(&self) -> Vec<Path> {
+        self.drag_entries().map(|(_, path, _)| path).collect()
+    }
+
+    /// Names, paths and curves of the drags.
+    fn drag_entries(&self) -> impl Iterator<Item = (&String, Path, &DragCurveEntry)> {
+        let path = |list: &str, place, key: &str| Path::root().key(list).index(place).key(key);
+        let drags = self.drags.iter().enumerate();
+        let drags = drags.map(move |(place, one)| (&one.id, path("drags", place, "curve"), &one.curve));
+        let brakes = self.brakes.iter().enumerate();
+        let brakes = brakes.filter_map(move |(place, one)| {
+            Some((&one.id, path("brakes", place, "drag"), one.drag.as_ref()?))
+        });
+        let clutches = self.clutches.iter().enumerate();
+        let clutches = clutches.filter_map(move |(place, one)| {
+            Some((&one.id, path("clutches", place, "drag"), one.drag.as_ref()?))
+        });
+        drags.chain(brakes).chain(clutches)
+    }
+
+    /// Curves of the drags; checks names and curves, for which no gearbox is needed.
+    pub(super) fn curves(&self, faults: &mut Faults) -> Vec<Option<DragCurve>> {
+        let count = self.drags.len();
+        if count > MOST_DRAGS {
+            let error = Error::TooMany { what: Named::Drag, count, limit: MOST_DRAGS };
+            faults.push(Path::root().key("drags").index(MOST_DRAGS), error);
+            return vec![];
+        }
+        // A drag has no other name than that of an open shift element, which has a drag, too.
+        let of_elements = self.drag_entries().skip(count).map(|(id, ..)| id);
+        let mut seen: BTreeSet<&String> = of_elements.collect();
+        for (place, DragEntry { id, .. }) in self.drags.iter().enumerate() {
+            if !seen.insert(id) {
+                let error = Error::Duplicate { what: Named::Drag, name: id.clone() };
+                faults.push(Path::root().key("drags").index(place), error);
+            }
+        }
+        let curve = |(id, path, entry): (&String, Path, &DragCurveEntry)| {
+            entry.curve().map_err(|fault| {
+                let at = match fault {
+                    DragFault::Speed { place, .. } | DragFault::NotAscending { place } => {
+                        path.key("speeds").index(place)
+                    }
+                    DragFault::Torque { place, .. } => path.key("torques").index(place),
+                    _ => path,
+                };
+                faults.push(at, Error::Drag { drag: id.clone(), fault });
+            })
         };
-        for DragEntry { id, between: [first, second], curve } in &self.drags {
-            all.push(gearbox.drag(id, [first, second], curve.curve().map_err(fault(id))?)?);
-        }
-        let brakes = self.brakes.iter().map(|brake| (&brake.id, &brake.drag));
-        for (id, curve) in brakes.chain(self.clutches.iter().map(|clutch| (&clutch.id, &clutch.drag))) {
-            let Some(curve) = curve else { continue };
-            all.push(gearbox.drag_of_shift_element(id, curve.curve().map_err(fault(id))?)?);
-        }
-        Ok(all)
+        self.drag_entries().map(curve).map(Result::ok).collect()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gearbox::located;
-    use crate::{Document, Path};
+    use crate::Document;
 
     const BOX: &str = "\
 gearbox: I
@@ -120,7 +171,7 @@ gears: [{ name: slow, engaged: [K1] }, { name: fast, engaged: [K2] }]
         let document = Document::parse_one("box.yaml", text.as_bytes()).map_err(|error| error.to_string())?;
         let file: GearboxFile = document.read().map_err(|error| error.to_string())?;
         let drags = file.gearbox().and_then(|gearbox| file.drags(&gearbox));
-        drags.map_err(|error| located(&document, &Path::root(), &error).to_string())
+        drags.map_err(|faults| faults.placed(&document, &Path::root()).to_string())
     }
 
     #[test]

@@ -5,7 +5,7 @@ use epicyclic_train::set::SetKind;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// What rolls in a bearing.
+/// Rolling elements of a bearing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum RollingEntry {

@@ -1,7 +1,9 @@
-//! What a gearbox file says of the size of its sets: planets and their bearings, the basic rack, the density.
+//! Sizes of the sets of a gearbox file: planets and their bearings, the basic rack, the density.
 
+use super::place::{keys_of, of_set};
 use super::{DescriptionError, GearboxFile};
 use crate::Path;
+use crate::faults::Faults;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::planet_bearings::{MeshSize, PlanetBearing, SetSize};
 use epicyclic_train::planet_set::{Mesh, MeshKind};
@@ -13,9 +15,9 @@ impl GearboxFile {
     /// The planet bearings of each set that has any, as far as their size is known.
     ///
     /// # Errors
-    /// [`DescriptionError::Set`] for an invalid size.
-    pub fn planet_bearings(&self, gearbox: &Gearbox) -> Result<Vec<PlanetBearing>, DescriptionError> {
-        planet_bearings(gearbox, |set| self.size(set))
+    /// [`DescriptionError::Set`] for each set with an invalid size.
+    pub fn planet_bearings(&self, gearbox: &Gearbox) -> Result<Vec<PlanetBearing>, Faults> {
+        planet_bearings(gearbox, |set| self.size(set), |set| of_set(self.sets.len(), set))
     }
 
     /// The basic rack that the teeth are checked by.
@@ -54,7 +56,7 @@ impl GearboxFile {
         (0..set.meshes().len()).map(|mesh| own(mesh).map(Physical::si)).collect()
     }
 
-    /// What the file says of the size of a set.
+    /// Size of a set, as far as the file states it.
     fn size(&self, set: &PlanetSet) -> SetSize {
         let usual = SetSize::default();
         let usual = SetSize {
@@ -94,18 +96,23 @@ impl GearboxFile {
     }
 }
 
-/// The planets of each set that has any, with what is known of its size.
+/// The planets of each set that has any, with what is known of its size; `at` is the path of a set by its
+/// index.
 pub(super) fn planet_bearings(
     gearbox: &Gearbox,
     size: impl Fn(&PlanetSet) -> SetSize,
-) -> Result<Vec<PlanetBearing>, DescriptionError> {
-    let mut all = vec![];
+    at: impl Fn(usize) -> Path,
+) -> Result<Vec<PlanetBearing>, Faults> {
+    let (mut all, mut faults) = (vec![], Faults::default());
     for (place, set) in gearbox.sets().iter().enumerate() {
-        if let Some(bearings) = gearbox.planet_bearings(place, &size(set)) {
-            let refuse =
-                |source| DescriptionError::Set { set: set.id().to_owned(), at: Path::root(), source };
-            all.extend(bearings.map_err(refuse)?);
+        match gearbox.planet_bearings(place, &size(set)) {
+            Some(Ok(bearings)) => all.extend(bearings),
+            Some(Err(source)) => {
+                let keys = at(place).first_of(keys_of(&source));
+                faults.push(keys, DescriptionError::of_set(set.id(), source));
+            }
+            None => {}
         }
     }
-    Ok(all)
+    faults.or(all)
 }

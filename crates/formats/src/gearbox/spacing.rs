@@ -1,8 +1,11 @@
 //! Where the planets of a set stand, as files say it.
 
 use super::DescriptionError;
+use super::place::keys_of_part;
 use crate::drive::Spacing as Word;
+use crate::faults::Faults;
 use epicyclic_gears::synthesis::Placement;
+use epicyclic_train::SetPart;
 use epicyclic_train::spacing::Spacing;
 use epicyclic_units::Quantity;
 use uom::si::f64::Angle;
@@ -12,13 +15,17 @@ pub(super) fn spaced(
     set: &str,
     word: Option<Word>,
     angles: [Option<&[Quantity<Angle>]>; 2],
-) -> Result<Spacing, DescriptionError> {
-    let twice = || DescriptionError::SpacingTwice { set: set.to_owned() };
+    faults: &mut Faults,
+) -> Spacing {
     match (word, angles) {
-        (word, [None, None]) => Ok(Spacing::Placed(word.map_or(Placement::Equal, Placement::from))),
+        (word, [None, None]) => Spacing::Placed(word.map_or(Placement::Equal, Placement::from)),
         (None, [Some(angles), None] | [None, Some(angles)]) => {
-            Ok(Spacing::At(angles.iter().map(|angle| angle.0).collect()))
+            Spacing::At(angles.iter().map(|angle| angle.0).collect())
         }
-        _ => Err(twice()),
+        _ => {
+            let twice = DescriptionError::SpacingTwice { set: set.to_owned() };
+            faults.push(keys_of_part(SetPart::Spacing), twice);
+            Spacing::default()
+        }
     }
 }

@@ -1,4 +1,4 @@
-//! What a gearbox file says for the strength of its teeth: of sets, of the gearbox, and its duty.
+//! Keys of a gearbox file for the strength of its teeth: of sets, of the gearbox, and its duty.
 
 use epicyclic_units::{Number, Quantity};
 use schemars::JsonSchema;
@@ -6,7 +6,7 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use uom::si::f64::{AngularVelocity, KinematicViscosity, Length, Pressure, Ratio, Torque};
 
-/// What the strength of a simple set asks for beyond its teeth, module and face width.
+/// Data for the strength of a simple set besides its teeth, module and face width.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StrengthEntry {
@@ -81,12 +81,12 @@ pub struct AccuracyEntry {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ShaperEntry {
-    /// Its teeth.
+    /// Number of teeth of the shaper.
     pub teeth: u32,
-    /// Its profile shift coefficient. Default 0.
+    /// Profile shift coefficient of the shaper. Default 0.
     #[serde(default)]
     pub shift: Option<Number>,
-    /// Its addendum, in modules. Default: the one that leaves the root circle of the basic rack; searches
+    /// Addendum of the shaper, in modules. Default: the one that leaves the root circle of the basic rack; searches
     /// take the dedendum of the rack.
     #[serde(default)]
     pub addendum: Option<Number>,
@@ -102,7 +102,7 @@ pub struct ShaperEntry {
 pub struct MaterialEntry {
     /// The name by which sets know it.
     pub name: String,
-    /// Its class.
+    /// Class of the material.
     pub class: MaterialClass,
     /// Contact stress limit `σ_Hlim`.
     pub contact_limit: Quantity<Pressure>,
@@ -192,9 +192,9 @@ pub struct OverloadEntry {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RequiredEntry {
-    /// Of the flanks, `S_H`.
+    /// Safety of the flanks, `S_H`.
     pub flank: Number,
-    /// Of the roots, `S_F`.
+    /// Safety of the roots, `S_F`.
     pub root: Number,
 }
 

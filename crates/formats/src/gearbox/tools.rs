@@ -1,35 +1,37 @@
-//! What a gearbox file says of how the gears of a simple set are cut.
+//! Tools of a gearbox file that cut the gears of a simple set.
 
-use super::{DescriptionError, GearboxFile, SetEntry, ShaperEntry};
+use super::{DescriptionError, SetEntry, ShaperEntry};
 use crate::Path;
+use crate::faults::{Faults, Keys};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::profile::{Cutting, Iso53};
 use epicyclic_gears::involute::tool::{Shaper, Tool};
+use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::{Error, Quantity};
 use epicyclic_train::set::{SetKind, SetSpec};
 use epicyclic_units::Number;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// What cuts sun, planets and ring of a simple set. Default: a hob for sun and planets; for the ring a shaper
+/// Tools that cut sun, planets and ring of a simple set. Default: a hob for sun and planets; for the ring a shaper
 /// of 30 teeth with corners of 0.3 modules, or with 18 less than a smaller ring has, and a form tool for
 /// rings of fewer than 42 teeth.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ToolsEntry {
-    /// Of the sun.
+    /// Tool of the sun.
     #[serde(default)]
     pub sun: Option<ToolEntry>,
-    /// Of the planets.
+    /// Tool of the planets.
     #[serde(default)]
     pub planet: Option<ToolEntry>,
-    /// Of the ring.
+    /// Tool of the ring.
     #[serde(default)]
     pub ring: Option<ToolEntry>,
 }
 
-/// What cuts a gear: the basic rack of its hob, a shaper in its place, or a form tool.
+/// Tool that cuts a gear: the basic rack of its hob, a shaper in its place, or a form tool.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ToolEntry {
@@ -73,12 +75,12 @@ pub enum ProfileEntry {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CutterEntry {
-    /// Its teeth.
+    /// Number of teeth of the shaper.
     pub teeth: u32,
-    /// Its profile shift coefficient; sharpening lowers it from about 0.15 to -0.15. Default 0.
+    /// Profile shift coefficient of the shaper; sharpening lowers it from about 0.15 to -0.15. Default 0.
     #[serde(default)]
     pub shift: Option<Number>,
-    /// Its addendum, in modules. Default: the one that leaves the root circle of the basic rack; searches
+    /// Addendum of the shaper, in modules. Default: the one that leaves the root circle of the basic rack; searches
     /// take the dedendum of the rack.
     #[serde(default)]
     pub addendum: Option<Number>,
@@ -169,57 +171,65 @@ pub enum ToolMisfit {
     Invalid(#[from] epicyclic_gears::Error),
 }
 
-impl GearboxFile {
-    /// A set with how its gears are cut.
-    pub(super) fn with_tools(&self, entry: &SetEntry, spec: SetSpec) -> Result<SetSpec, DescriptionError> {
-        let shaper = entry.strength.as_ref().and_then(|strength| strength.shaper.as_ref());
-        if entry.tools.is_none() && shaper.is_none() {
-            return Ok(spec);
+impl SetEntry {
+    /// The set with how its gears are cut.
+    pub(super) fn with_tools(
+        &self,
+        spec: SetSpec,
+        rack: Option<&BasicRack>,
+        faults: &mut Faults,
+    ) -> Option<SetSpec> {
+        let shaper = self.strength.as_ref().and_then(|strength| strength.shaper.as_ref());
+        if self.tools.is_none() && shaper.is_none() {
+            return Some(spec);
         }
-        if entry.tools.is_some() && spec.kind != SetKind::Simple {
-            return Err(DescriptionError::ToolsOfKind { set: entry.id.clone() });
+        if self.tools.is_some() && spec.kind != SetKind::Simple {
+            faults.push("tools", DescriptionError::ToolsOfKind { set: self.id.clone() });
+            return None;
         }
-        let tools = entry.tools.clone().unwrap_or_default();
+        let tools = self.tools.clone().unwrap_or_default();
         let of_tools = |gear: &str| Path::root().key("tools").key(gear);
         let of_shaper = || Path::root().key("strength").key("shaper");
         let kinds = [GearKind::External, GearKind::External, GearKind::Internal];
-        let refuse = |way: &Path, source: ToolMisfit| {
-            let at = source.keys().iter().fold(way.clone(), |way, key| way.key(*key));
-            DescriptionError::Tools { set: entry.id.clone(), at, source }
+        let mut refuse = |way: Path, source: ToolMisfit| {
+            let at = way.first_of(source.keys());
+            faults.push(at, DescriptionError::Tools { set: self.id.clone(), source });
         };
-        let own = |gear: &Option<ToolEntry>, kind, way: Path| {
+        let mut own = |gear: &Option<ToolEntry>, kind, way: Path| {
             let cutting = gear.as_ref().map_or(Ok(Cutting::default()), |gear| gear.cutting(kind));
-            cutting.map_err(|why| refuse(&way, why)).map(|cutting| (cutting, way))
+            cutting.map_err(|why| refuse(way.clone(), why)).ok().map(|cutting| (cutting, way))
         };
-        let sun = own(&tools.sun, kinds[0], of_tools("sun"))?;
-        let planet = own(&tools.planet, kinds[1], of_tools("planet"))?;
+        let sun = own(&tools.sun, kinds[0], of_tools("sun"));
+        let planet = own(&tools.planet, kinds[1], of_tools("planet"));
         let ring = match (shaper, &tools.ring) {
             (Some(shaper), None) => {
-                let cutting = shaper.cutting().map_err(|why| refuse(&of_shaper(), why.into()))?;
-                (cutting, of_shaper())
+                let cutting = shaper.cutting().map_err(|why| refuse(of_shaper(), why.into()));
+                cutting.ok().map(|cutting| (cutting, of_shaper()))
             }
-            (shaper, _) => {
-                let (ring, way) = own(&tools.ring, kinds[2], of_tools("ring"))?;
+            (shaper, _) => own(&tools.ring, kinds[2], of_tools("ring")).map(|(ring, way)| {
                 // The corners of the shaper are the fillet of the standard's rack, whatever cuts the teeth.
                 let fillet = shaper.and_then(|shaper| shaper.fillet).map(Number::get);
                 let way = if fillet.is_some() && ring.fillet.is_none() { of_shaper() } else { way };
                 (Cutting { fillet: fillet.or(ring.fillet), ..ring }, way)
-            }
+            }),
         };
-        let all = [sun, planet, ring];
-        let rack = self.rack().map_err(DescriptionError::Rack)?;
+        let all = [sun?, planet?, ring?];
         let spec = spec.cut([all[0].0, all[1].0, all[2].0]);
-        for ((cutting, way), (profile, kind)) in all.iter().zip(spec.profiles(&rack).0.iter().zip(kinds)) {
+        let mut is_whole = true;
+        for ((cutting, way), (profile, kind)) in all.iter().zip(spec.profiles(rack?).0.iter().zip(kinds)) {
             let check = profile.check().and_then(|()| cutting.tool.map_or(Ok(()), |tool| tool.check(kind)));
-            check.map_err(|source| refuse(way, source.into()))?;
+            if let Err(source) = check {
+                is_whole = false;
+                refuse(way.clone(), source.into());
+            }
         }
-        Ok(spec)
+        is_whole.then_some(spec)
     }
 }
 
 impl ToolMisfit {
-    /// The keys below a gear's tools, or below the shaper of its strength, that may hold what is wrong.
-    fn keys(&self) -> &'static [&'static str] {
+    /// Keys that may hold what is wrong, below the tools of a gear or below the shaper of the strength.
+    fn keys(&self) -> Keys {
         let error = match self {
             Self::Invalid(error) => error,
             Self::OfHob("stock") => return &["stock"],
@@ -227,7 +237,7 @@ impl ToolMisfit {
             Self::Twice(..) => return &[],
         };
         match error {
-            Error::NoTeeth => &["shaper", "teeth"],
+            Error::NoTeeth => &["shaper.teeth", "teeth"],
             Error::OutOfRange { quantity, .. }
             | Error::Negative { quantity, .. }
             | Error::NotPositive { quantity, .. } => match quantity {
@@ -236,9 +246,9 @@ impl ToolMisfit {
                 Quantity::Stock => &["stock"],
                 Quantity::ClearanceCoefficient => &["dedendum"],
                 Quantity::FormFillet => &["form_fillet"],
-                Quantity::ShaperTipRadius => &["shaper", "tip_radius", "fillet"],
-                Quantity::ShaperShift => &["shaper", "shift"],
-                Quantity::ShaperAddendum => &["shaper", "addendum"],
+                Quantity::ShaperTipRadius => &["shaper.tip_radius", "shaper", "fillet"],
+                Quantity::ShaperShift => &["shaper.shift", "shaper", "shift"],
+                Quantity::ShaperAddendum => &["shaper.addendum", "shaper", "addendum"],
                 _ => &[],
             },
             _ => &[],

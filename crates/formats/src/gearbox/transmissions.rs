@@ -1,15 +1,16 @@
 //! Real transmissions: members joined to links, shift elements between links, gears with published ratios.
 
-use super::checks::unique;
-use super::compound::{CompoundEntry, ListedPlanetEntry, Note};
+use super::checks::{NO_LINK, built, refused};
+use super::compound::{CompoundEntry, ListedPlanetEntry, Note, at_set};
+use super::place::{LISTS_OF_SETS, keys_of_part, of_gear, of_set};
 use super::{DescriptionError, losses, spaced};
 use crate::Path;
 use crate::drive::Spacing;
+use crate::faults::{At, Faults, Keys};
 use epicyclic_gears::teeth::ToothCount;
 use epicyclic_train::planet_bearings::{PlanetBearing, SetSize};
 use epicyclic_train::set::{SetKind, SetSpec};
-use epicyclic_train::tolerance::{MOST_ELEMENTS, MOST_GEARS, MOST_LINKS, MOST_SETS};
-use epicyclic_train::{GROUND, GearSpec, Gearbox, Named};
+use epicyclic_train::{GROUND, GearSpec, Gearbox, PlanetSet, SetPart, Site};
 use epicyclic_units::{Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -33,9 +34,9 @@ pub struct TransmissionsFile {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Transmission {
-    /// Its name.
+    /// Name of the transmission.
     pub name: String,
-    /// Where its data stand.
+    /// Publication of its data.
     #[serde(default)]
     pub source: Option<String>,
     /// The sets with two central gears, and pairs; their members are gears and carriers.
@@ -44,7 +45,7 @@ pub struct Transmission {
     /// Sets of any other form, gear by gear; their members too are named in links.
     #[serde(default)]
     pub compound_sets: Vec<CompoundEntry<ListedPlanetEntry>>,
-    /// Which members turn as one piece: by node.
+    /// Members that turn as one piece, by node.
     pub links: BTreeMap<String, Vec<String>>,
     /// Node where power enters, unless a gear says otherwise.
     pub input: String,
@@ -67,7 +68,7 @@ pub struct Transmission {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TransmissionSet {
-    /// Its name.
+    /// Name of the set.
     pub id: String,
     /// How its gears are joined.
     pub planet: Planet,
@@ -155,7 +156,7 @@ pub enum Planet {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PublishedGear {
-    /// Its name.
+    /// Name of the gear.
     pub name: String,
     /// Engaged shift elements.
     pub engaged: Vec<String>,
@@ -177,7 +178,7 @@ pub struct PublishedGear {
     #[serde(deserialize_with = "few_decimals")]
     #[schemars(range(max = MOST_DECIMALS))]
     pub printed_decimals: u32,
-    /// How it came to its digits.
+    /// Rounding of the published figure.
     #[serde(default)]
     pub rounding: Rounding,
     /// Whether it is published the other way round, output over input.
@@ -240,41 +241,36 @@ impl Transmission {
     /// The transmission as a gearbox.
     ///
     /// # Errors
-    /// [`DescriptionError`].
-    pub fn gearbox(&self) -> Result<Gearbox, DescriptionError> {
-        let counts = [
-            (Named::Set, self.sets.len() + self.compound_sets.len(), MOST_SETS),
-            (Named::ShiftElement, self.shift_elements.len() + self.one_way.len(), MOST_ELEMENTS),
-            (Named::Gear, self.gears.len(), MOST_GEARS),
-            (Named::Link, self.links.len(), MOST_LINKS),
-        ];
-        if let Some((what, count, limit)) = counts.into_iter().find(|(_, count, limit)| count > limit) {
-            return Err(epicyclic_train::Error::TooMany { what, count, limit }.into());
-        }
-        let sets = self.sets.iter().map(|set| &set.id).chain(self.compound_sets.iter().map(|set| &set.id));
-        unique(Named::Set, sets)?;
-        unique(Named::ShiftElement, self.shift_elements.keys().chain(self.one_way.keys()))?;
-        unique(Named::Gear, self.gears.iter().map(|gear| &gear.name))?;
+    /// Each [`DescriptionError`] and each error of the solver that does not follow from another one, with its
+    /// path.
+    pub fn gearbox(&self) -> Result<Gearbox, Faults> {
+        let mut faults = Faults::default();
         let mut link_of: BTreeMap<&str, &str> = BTreeMap::new();
         for (link, members) in &self.links {
-            for member in members {
-                if let Some(first) = link_of.insert(member, link) {
-                    return Err(DescriptionError::MemberInTwoLinks {
+            for (place, member) in members.iter().enumerate() {
+                let first = *link_of.entry(member).or_insert(link);
+                let is_repeated = members[..place].contains(member);
+                if first != link || is_repeated {
+                    let error = DescriptionError::MemberInTwoLinks {
                         member: member.clone(),
                         first: first.into(),
                         second: link.clone(),
-                    });
+                    };
+                    faults.push(Path::root().key("links").key(link).index(place), error);
                 }
             }
         }
         let links = self.links.keys().map(String::as_str).filter(|link| *link != GROUND);
         let mut builder = Gearbox::builder(&self.name).links(links).input(&self.input).output(&self.output);
-        for set in &self.sets {
-            builder = builder.set(set.spec(&link_of)?);
+        for (place, set) in self.sets.iter().enumerate() {
+            let at = of_set(self.sets.len(), place);
+            let spec = faults.below(&at, |faults| set.spec(&link_of, faults));
+            builder = builder.set(spec.unwrap_or_else(|| refused(&set.id, set.n_p)));
         }
-        for set in &self.compound_sets {
-            let node = |member: &str| link_of_member(&link_of, &set.id, member).map(str::to_owned);
-            builder = builder.compound_set(set.spec(node)?);
+        for (place, set) in (self.sets.len()..).zip(&self.compound_sets) {
+            let node = |member: &str| link_of.get(member).copied();
+            let at = of_set(self.sets.len(), place);
+            builder = builder.compound_set(faults.below(&at, |faults| set.spec(node, faults)));
         }
         for (id, [first, second]) in &self.shift_elements {
             builder = builder.clutch(id, first, second);
@@ -286,41 +282,52 @@ impl Transmission {
             let PublishedGear { name, engaged, input, output, .. } = gear.clone();
             builder = builder.gear_spec(GearSpec { name, engaged, input, output });
         }
-        Ok(builder.build()?)
+        built(faults, builder.build_all(), |site| self.at(site))
+    }
+
+    /// Path of a part of the description.
+    fn at(&self, site: Site) -> At {
+        match site {
+            Site::Gearbox => LISTS_OF_SETS.into(),
+            Site::Terminal(which) => Path::root().key(which.to_string()).into(),
+            Site::Set(set, part) => at_set(self.sets.len(), &self.compound_sets, set, part),
+            Site::ShiftElement(element, end) => {
+                let clutches = self.shift_elements.keys().map(|id| ("shift_elements", id));
+                let one_way = self.one_way.keys().map(|id| ("one_way", id));
+                let path = clutches.chain(one_way).nth(element);
+                path.map_or(Path::root(), |(key, id)| Path::root().key(key).key(id).indexed(end)).into()
+            }
+            Site::Gear(gear, part) => of_gear(gear, part).into(),
+            Site::Link(_) | Site::Connection(..) => Path::root().key("links").into(),
+        }
     }
 
     /// The planet bearings of each set that has any. Only compound sets state sizes here.
     ///
     /// # Errors
-    /// [`DescriptionError::Set`] for an invalid size.
-    pub fn planet_bearings(&self, gearbox: &Gearbox) -> Result<Vec<PlanetBearing>, DescriptionError> {
-        super::size::planet_bearings(gearbox, |set| {
+    /// [`DescriptionError::Set`] for each set with an invalid size.
+    pub fn planet_bearings(&self, gearbox: &Gearbox) -> Result<Vec<PlanetBearing>, Faults> {
+        let size = |set: &PlanetSet| {
             let entry = self.compound_sets.iter().find(|entry| entry.id == set.id());
             entry.map_or_else(SetSize::default, |entry| entry.size(set, &SetSize::default()))
-        })
+        };
+        super::size::planet_bearings(gearbox, size, |set| of_set(self.sets.len(), set))
     }
 }
 
-fn link_of_member<'n>(
-    link_of: &BTreeMap<&str, &'n str>,
-    set: &str,
-    member: &str,
-) -> Result<&'n str, DescriptionError> {
-    link_of
-        .get(member)
-        .copied()
-        .ok_or_else(|| DescriptionError::MemberInNoLink { set: set.to_owned(), member: member.to_owned() })
-}
-
 impl TransmissionSet {
-    fn spec(&self, link_of: &BTreeMap<&str, &str>) -> Result<SetSpec, DescriptionError> {
+    /// The set; `None` where a fault leaves its ratio or its planets open.
+    fn spec(&self, link_of: &BTreeMap<&str, &str>, faults: &mut Faults) -> Option<SetSpec> {
         let missing = |missing| DescriptionError::Missing { set: self.id.clone(), missing };
-        let gears = |key: &str| {
-            let (set, at) = (self.id.clone(), Path::root().key(key));
-            move |source| DescriptionError::Set { set, at, source }
-        };
-        let node = |member: Option<&String>, what| {
-            link_of_member(link_of, &self.id, member.ok_or_else(|| missing(what))?)
+        let of_set = |source| DescriptionError::of_set(&self.id, source);
+        let mut node = |member: Option<&String>, part, what| {
+            let Some(member) = member else {
+                faults.push(Path::root(), missing(what));
+                return NO_LINK;
+            };
+            let lacks = || DescriptionError::MemberInNoLink { set: self.id.clone(), member: member.clone() };
+            let link = link_of.get(member.as_str()).copied().ok_or_else(lacks);
+            faults.keep(keys_of_part(part), link).unwrap_or(NO_LINK)
         };
         let kind = match self.planet {
             Planet::Simple => SetKind::Simple,
@@ -335,33 +342,43 @@ impl TransmissionSet {
         };
         // A planet set names a sun and a ring, or its central gears a and b; a pair its gears.
         let (first, second) = if kind.is_pair() { ("`gear_a`", "`gear_b`") } else { ("`sun`", "`ring`") };
-        let one = node(self.sun.as_ref().or(self.gear_a.as_ref()), first)?;
-        let other = node(self.ring.as_ref().or(self.gear_b.as_ref()), second)?;
-        let carrier = if kind.is_pair() { GROUND } else { node(self.carrier.as_ref(), "`carrier`")? };
+        let one = node(self.sun.as_ref().or(self.gear_a.as_ref()), SetPart::Central(0), first);
+        let other = node(self.ring.as_ref().or(self.gear_b.as_ref()), SetPart::Central(1), second);
+        let carrier = match kind.is_pair() {
+            true => GROUND,
+            false => node(self.carrier.as_ref(), SetPart::Carrier, "`carrier`"),
+        };
         let (first, second) = if kind.is_pair() { ("`z_a`", "`z_b`") } else { ("`z_s`", "`z_r`") };
-        let either = |one: (Option<u32>, &'static str), other: (Option<u32>, &'static str)| {
-            one.0.map(|teeth| (teeth, one.1)).or(other.0.map(|teeth| (teeth, other.1)))
+        // The first of two keys that is given.
+        let mut count = |keys: Keys, given: [Option<u32>; 2]| {
+            let teeth = given[0].or(given[1])?;
+            Some(faults.keep(keys, ToothCount::new(teeth).map_err(of_set)))
         };
-        let teeth = [
-            either((self.z_s, "z_s"), (self.z_a, "z_a")).ok_or_else(|| missing(first))?,
-            either((self.z_r, "z_r"), (self.z_b, "z_b")).ok_or_else(|| missing(second))?,
-        ];
-        let members = [one, other, carrier];
-        for (count, key) in teeth {
-            ToothCount::new(count).map_err(gears(key))?;
+        let teeth =
+            [count(&["z_s", "z_a"], [self.z_s, self.z_a]), count(&["z_r", "z_b"], [self.z_r, self.z_b])];
+        let planets = [count(&["z_p", "z_pa"], [self.z_p, self.z_pa]), count(&["z_pb"], [self.z_pb, None])];
+        for (given, what) in teeth.iter().zip([first, second]) {
+            if given.is_none() {
+                faults.push(Path::root(), missing(what));
+            }
         }
-        let mut spec =
-            SetSpec::teeth(&self.id, kind, members, teeth[0].0, teeth[1].0).map_err(gears(teeth[1].1))?;
-        spec.loss = losses(&self.id, kind, self.efficiency, self.meshes.as_deref())?;
-        let count = |given: Option<(u32, &str)>| {
-            given.map(|(teeth, key)| ToothCount::new(teeth).map_err(gears(key))).transpose()
-        };
-        spec.planet = count(either((self.z_p, "z_p"), (self.z_pa, "z_pa")))?;
-        spec.second_planet = count(self.z_pb.map(|teeth| (teeth, "z_pb")))?;
+        let loss = losses(&self.id, kind, self.efficiency, self.meshes.as_deref(), faults);
+        let spacing = spaced(&self.id, self.spacing, [self.planet_angles.as_deref(), None], faults);
+        let members = [one, other, carrier];
+        let [first, second] = [teeth[0]??, teeth[1]??];
+        let spec = SetSpec::teeth(&self.id, kind, members, first.get(), second.get()).map_err(of_set);
+        let mut spec = faults.keep(&["z_r", "z_b"][..], spec)?;
+        spec.loss = loss;
+        for (planet, given) in [&mut spec.planet, &mut spec.second_planet].into_iter().zip(planets) {
+            *planet = match given {
+                Some(count) => Some(count?),
+                None => None,
+            };
+        }
         if let Some(count) = self.n_p {
             spec = spec.planet_count(count);
         }
-        Ok(spec.spaced(spaced(&self.id, self.spacing, [self.planet_angles.as_deref(), None])?))
+        Some(spec.spaced(spacing))
     }
 }
 
@@ -404,9 +421,9 @@ mod tests {
     #[test]
     fn members_are_in_one_node_each() {
         let twice = read(&PAIR.replace("n_y: [Y]", "n_y: [Y, X]")).gearbox();
-        assert!(matches!(twice, Err(DescriptionError::MemberInTwoLinks { .. })));
+        assert_eq!(twice.unwrap_err().name(), "member-in-two-links");
         let nowhere = read(&PAIR.replace("n_y: [Y]", "n_y: [Z]")).gearbox();
-        assert!(matches!(nowhere, Err(DescriptionError::MemberInNoLink { .. })));
+        assert_eq!(nowhere.unwrap_err().name(), "member-in-no-link");
         let missing = read(&PAIR.replace(", z_b: 77", "")).gearbox();
         assert_eq!(missing.unwrap_err().to_string(), "set `P`: `z_b` is missing");
     }

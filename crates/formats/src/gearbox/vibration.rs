@@ -1,4 +1,4 @@
-//! What a gearbox file says for the vibration of its sets: bodies, bearings, supports, stiffness of meshes.
+//! Keys of a gearbox file for the vibration of its sets: bodies, bearings, supports, stiffness of meshes.
 
 use epicyclic_units::Quantity;
 use epicyclic_units::TorsionalStiffness;
@@ -10,7 +10,7 @@ use uom::si::f64::{Angle, AngularVelocity, Length, Mass, MomentOfInertia, Ratio,
 /// A stiffness, N/m.
 pub type Stiffness = SurfaceTension;
 
-/// What the vibration of the whole gearbox asks for beyond its sets, and what excites it.
+/// Data for the vibration of the whole gearbox besides its sets, and its excitation.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct VibrationOfGearbox {
@@ -23,13 +23,13 @@ pub struct VibrationOfGearbox {
     /// Least and greatest speed of the input, for resonances and forces. An option gives others.
     #[serde(default)]
     pub speeds: Option<[Quantity<AngularVelocity>; 2]>,
-    /// How many harmonics of the meshes are told. Default 3.
+    /// Number of harmonics of the meshes. Default 3.
     #[serde(default)]
     pub harmonics: Option<u32>,
     /// Amplitudes of the transmission error of the meshes, the first harmonic first.
     #[serde(default)]
     pub transmission_error: Vec<Quantity<Length>>,
-    /// The same of the ring's meshes, where it is another.
+    /// Transmission error of the ring's meshes, if it differs.
     #[serde(default)]
     pub ring_transmission_error: Vec<Quantity<Length>>,
     /// Damping ratio of every mode, for the forces that transmission errors make.
@@ -41,19 +41,19 @@ pub struct VibrationOfGearbox {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ShaftEntry {
-    /// Its name.
+    /// Name of the shaft.
     pub id: String,
     /// The two links, which `ties` join.
     pub between: [String; 2],
-    /// Its torsional stiffness.
+    /// Torsional stiffness.
     pub stiffness: Quantity<TorsionalStiffness>,
-    /// Its lateral stiffness between the centres of the two links, for their motion in the plane. Default:
+    /// Lateral stiffness between the centres of the two links, for their motion in the plane. Default:
     /// none.
     #[serde(default)]
     pub lateral_stiffness: Option<Quantity<Stiffness>>,
 }
 
-/// What the vibration of a simple set asks for beyond its teeth, module, face width and planets.
+/// Data for the vibration of a simple set besides its teeth, module, face width and planets.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct VibrationEntry {
@@ -91,10 +91,10 @@ pub struct VibrationEntry {
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SunEntry {
-    /// Its mass; by its shape unless given.
+    /// Mass. Default: that of the shape.
     #[serde(default)]
     pub mass: Option<Quantity<Mass>>,
-    /// Its inertia, with what turns with it; by its shape unless given.
+    /// Inertia with all that turns with the body. Default: that of the shape.
     #[serde(default)]
     pub inertia: Option<Quantity<MomentOfInertia>>,
     /// In place of the inertia: the inertia over the square of the base radius, `I/r_b²`.
@@ -116,16 +116,16 @@ pub struct SunEntry {
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RingEntry {
-    /// Its mass; by its shape unless given.
+    /// Mass. Default: that of the shape.
     #[serde(default)]
     pub mass: Option<Quantity<Mass>>,
-    /// Its inertia, with what turns with it; by its shape unless given.
+    /// Inertia with all that turns with the body. Default: that of the shape.
     #[serde(default)]
     pub inertia: Option<Quantity<MomentOfInertia>>,
     /// In place of the inertia: `I/r_b²`.
     #[serde(default)]
     pub rotary_mass: Option<Quantity<Mass>>,
-    /// Its outside diameter, for its shape.
+    /// Outside diameter, for the shape.
     #[serde(default)]
     pub outside_diameter: Option<Quantity<Length>>,
     /// Radial stiffness of its bearings or fixing; 0 of a floating ring. Default: rigid.
@@ -141,10 +141,10 @@ pub struct RingEntry {
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CarrierEntry {
-    /// Its mass.
+    /// Mass.
     #[serde(default)]
     pub mass: Option<Quantity<Mass>>,
-    /// Its inertia, with what turns with it.
+    /// Inertia with all that turns with the body.
     #[serde(default)]
     pub inertia: Option<Quantity<MomentOfInertia>>,
     /// In place of the inertia: the inertia over the square of the radius of the planets' circle.
@@ -163,7 +163,7 @@ pub struct CarrierEntry {
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PlanetEntry {
-    /// Its inertia; by its shape unless given.
+    /// Inertia. Default: that of the shape.
     #[serde(default)]
     pub inertia: Option<Quantity<MomentOfInertia>>,
     /// In place of the inertia: `I/r_b²`.

@@ -33,7 +33,7 @@ pub struct NotWritable {
     pub set: String,
     /// The gear.
     pub gear: String,
-    /// Its link.
+    /// Link of the gear.
     pub link: String,
 }
 
@@ -74,7 +74,7 @@ pub struct WrittenSize {
     pub face_width: Length,
 }
 
-/// The same with the sizes of the first sets, to five digits.
+/// The file of a gearbox with the sizes of the first sets, to five digits.
 ///
 /// # Errors
 /// As [`written`].

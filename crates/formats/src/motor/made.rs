@@ -1,4 +1,4 @@
-//! What a maker adds to the geometry of a motor: material, oil, gaps, friction, ports.
+//! Data that a maker adds to the geometry of a motor: material, oil, gaps, friction, ports.
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -10,7 +10,7 @@ use uom::si::f64::{
 use crate::Span;
 use epicyclic_units::{Number, Quantity};
 
-/// What a maker says beside the geometry.
+/// Data of a maker besides the geometry.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Keys {
     /// Material of all teeth.
@@ -114,7 +114,7 @@ pub struct PortGroup {
     pub pitch_radius: Option<Quantity<Length>>,
     /// Inner radius of a kidney.
     pub inner_radius: Option<Quantity<Length>>,
-    /// Its outer radius.
+    /// Outer radius.
     pub outer_radius: Option<Quantity<Length>>,
     /// Angle from end to end of it.
     pub span: Option<Quantity<Angle>>,

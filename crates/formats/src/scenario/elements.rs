@@ -12,18 +12,18 @@ use uom::si::f64::{AngularVelocity, Area, HeatCapacity, Length, Pressure, Therma
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ElementEntry {
-    /// Its name in the gearbox.
+    /// Name of the element in the gearbox.
     pub id: String,
-    /// Its capacity while it is engaged: in the gear at the start and in those that `shifts` change to.
+    /// Capacity while the element is engaged: in the gear at the start and in those that `shifts` change to.
     #[serde(default)]
     pub holding: Option<Quantity<Torque>>,
-    /// Its capacity over time.
+    /// Capacity over time.
     #[serde(default)]
     pub capacity: Option<CapacityEntry>,
-    /// Its pressure over time, from which the capacity follows.
+    /// Pressure over time, from which the capacity follows.
     #[serde(default)]
     pub pressure: Option<PressureEntry>,
-    /// It is a dog clutch, which engages by an impact and then carries any torque.
+    /// Dog clutch, which engages by an impact and then carries any torque.
     #[serde(default)]
     pub dog: Option<DogEntry>,
     /// Friction over the speed of slip. Default: the same at any speed.
@@ -118,7 +118,7 @@ pub struct ShiftEntry {
 }
 
 impl CapacityEntry {
-    /// Its points.
+    /// Points of the table.
     ///
     /// # Errors
     /// [`TableFault`]; a fault of the CSV file.
@@ -128,7 +128,7 @@ impl CapacityEntry {
 }
 
 impl PressureEntry {
-    /// Its points.
+    /// Points of the table.
     ///
     /// # Errors
     /// [`TableFault`]; a fault of the CSV file.

@@ -11,9 +11,9 @@ use uom::si::f64::{Angle, AngularVelocity, Time, Torque};
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ShaftEntry {
-    /// Its name.
+    /// Name of the shaft.
     pub id: String,
-    /// What it joins; its torque is positive where the first drives the second forward.
+    /// Links that the shaft joins; its torque is positive where the first drives the second forward.
     pub links: [String; 2],
     /// Torsional stiffness, above 0.
     pub stiffness: Quantity<TorsionalStiffness>,
@@ -32,7 +32,7 @@ pub struct ShaftEntry {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ConverterEntry {
-    /// Its name.
+    /// Name of the converter.
     pub id: String,
     /// Impeller and turbine.
     pub links: [String; 2],
@@ -55,7 +55,7 @@ pub struct DogEntry {
     /// Times from which it shall be open. Default none.
     #[serde(default)]
     pub release: Vec<Quantity<Time>>,
-    /// It engages as soon as the speeds of its links differ by no more. Default: at any difference.
+    /// Greatest difference of the speeds of its links at which it engages. Default: at any difference.
     #[serde(default)]
     pub largest_slip: Option<Quantity<AngularVelocity>>,
 }

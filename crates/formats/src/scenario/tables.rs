@@ -22,7 +22,7 @@ pub type Points<X, Y> = Vec<(X, Y)>;
 /// A table that is none.
 #[derive(Debug, Clone, PartialEq)]
 pub enum TableFault {
-    /// What the entry says is no table; the message says why.
+    /// An entry that is not a table; the message says why.
     Entry(String),
     /// A fault in its CSV file.
     Csv(Error),

@@ -10,7 +10,7 @@ use uom::si::f64::{Angle, AngularVelocity, Frequency, Power, Time, Torque};
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TorqueEntry {
-    /// Its name.
+    /// Name of the torque.
     pub id: String,
     /// The link.
     pub link: String,
@@ -38,7 +38,7 @@ pub struct TorqueEntry {
     /// `mean + amplitude·sin(2π·f·t + φ)`.
     #[serde(default)]
     pub harmonic: Option<HarmonicEntry>,
-    /// The same power at every speed, up to a torque.
+    /// Constant power at every speed, up to a torque.
     #[serde(default)]
     pub constant_power: Option<ConstantPowerEntry>,
     /// An engine by its throttle over time.
@@ -104,7 +104,7 @@ pub struct ResistingEntry {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct KlossEntry {
-    /// Its peak torque.
+    /// Peak torque.
     pub peak: Quantity<Torque>,
     /// The slip at the peak torque, above 0.
     pub peak_slip: Number,
@@ -116,14 +116,14 @@ pub struct KlossEntry {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct HarmonicEntry {
-    /// Its mean. Default 0.
+    /// Mean. Default 0.
     #[serde(default)]
     pub mean: Option<Quantity<Torque>>,
-    /// Its amplitude.
+    /// Amplitude.
     pub amplitude: Quantity<Torque>,
-    /// Its frequency, above 0.
+    /// Frequency, above 0.
     pub frequency: Quantity<Frequency>,
-    /// Its phase at time 0. Default 0.
+    /// Phase at time 0. Default 0.
     #[serde(default)]
     pub phase: Option<Quantity<Angle>>,
 }
@@ -144,7 +144,7 @@ pub struct ConstantPowerEntry {
 pub struct ThrottleEntry {
     /// Torque over speed with the throttle closed.
     pub closed: OverSpeedEntry,
-    /// The same with the throttle full open.
+    /// Torque with the throttle full open.
     pub full: OverSpeedEntry,
     /// Times, in order.
     pub times: Vec<Quantity<Time>>,
@@ -173,7 +173,7 @@ impl TorqueEntry {
 }
 
 impl OverTimeEntry {
-    /// Its points.
+    /// Points of the table.
     ///
     /// # Errors
     /// [`TableFault`]; a fault of the CSV file.
@@ -183,7 +183,7 @@ impl OverTimeEntry {
 }
 
 impl OverSpeedEntry {
-    /// Its points.
+    /// Points of the table.
     ///
     /// # Errors
     /// [`TableFault`]; a fault of the CSV file.

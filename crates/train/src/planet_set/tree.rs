@@ -3,6 +3,7 @@
 use super::{Behind, Central, Description, GearOf, Mesh};
 use crate::Error;
 use crate::error::CompoundFault;
+use crate::site::SetPart;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::Fraction;
 
@@ -80,7 +81,7 @@ impl Walk<'_> {
         }
     }
 
-    fn visit(&mut self, body: usize) -> Result<(), Error> {
+    fn visit(&mut self, body: usize) -> Result<(), (SetPart, Error)> {
         self.seen[body] = true;
         for (place, central) in self.centrals.iter().enumerate() {
             if central.body == body && place != self.root {
@@ -103,7 +104,7 @@ impl Walk<'_> {
             let next = self.body(gears[place]);
             if self.seen[next] {
                 let [first, second] = self.ends_of(mesh);
-                return Err(self.fault(CompoundFault::Loop { first, second }));
+                return Err((SetPart::Mesh(mesh), self.fault(CompoundFault::Loop { first, second })));
             }
             let from = self.order.len();
             // Marked before the walk goes on, so that it does not come back this way.
@@ -125,7 +126,7 @@ impl Tree {
         planets: usize,
         meshes: &mut [Mesh],
         whole: Option<MeshEfficiency>,
-    ) -> Result<Self, Error> {
+    ) -> Result<Self, (SetPart, Error)> {
         let bodies = centrals.len() + planets;
         let count = meshes.len();
         let mut walk = Walk {
@@ -142,7 +143,11 @@ impl Tree {
         let own = |body: &usize| *body >= centrals.len() || centrals[*body].body == *body;
         if let Some(body) = (0..bodies).filter(own).find(|&body| !walk.seen[body]) {
             let name = walk.name_of(body);
-            return Err(walk.fault(CompoundFault::Apart { name }));
+            let part = match body.checked_sub(centrals.len()) {
+                Some(planet) => SetPart::Planet(planet),
+                None => SetPart::Central(body),
+            };
+            return Err((part, walk.fault(CompoundFault::Apart { name })));
         }
         let (order, outwards) = (walk.order, walk.outwards);
         let behind: Vec<Behind> = walk.behind.into_iter().map(Option::unwrap_or_default).collect();

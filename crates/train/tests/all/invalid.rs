@@ -9,8 +9,8 @@ use epicyclic_train::compound::{CentralKind, CompoundSpec, SetMember};
 use epicyclic_train::set::{MeshLoss, SetKind, SetSpec, Shifts};
 use epicyclic_train::tolerance::MOST_SETS;
 use epicyclic_train::{
-    CompiledGear, Direction, Error, GearSpec, Gearbox, GearboxBuilder, InputLoad, Named, Place, Solution,
-    Terminal, Values, Warning,
+    CompiledGear, Direction, Error, GearPart, GearSpec, Gearbox, GearboxBuilder, InputLoad, Named, Place,
+    SetPart, Site, Solution, Terminal, Values, Warning,
 };
 use uom::si::angular_velocity::radian_per_second;
 use uom::si::f64::{AngularVelocity, Power, Torque};
@@ -413,4 +413,67 @@ fn a_description_of_a_thousand_sets_is_refused_at_once() {
     let refused = builder.input("n0").output("n1").build().unwrap_err();
     assert_eq!(refused, Error::TooMany { what: Named::Set, count: 1000, limit: 64 });
     assert!(start.elapsed().as_millis() < 20, "{:?}", start.elapsed());
+}
+
+#[test]
+fn all_faults_come_at_once_with_their_sites_and_without_those_that_follow() {
+    use SetPart as Part;
+    let eta = MeshEfficiency::IDEAL;
+    let compound = CompoundSpec::new("1", "driven")
+        .sun("drive", 0)
+        .ring("nowhere", 60)
+        .planet("p", &[20, 0])
+        .mesh("drive", "p.1", eta)
+        .mesh("p.3", "nowhere", eta)
+        .planet_count(0);
+    let own = |gear: &str, input: &str| GearSpec {
+        name: gear.into(),
+        engaged: ["K2", "K1", "K1", "K9"].map(String::from).into(),
+        input: Some(input.into()),
+        output: None,
+    };
+    let faulty = sound()
+        .set(SetSpec::simple("2", ["drive", "rign", "driven"], 0.5))
+        .compound_set(compound)
+        // Its link is unknown; the gear that engages it is not refused for that.
+        .brake("K2", "rign")
+        .clutch("K3", "drive", "drive")
+        .tie("ring", "rign")
+        .ground("ground")
+        .output("ground")
+        .gear_spec(own("2", "ground"))
+        .gear_spec(own("1", "drive"));
+    let found = faulty.clone().build_all().unwrap_err();
+    assert_eq!(faulty.build().unwrap_err(), found[0].error);
+    let found: Vec<(Site, &str)> = found.iter().map(|one| (one.site, one.error.name())).collect();
+    let expected = [
+        (Site::Set(2, Part::Whole), "duplicate"),
+        (Site::Gear(2, GearPart::Whole), "duplicate"),
+        (Site::Terminal(Terminal::Output), "grounded-terminal"),
+        (Site::Connection(0, Some(1)), "unknown"),
+        (Site::Connection(1, None), "cyclic-grounds"),
+        (Site::Set(1, Part::Central(1)), "unknown"),
+        (Site::Set(1, Part::BasicRatio), "ring-to-sun-ratio"),
+        (Site::Set(2, Part::PlanetGear(0, 1)), "compound"),
+        (Site::Set(2, Part::Central(0)), "compound"),
+        (Site::Set(2, Part::MeshGear(1, 0)), "compound"),
+        (Site::Set(2, Part::Central(1)), "unknown"),
+        (Site::Set(2, Part::PlanetCount), "planet-count"),
+        (Site::ShiftElement(1, Some(0)), "unknown"),
+        (Site::ShiftElement(2, None), "shift-element-joins-itself"),
+        (Site::Gear(1, GearPart::Engaged(2)), "engaged-twice"),
+        (Site::Gear(1, GearPart::Engaged(3)), "unknown"),
+        (Site::Gear(1, GearPart::Terminal(Terminal::Input)), "grounded-terminal"),
+        (Site::Gear(2, GearPart::Engaged(2)), "engaged-twice"),
+        (Site::Gear(2, GearPart::Engaged(3)), "unknown"),
+    ];
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn what_is_beyond_a_limit_is_at_the_first_entry_too_many() {
+    let many = (0..300).fold(sound(), |builder, _| builder.tie("drive", "ring"));
+    let many = (0..70).fold(many, |builder, _| builder.set(SetSpec::simple("1", ["a", "b", "c"], 3.0)));
+    let sites: Vec<Site> = many.build_all().unwrap_err().iter().map(|one| one.site).collect();
+    assert_eq!(sites, [Site::Set(64, SetPart::Whole), Site::Connection(256, None)]);
 }

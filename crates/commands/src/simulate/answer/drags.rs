@@ -7,7 +7,6 @@ pub use super::parts::DragKind;
 use super::parts::{Drag, Scenario};
 use crate::error::Error;
 use epicyclic_formats::Problem;
-use epicyclic_formats::gearbox::{DescriptionError, located};
 use epicyclic_motion::{self as motion, Model, Run, Sample};
 use epicyclic_train::error::DragFault;
 use epicyclic_units::{Physical, Quantity};
@@ -80,16 +79,12 @@ impl Scenario<'_> {
             return self.of_run(why);
         };
         let speed = AngularVelocity::from_si;
-        let Some(found) = drags.get(place).map(|drag| &self.subject.drags[drag.place]) else {
-            return self.of_run(why);
-        };
+        let Some(drag) = drags.get(place) else { return self.of_run(why) };
         let fault = DragFault::Outside { slip: speed(slip_rad_s), speeds: [from_rad_s, to_rad_s].map(speed) };
-        let of_gearbox = epicyclic_train::Error::Drag { drag: found.name.clone(), fault };
-        let document = &self.subject.document;
-        let told = DescriptionError::Gearbox(of_gearbox);
-        let path = located(document, &self.subject.base, &told).at().path.clone();
+        let path = self.subject.drag_path(drag.place, &fault);
+        let told = epicyclic_train::Error::Drag { drag: drag.id.clone(), fault };
         let message = format!("at {}: {told}", Quantity(Time::from_si(time_s)));
-        let at = document.error(&path, Problem::refused(why.name(), message));
+        let at = self.subject.document.error(&path, Problem::refused(why.name(), message));
         Error::Placed { at: Box::new(at), why: Box::new(why.into()) }
     }
 }

@@ -3,9 +3,10 @@
 use super::parts::Scenario;
 use super::{placed, root};
 use crate::error::Error;
+use crate::shared::fault::Fault;
 use crate::shared::gearbox::Gearbox;
 use epicyclic_formats::Path;
-use epicyclic_formats::gearbox::{DescriptionError, located, part_place};
+use epicyclic_formats::gearbox::part_place;
 use epicyclic_formats::scenario::ScenarioFile;
 use epicyclic_motion as motion;
 use epicyclic_units::Physical;
@@ -79,7 +80,7 @@ impl Scenario<'_> {
             }
             E::Gearbox(error) => {
                 let Gearbox { document, base, .. } = self.subject;
-                let at = located(document, base, &DescriptionError::Gearbox(error.clone()));
+                let at = document.error(base, error.problem());
                 return Error::Placed { at: Box::new(at), why: Box::new(why.into()) };
             }
             _ => here(&[]),
