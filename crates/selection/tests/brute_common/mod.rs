@@ -49,11 +49,7 @@ pub(crate) fn designs_of(
     shift: Option<&ProfileShift>,
 ) -> (Vec<Design>, u64) {
     let (mut found, mut tried) = (vec![], 0);
-    // Tooth numbers of one k turn alike: the solver is asked once for all of them.
-    let mut of_k: BTreeMap<u64, Vec<ToothNumbers>> = BTreeMap::new();
-    for teeth in tooth_sets {
-        of_k.entry(teeth.ring_to_sun_ratio().to_bits()).or_default().push(*teeth);
-    }
+    let of_k = by_k(tooth_sets);
     for &structure in structures {
         let Some(model) = Model::new(structure, requirements) else { continue };
         let targets: Vec<[f64; 2]> = requirements.targets().into_iter().map(|t| [t[0], t[1]]).collect();
@@ -67,7 +63,9 @@ pub(crate) fn designs_of(
                     let k = [firsts, seconds].map(|all| all[0].ring_to_sun_ratio());
                     let Some(motion) = model.motion(requirements, *wanted, k) else { continue };
                     let of = |set: usize, all: &[ToothNumbers]| -> Vec<_> {
-                        all.iter().map(|teeth| motion.speed_and_size(requirements, set, teeth, shift)).collect()
+                        all.iter()
+                            .map(|teeth| motion.speed_and_size(requirements, set, teeth, shift))
+                            .collect()
                     };
                     let (of_first, of_second) = (of(0, firsts), of(1, seconds));
                     for (first, [speed, size]) in firsts.iter().zip(&of_first) {
@@ -76,7 +74,12 @@ pub(crate) fn designs_of(
                             if within(planets, requirements.limits.planet_speed) {
                                 let mut costs = motion.costs;
                                 (costs[1], costs[4]) = (costs[1].max(planets), size.max(*other_size));
-                                found.push(Design { structure, wanted: *wanted, teeth: [*first, *second], costs });
+                                found.push(Design {
+                                    structure,
+                                    wanted: *wanted,
+                                    teeth: [*first, *second],
+                                    costs,
+                                });
                             }
                         }
                     }
@@ -85,6 +88,15 @@ pub(crate) fn designs_of(
         }
     }
     (found, tried)
+}
+
+/// Tooth numbers of one `k` turn alike: the solver is asked once for all of them.
+pub(crate) fn by_k(tooth_sets: &[ToothNumbers]) -> BTreeMap<u64, Vec<ToothNumbers>> {
+    let mut of_k: BTreeMap<u64, Vec<ToothNumbers>> = BTreeMap::new();
+    for teeth in tooth_sets {
+        of_k.entry(teeth.ring_to_sun_ratio().to_bits()).or_default().push(*teeth);
+    }
+    of_k
 }
 
 fn within(value: f64, limit: f64) -> bool {
@@ -114,17 +126,23 @@ pub(crate) fn shifted_by_trial(bounds: &Bounds, shift: &ProfileShift) -> Vec<Too
     found
 }
 
-/// Designs that no other dominates, each compared with each: the cheapest first, as they dominate the most.
+/// Designs that no other dominates.
 pub(crate) fn front(designs: &[Design]) -> Vec<Design> {
+    let free = undominated(designs.iter().map(|design| design.costs));
+    designs.iter().filter(|design| free(&design.costs)).copied().collect()
+}
+
+/// Whether none of all dominates some costs: each is compared with each, the cheapest first, as they dominate
+/// the most.
+pub(crate) fn undominated(all: impl Iterator<Item = [f64; 5]>) -> impl Fn(&[f64; 5]) -> bool {
     let dominates = |one: &[f64; 5], other: &[f64; 5]| {
         one.iter().zip(other).all(|(a, b)| *a <= b + 1e-12)
             && one.iter().zip(other).any(|(a, b)| *a < b - 1e-12)
     };
-    let mut others: Vec<[f64; 5]> = designs.iter().map(|design| design.costs).collect();
-    others.sort_by(|one, other| one.iter().sum::<f64>().total_cmp(&other.iter().sum()));
-    others.dedup();
-    let free = |design: &&Design| !others.iter().any(|other| dominates(other, &design.costs));
-    designs.iter().filter(free).copied().collect()
+    let mut all: Vec<[f64; 5]> = all.collect();
+    all.sort_by(|one, other| one.iter().sum::<f64>().total_cmp(&other.iter().sum()));
+    all.dedup();
+    move |costs| !all.iter().any(|other| dominates(other, costs))
 }
 
 struct Model {
