@@ -8,7 +8,7 @@
 //! The scheme can be drawn on this paper under three conditions. Each colour is one connected region with the
 //! right cells in it, the braked ones touch the housing, and those of a clutch touch each other. All
 //! colourings are tried column by column. The coloured part is remembered only by its last cells, their
-//! connections, and the colours that are finished.
+//! connections, and the colours that are finished. A beginning that leads to no drawing is not tried twice.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
@@ -16,6 +16,8 @@ use epicyclic_layout as drawability;
 use epicyclic_schemes::structures::{Role, Structure};
 use epicyclic_train::set::SetSpec;
 use epicyclic_train::{Gearbox, LinkId};
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::sync::{LazyLock, Mutex};
 
 /// Width of the paper and the cells of the two suns; planets and rings are above them.
 struct Paper {
@@ -48,59 +50,85 @@ impl<const H: usize> Front<H> {
         let bits = cells.fold(0, |bits, (&colour, region)| bits << 5 | u64::from(colour << 3 | region));
         bits << 8 | u64::from(self.finished << 4 | self.met)
     }
-
-    fn unpacked(bits: u64) -> Self {
-        let low = |bits: u64, mask: u8| (bits & u64::from(mask)) as u8;
-        let cell = |y: usize| low(bits >> (8 + 5 * (H - 1 - y)), 31);
-        let cells: [u8; H] = std::array::from_fn(cell);
-        Self {
-            colour: cells.map(|cell| cell >> 3),
-            region: cells.map(|cell| cell & 7),
-            finished: low(bits >> 4, 15),
-            met: low(bits, 15),
-        }
-    }
 }
 
-/// Whether these sets (sun, ring, carrier; left set first) can be drawn on the paper.
-fn fits<const H: usize>(paper: &Paper, sets: [[usize; 3]; 2], clutch: Option<[usize; 2]>) -> bool {
-    let fixed = |x: usize, y: usize| {
-        let stack = paper.suns.iter().zip(sets).find(|([column, _], _)| *column == x);
+/// A drawing of these sets (sun, ring, carrier; left set first) that is begun, cell by cell.
+struct Attempt<'a, const H: usize> {
+    paper: &'a Paper,
+    sets: [[usize; 3]; 2],
+    clutch: Option<[usize; 2]>,
+    /// Beginnings met at each cell.
+    met: Vec<FxHashSet<u64>>,
+}
+
+impl<const H: usize> Attempt<'_, H> {
+    /// The link of a cell that has one for certain.
+    fn fixed(&self, x: usize, y: usize) -> Option<usize> {
+        let stack = self.paper.suns.iter().zip(self.sets).find(|([column, _], _)| *column == x);
         let member = stack.and_then(|([_, sun], [a, b, h])| [a, h, b].get(y.wrapping_sub(*sun)).copied());
         match (x, y) {
             (0, 0) => Some(Role::D as usize),
-            (x, 0) if x == paper.width - 1 => Some(Role::B as usize),
+            (x, 0) if x == self.paper.width - 1 => Some(Role::B as usize),
             _ => member,
         }
-    };
-    let all_met = if clutch.is_some() { 0b111 } else { 0b011 };
-    let mut fronts = vec![Front::<H> { colour: [0; H], region: [NONE; H], finished: 0, met: 0 }.packed()];
-    for x in 0..paper.width {
-        for y in 0..H {
-            let colours = fixed(x, y).map_or(0..LINKS, |link| link..link + 1);
-            let corner = y == 0 && (x == 0 || x == paper.width - 1);
-            let on_wall = !corner && (x == 0 || x == paper.width - 1 || y == H - 1);
-            let mut next = Vec::with_capacity(fronts.len() * colours.len());
-            for &front in &fronts {
-                for colour in colours.clone() {
-                    let colour = u8::try_from(colour).unwrap();
-                    next.extend(
-                        step(Front::<H>::unpacked(front), x, y, colour, on_wall, clutch).map(Front::packed),
-                    );
-                }
-            }
-            next.sort_unstable();
-            next.dedup();
-            fronts = next;
-        }
     }
-    let mut fronts = fronts.into_iter().map(Front::<H>::unpacked);
-    fronts.any(|front| {
-        front.met == all_met
-            && (0..H).all(|a| {
-                (0..H).all(|b| front.colour[a] != front.colour[b] || front.region[a] == front.region[b])
-            })
-    })
+
+    /// Whether the cells from this one on can be coloured.
+    fn goes_on(&mut self, cell: usize, front: Front<H>) -> bool {
+        if cell == self.met.len() {
+            let all_met = if self.clutch.is_some() { 0b111 } else { 0b011 };
+            return front.met == all_met
+                && (0..H).all(|a| {
+                    (0..H).all(|b| front.colour[a] != front.colour[b] || front.region[a] == front.region[b])
+                });
+        }
+        if !self.met[cell].insert(front.packed()) {
+            return false;
+        }
+        let (x, y) = (cell / H, cell % H);
+        let at_side = x == 0 || x == self.paper.width - 1;
+        let on_wall = (at_side || y == H - 1) && !(at_side && y == 0);
+        let colours = self.fixed(x, y).map_or(0..LINKS, |link| link..link + 1);
+        colours.into_iter().any(|colour| {
+            let next = step(front, x, y, u8::try_from(colour).unwrap(), on_wall, self.clutch);
+            next.is_some_and(|next| self.goes_on(cell + 1, next))
+        })
+    }
+}
+
+/// A question to the paper: which paper, the sets, the clutch.
+type Question = (bool, [[usize; 3]; 2], Option<[usize; 2]>);
+
+/// A question with every link renamed.
+fn renamed((large, sets, clutch): Question, names: [usize; LINKS]) -> Question {
+    let mut clutch = clutch.map(|pair| pair.map(|link| names[link]));
+    clutch.iter_mut().for_each(|pair| pair.sort_unstable());
+    (large, sets.map(|set| set.map(|link| names[link])), clutch)
+}
+
+/// [`fits`] of a question, once for all that are the same: T1 and T2 exchanged, or the paper seen from behind
+/// with the sets and D and B exchanged.
+fn fits_on((large, sets, clutch): Question) -> bool {
+    static KNOWN: LazyLock<Mutex<FxHashMap<Question, bool>>> = LazyLock::new(Mutex::default);
+    let [d, b, t1, t2] = [Role::D, Role::B, Role::T1, Role::T2].map(|role| role as usize);
+    let straight = renamed((large, sets, clutch), [d, b, t1, t2]);
+    let behind = renamed((large, [sets[1], sets[0]], clutch), [b, d, t1, t2]);
+    let same = [straight, behind].into_iter().flat_map(|one| [one, renamed(one, [d, b, t2, t1])]);
+    let question = same.min().unwrap();
+    if let Some(known) = KNOWN.lock().unwrap().get(&question) {
+        return *known;
+    }
+    let (_, sets, clutch) = question;
+    let fits = if large { fits::<7>(&LARGE, sets, clutch) } else { fits::<6>(&SMALL, sets, clutch) };
+    KNOWN.lock().unwrap().insert(question, fits);
+    fits
+}
+
+/// Whether these sets can be drawn on the paper.
+fn fits<const H: usize>(paper: &Paper, sets: [[usize; 3]; 2], clutch: Option<[usize; 2]>) -> bool {
+    let met = vec![FxHashSet::default(); paper.width * H];
+    let empty = Front { colour: [0; H], region: [NONE; H], finished: 0, met: 0 };
+    Attempt::<H> { paper, sets, clutch, met }.goes_on(0, empty)
 }
 
 fn step<const H: usize>(
@@ -170,8 +198,8 @@ fn step<const H: usize>(
 fn on_paper(structure: Structure, clutch: Option<[usize; 2]>, also_large: bool) -> bool {
     let [first, second] = structure.sets().map(|set| set.map(|role| role as usize));
     let both = [[first, second], [second, first]];
-    both.iter().any(|sets| fits::<6>(&SMALL, *sets, clutch))
-        || also_large && both.iter().any(|sets| fits::<7>(&LARGE, *sets, clutch))
+    let fits = |large| both.iter().any(|sets| fits_on((large, *sets, clutch)));
+    fits(false) || also_large && fits(true)
 }
 
 const NAMES: [&str; LINKS] = ["D", "B", "T1", "T2"];

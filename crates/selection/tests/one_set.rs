@@ -30,12 +30,18 @@ fn search(ratio: f64) -> OneSetSearch {
     OneSetSearch::new(Requirements::new(RatioSeries::of_braked_gears(&[ratio]).unwrap()))
 }
 
-/// Efficiency, speed, ring-to-sun ratio, ratio error, size, as costs; of a design that meets the criteria.
-fn costs(search: &OneSetSearch, set: SetRoles, wanted: f64, teeth: ToothNumbers) -> Option<[f64; 5]> {
+/// Costs of designs of one `k` that meet the criteria: efficiency, speed, ring-to-sun ratio, ratio error, size.
+/// The solver is asked once for all of them.
+fn costs(
+    search: &OneSetSearch,
+    set: SetRoles,
+    wanted: f64,
+    all: &[ToothNumbers],
+) -> Option<Vec<(ToothNumbers, [f64; 5])>> {
     let requirements = &search.requirements;
     let limits = &requirements.limits;
     let within = |value: f64, limit: f64| value <= limit + 1e-9 * (1.0 + limit);
-    let k = teeth.ring_to_sun_ratio();
+    let k = all[0].ring_to_sun_ratio();
     let mechanism = Mechanism::OneSet(set);
     let gearbox = mechanism.gearbox(&[k], requirements.eta0, [Role::D, Role::B]).unwrap();
     let gear = gearbox.analyze("1").unwrap();
@@ -45,7 +51,6 @@ fn costs(search: &OneSetSearch, set: SetRoles, wanted: f64, teeth: ToothNumbers)
     let speeds = roles.map(|role| gear.speed(gearbox.link(role.symbol()).unwrap()).unwrap());
     let speed = |role: Role| speeds[roles.iter().position(|one| *one == role).unwrap()];
     let links = speeds.iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
-    let planets = ((speed(set[0]) - speed(set[2])) * teeth.sun.as_f64() / teeth.planet.as_f64()).abs();
     let pairs = if limits.drawable {
         drawable_direct_clutches(mechanism).ok()?
     } else {
@@ -55,39 +60,43 @@ fn costs(search: &OneSetSearch, set: SetRoles, wanted: f64, teeth: ToothNumbers)
     let met = limits.ring_to_sun.contains(&k)
         && within(error, requirements.tolerance)
         && within(links, limits.link_speed)
-        && within(planets, limits.planet_speed)
         && within(slip, limits.clutch_slip)
         && efficiency >= limits.efficiency - 1e-9 * (1.0 + limits.efficiency)
         && (wanted > 0.0 || !limits.same_direction);
+    if !met {
+        return None;
+    }
     let (low, high) = (*limits.preferred.start(), *limits.preferred.end());
     let torque = gear.driving()?.members[0].as_ref()?[0];
-    let size =
-        relative_ring_diameter_of_teeth(&teeth, search.shift.as_ref(), torque, &requirements.rating).unwrap();
     let distance = (libm::log(k) - libm::log(k.clamp(low, high))).abs();
-    met.then_some([-efficiency, links.max(planets), distance, error, size])
+    let shift = search.shift.as_ref();
+    let of = |teeth: &ToothNumbers| {
+        let planets = ((speed(set[0]) - speed(set[2])) * teeth.sun.as_f64() / teeth.planet.as_f64()).abs();
+        let size = relative_ring_diameter_of_teeth(teeth, shift, torque, &requirements.rating).unwrap();
+        let costs = [-efficiency, links.max(planets), distance, error, size];
+        within(planets, limits.planet_speed).then_some((*teeth, costs))
+    };
+    Some(all.iter().filter_map(of).collect())
 }
 
-/// Designs that no other dominates, each compared with each; and how many meet the criteria.
+/// Designs that no other dominates, each compared with each, the cheapest first; and how many meet the
+/// criteria.
 fn by_trial(search: &OneSetSearch) -> (BTreeMap<Key, [f64; 5]>, usize) {
+    let tried = match &search.shift {
+        None => brute_common::that_turn_by_trial(&search.bounds),
+        Some(shift) => brute_common::shifted_by_trial(&search.bounds, shift),
+    };
+    let of_k = brute_common::by_k(&tried);
     let mut all = vec![];
     for target in search.requirements.targets() {
         for &set in &search.sets {
-            let tried = match &search.shift {
-                None => brute_common::that_turn_by_trial(&search.bounds),
-                Some(shift) => brute_common::shifted_by_trial(&search.bounds, shift),
-            };
-            for teeth in tried {
-                let costs = costs(search, set, target[0], teeth);
-                all.extend(costs.map(|costs| ((set, teeth, target[0] < 0.0), costs)));
-            }
+            let found =
+                of_k.values().flat_map(|of_k| costs(search, set, target[0], of_k).unwrap_or_default());
+            all.extend(found.map(|(teeth, costs)| ((set, teeth, target[0] < 0.0), costs)));
         }
     }
-    let dominates = |one: &[f64; 5], other: &[f64; 5]| {
-        one.iter().zip(other).all(|(a, b)| *a <= b + 1e-12)
-            && one.iter().zip(other).any(|(a, b)| *a < b - 1e-12)
-    };
-    let is_free = |(_, costs): &&(Key, [f64; 5])| !all.iter().any(|(_, other)| dominates(other, costs));
-    (all.iter().filter(is_free).copied().collect(), all.len())
+    let free = brute_common::undominated(all.iter().map(|(_, costs)| *costs));
+    (all.iter().filter(|(_, costs)| free(costs)).copied().collect(), all.len())
 }
 
 fn members(found: &OneSetFound) -> BTreeMap<Key, [f64; 5]> {

@@ -11,7 +11,7 @@
 use crate::class::Class;
 use crate::enumerate;
 use crate::kind::Kind;
-use crate::structure::{Link, Members};
+use crate::structure::{Link, Members, mask};
 use crate::watch::Watch;
 use std::ops::ControlFlow;
 
@@ -100,11 +100,12 @@ fn grow(class: Class, cycles: &[usize], renamed: &[Link], sets: &mut Vec<Members
         let first = [code / (links * links), code / links % links, code % links].map(small);
         let mut next = first;
         let before = sets.len();
-        for _ in 0..*length {
+        let may_all = (0..*length).all(|_| {
             sets.push(next);
             next = next.map(|link| renamed[usize::from(link)]);
-        }
-        if next == first && may_belong(class, sets) {
+            may_belong(class, sets)
+        });
+        if may_all && next == first {
             count += grow(class, rest, renamed, sets);
         }
         sets.truncate(before);
@@ -112,18 +113,18 @@ fn grow(class: Class, cycles: &[usize], renamed: &[Link], sets: &mut Vec<Members
     count
 }
 
-/// Whether sets can be among those of a structure.
+/// Whether sets can be among those of a structure if all but the last can.
 fn may_belong(class: Class, sets: &[Members]) -> bool {
-    let few = |chosen: usize| {
-        let mut touched: Vec<Link> =
-            (0..sets.len()).filter(|set| chosen >> set & 1 == 1).flat_map(|set| sets[set]).collect();
-        touched.sort_unstable();
-        touched.dedup();
-        touched.len() < chosen.count_ones() as usize + 2
+    // The housing is link 0.
+    let on_housing = |members: &Members| mask(members) & 1 == 1;
+    let Some((last, before)) = sets.split_last() else { return true };
+    // Any sets touch two links more than they are; that any without the last do is known.
+    let enough = |chosen: usize| {
+        let among = (0..before.len()).filter(|set| chosen >> set & 1 == 1);
+        let touched = among.fold(mask(last), |touched, set| touched | mask(&before[set]));
+        touched.count_ones() >= chosen.count_ones() + 3
     };
-    let on_housing = || sets.iter().flatten().any(|link| *link == 0);
-    let outside = class.kind() == Kind::Core && on_housing();
-    !outside && !(1..1 << sets.len()).any(few)
+    !(class.kind() == Kind::Core && on_housing(last)) && (0..1 << before.len()).all(enough)
 }
 
 /// Whether sets are a labelled structure of the class.

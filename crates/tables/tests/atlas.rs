@@ -19,6 +19,21 @@ fn the_atlas() -> &'static Atlas {
     })
 }
 
+/// Function of each gear, by structure and engaged elements; no gear comes twice.
+fn the_gears() -> &'static HashMap<i32, HashMap<i64, i32>> {
+    static GEARS: OnceLock<HashMap<i32, HashMap<i64, i32>>> = OnceLock::new();
+    GEARS.get_or_init(|| {
+        let mut by_structure: HashMap<i32, HashMap<i64, i32>> = HashMap::new();
+        for row in rows(&the_atlas().gears) {
+            let [structure, function] = [0, 3].map(|column| row.get_int(column).expect("a number"));
+            let engaged = row.get_long(1).expect("bits");
+            let before = by_structure.entry(structure).or_default().insert(engaged, function);
+            assert!(before.is_none());
+        }
+        by_structure
+    })
+}
+
 fn rows(table: &Table) -> Vec<Row> {
     let file = SerializedFileReader::new(Bytes::from(table.bytes.clone())).expect("Parquet");
     let rows = file.get_row_iter(None).expect("rows").map(|row| row.expect("a row")).collect::<Vec<_>>();
@@ -68,13 +83,6 @@ fn every_structure_and_every_gear_of_it_is_there_once() {
     }
     // Rows by the solver, structure by structure, of every 500th: each choice of elements drives the output
     // or is no row.
-    let mut by_structure: HashMap<i32, HashMap<i64, i32>> = HashMap::new();
-    for row in rows(&atlas.gears) {
-        let (structure, engaged) = (row.get_int(0).expect("a number"), row.get_long(1).expect("bits"));
-        let before =
-            by_structure.entry(structure).or_default().insert(engaged, row.get_int(3).expect("a number"));
-        assert!(before.is_none());
-    }
     let functions = rows(&atlas.functions);
     let mut compared = 0;
     for (place, structure) in words.iter().enumerate().step_by(500) {
@@ -88,7 +96,7 @@ fn every_structure_and_every_gear_of_it_is_there_once() {
             })
             .collect();
         let engaged = usize::try_from(row.get_int(4).expect("a number")).expect("a count");
-        let gears = by_structure.get(&(place as i32 + 1)).cloned().unwrap_or_default();
+        let gears = the_gears().get(&(place as i32 + 1)).cloned().unwrap_or_default();
         for bits in 0u64..1 << elements.len() {
             if bits.count_ones() as usize != engaged {
                 continue;
@@ -169,11 +177,6 @@ fn gearboxes_in_service_are_found_with_their_gears() {
         .enumerate()
         .map(|(place, row)| (row.get_string(1).expect("a word").clone(), place))
         .collect();
-    let mut gears: HashMap<(i32, i64), i32> = HashMap::new();
-    for row in rows(&atlas.gears) {
-        let [structure, function] = [0, 3].map(|column| row.get_int(column).expect("a number"));
-        gears.insert((structure, row.get_long(1).expect("bits")), function);
-    }
     for Real { name, sets, k, gears: published } in REAL {
         let (structure, letters) = Structure::read(sets).expect("a structure");
         let place = *by_word.get(&structure.to_string()).unwrap_or_else(|| panic!("{name}: {structure}"));
@@ -201,8 +204,9 @@ fn gearboxes_in_service_are_found_with_their_gears() {
                 let place = elements.iter().position(|names| names.contains(&name)).expect("an element");
                 bits | 1 << place
             });
-            let function =
-                gears.get(&(place as i32 + 1, bits)).unwrap_or_else(|| panic!("{name}: {engaged}"));
+            let of_it = the_gears().get(&(place as i32 + 1));
+            let function = of_it.and_then(|gears| gears.get(&bits));
+            let function = function.unwrap_or_else(|| panic!("{name}: {engaged}"));
             let value = value(&functions[*function as usize - 1], &order);
             assert!((value / ratio - 1.0).abs() < 0.005, "{name}, {engaged}: {value}, published {ratio}");
         }

@@ -270,8 +270,8 @@ mod tests {
             let cut = curve.gear().cut();
             let Cutter { centre, normal, radius: corner, distance, ratio, .. } = cut.shaped.unwrap().cutter(curve.gear().flank());
             let mut nearest = f64::INFINITY;
-            for step in -400..=400 {
-                let turned = f64::from(step) / 400.0 * 0.6;
+            for step in -200..=200 {
+                let turned = f64::from(step) / 200.0 * 0.6;
                 for part in 0..=20 {
                     let delta = centre.angle + (normal - centre.angle) * f64::from(part) / 20.0;
                     let x = centre.radius * libm::cos(centre.angle + turned) + corner * libm::cos(delta + turned);

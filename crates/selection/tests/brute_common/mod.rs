@@ -13,6 +13,7 @@ use epicyclic_selection::drawing::drawable_direct_clutches;
 use epicyclic_selection::size::relative_ring_diameter_of_teeth;
 use epicyclic_selection::{Mechanism, Requirements};
 use epicyclic_train::{CompiledGear, Direction, Gearbox, LinkId, Solution, Values};
+use std::collections::BTreeMap;
 
 /// A design that meets the criteria.
 #[derive(Debug, Clone, Copy)]
@@ -48,26 +49,58 @@ pub(crate) fn designs_of(
     shift: Option<&ProfileShift>,
 ) -> (Vec<Design>, u64) {
     let (mut found, mut tried) = (vec![], 0);
+    let of_k = by_k(tooth_sets);
     for &structure in structures {
-        let Some(mut model) = Model::new(structure, requirements) else { continue };
-        model.shift = shift.cloned();
+        let Some(model) = Model::new(structure, requirements) else { continue };
         let targets: Vec<[f64; 2]> = requirements.targets().into_iter().map(|t| [t[0], t[1]]).collect();
         for (place, wanted) in targets.iter().enumerate() {
             if structure.is_symmetric() && targets[..place].contains(&[wanted[1], wanted[0]]) {
                 continue;
             }
-            for first in tooth_sets {
-                for second in tooth_sets {
-                    tried += 1;
-                    let teeth = [*first, *second];
-                    if let Some(costs) = model.costs(requirements, *wanted, teeth) {
-                        found.push(Design { structure, wanted: *wanted, teeth, costs });
+            for firsts in of_k.values() {
+                for seconds in of_k.values() {
+                    tried += (firsts.len() * seconds.len()) as u64;
+                    let k = [firsts, seconds].map(|all| all[0].ring_to_sun_ratio());
+                    let Some(motion) = model.motion(requirements, *wanted, k) else { continue };
+                    let of = |set: usize, all: &[ToothNumbers]| -> Vec<_> {
+                        all.iter()
+                            .map(|teeth| motion.speed_and_size(requirements, set, teeth, shift))
+                            .collect()
+                    };
+                    let (of_first, of_second) = (of(0, firsts), of(1, seconds));
+                    for (first, [speed, size]) in firsts.iter().zip(&of_first) {
+                        for (second, [other_speed, other_size]) in seconds.iter().zip(&of_second) {
+                            let planets = speed.max(*other_speed);
+                            if within(planets, requirements.limits.planet_speed) {
+                                let mut costs = motion.costs;
+                                (costs[1], costs[4]) = (costs[1].max(planets), size.max(*other_size));
+                                found.push(Design {
+                                    structure,
+                                    wanted: *wanted,
+                                    teeth: [*first, *second],
+                                    costs,
+                                });
+                            }
+                        }
                     }
                 }
             }
         }
     }
     (found, tried)
+}
+
+/// Tooth numbers of one `k` turn alike: the solver is asked once for all of them.
+pub(crate) fn by_k(tooth_sets: &[ToothNumbers]) -> BTreeMap<u64, Vec<ToothNumbers>> {
+    let mut of_k: BTreeMap<u64, Vec<ToothNumbers>> = BTreeMap::new();
+    for teeth in tooth_sets {
+        of_k.entry(teeth.ring_to_sun_ratio().to_bits()).or_default().push(*teeth);
+    }
+    of_k
+}
+
+fn within(value: f64, limit: f64) -> bool {
+    value <= limit + 1e-9 * (1.0 + limit)
 }
 
 /// Tooth numbers with profile shift within bounds: every sun, planet, ring and number of planets is closed.
@@ -93,14 +126,23 @@ pub(crate) fn shifted_by_trial(bounds: &Bounds, shift: &ProfileShift) -> Vec<Too
     found
 }
 
-/// Designs that no other dominates, each compared with each.
+/// Designs that no other dominates.
 pub(crate) fn front(designs: &[Design]) -> Vec<Design> {
+    let free = undominated(designs.iter().map(|design| design.costs));
+    designs.iter().filter(|design| free(&design.costs)).copied().collect()
+}
+
+/// Whether none of all dominates some costs: each is compared with each, the cheapest first, as they dominate
+/// the most.
+pub(crate) fn undominated(all: impl Iterator<Item = [f64; 5]>) -> impl Fn(&[f64; 5]) -> bool {
     let dominates = |one: &[f64; 5], other: &[f64; 5]| {
         one.iter().zip(other).all(|(a, b)| *a <= b + 1e-12)
             && one.iter().zip(other).any(|(a, b)| *a < b - 1e-12)
     };
-    let free = |design: &&Design| !designs.iter().any(|other| dominates(&other.costs, &design.costs));
-    designs.iter().filter(free).copied().collect()
+    let mut all: Vec<[f64; 5]> = all.collect();
+    all.sort_by(|one, other| one.iter().sum::<f64>().total_cmp(&other.iter().sum()));
+    all.dedup();
+    move |costs| !all.iter().any(|other| dominates(other, costs))
 }
 
 struct Model {
@@ -109,7 +151,30 @@ struct Model {
     gears: [CompiledGear; 2],
     links: [LinkId; 4],
     direct_clutches: Vec<[Role; 2]>,
-    shift: Option<ProfileShift>,
+}
+
+/// What two `k` decide, whatever the teeth.
+struct MotionOfK {
+    /// Costs with the speed of links alone, and without size.
+    costs: [f64; 5],
+    /// Largest speed of each set's sun relative to its carrier.
+    suns: [f64; 2],
+    /// Largest torque of each set's sun.
+    torques: [f64; 2],
+}
+
+impl MotionOfK {
+    fn speed_and_size(
+        &self,
+        requirements: &Requirements,
+        set: usize,
+        teeth: &ToothNumbers,
+        shift: Option<&ProfileShift>,
+    ) -> [f64; 2] {
+        let speed = self.suns[set] * teeth.sun.as_f64() / teeth.planet.as_f64();
+        let size = relative_ring_diameter_of_teeth(teeth, shift, self.torques[set], &requirements.rating);
+        [speed, size.expect("a set")]
+    }
 }
 
 impl Model {
@@ -123,25 +188,19 @@ impl Model {
         } else {
             DIRECT_CLUTCH_PAIRS.to_vec()
         };
-        Some(Self { structure, gearbox, gears, links, direct_clutches, shift: None })
+        Some(Self { structure, gearbox, gears, links, direct_clutches })
     }
 
-    fn costs(
-        &self,
-        requirements: &Requirements,
-        wanted: [f64; 2],
-        teeth: [ToothNumbers; 2],
-    ) -> Option<[f64; 5]> {
+    /// Motion of these `k`, if it meets the criteria that teeth do not change.
+    fn motion(&self, requirements: &Requirements, wanted: [f64; 2], k: [f64; 2]) -> Option<MotionOfK> {
         let limits = &requirements.limits;
-        let within = |value: f64, limit: f64| value <= limit + 1e-9 * (1.0 + limit);
-        let k = teeth.map(|teeth| teeth.ring_to_sun_ratio());
         if !k.iter().all(|k| limits.ring_to_sun.contains(k)) {
             return None;
         }
         let values = values(k, requirements);
         let mut solution = Solution::default();
         let (mut error, mut efficiency) = (0.0_f64, f64::INFINITY);
-        let (mut links, mut planets, mut torques) = (0.0_f64, 0.0_f64, [0.0_f64; 2]);
+        let (mut links, mut suns, mut torques) = (0.0_f64, [0.0_f64; 2], [0.0_f64; 2]);
         let mut slips = vec![0.0_f64; self.direct_clutches.len()];
         for (gear, wanted) in self.gears.iter().zip(wanted) {
             gear.solve(&values, Direction::Drive, &mut solution).ok()?;
@@ -155,10 +214,9 @@ impl Model {
                 *speed = gear.link_speed(&solution, link)?;
                 links = links.max(speed.abs());
             }
-            for (set, teeth) in self.gearbox.sets().iter().zip(&teeth) {
+            for (set, sun) in self.gearbox.sets().iter().zip(&mut suns) {
                 let of = |member: usize| gear.link_speed(&solution, set.members()[member]);
-                let (a, h) = (of(0), of(2));
-                planets = planets.max(((a? - h?) * teeth.sun.as_f64() / teeth.planet.as_f64()).abs());
+                *sun = sun.max((of(0)? - of(2)?).abs());
             }
             for (&set, torque) in gear.active().iter().zip(solution.sun_torques()?) {
                 let largest = &mut torques[set];
@@ -170,7 +228,6 @@ impl Model {
         }
         let slip = slips.into_iter().fold(f64::INFINITY, f64::min);
         let met = within(links, limits.link_speed)
-            && within(planets, limits.planet_speed)
             && within(slip, limits.clutch_slip)
             && efficiency >= limits.efficiency - 1e-9 * (1.0 + limits.efficiency);
         if !met {
@@ -189,12 +246,7 @@ impl Model {
         }
         let (low, high) = (*limits.preferred.start(), *limits.preferred.end());
         let distance: f64 = k.iter().map(|k| (libm::log(*k) - libm::log(k.clamp(low, high))).abs()).sum();
-        let size = |set: usize| {
-            let shift = self.shift.as_ref();
-            relative_ring_diameter_of_teeth(&teeth[set], shift, torques[set], &requirements.rating)
-                .expect("a set")
-        };
-        Some([-efficiency, links.max(planets), distance, error, size(0).max(size(1))])
+        Some(MotionOfK { costs: [-efficiency, links, distance, error, 0.0], suns, torques })
     }
 }
 

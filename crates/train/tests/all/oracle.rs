@@ -150,7 +150,7 @@ fn examine(plan: &BoxPlan, met: &mut Met, dice: &mut Dice) {
         compare_loads(plan, &gearbox, case, &own, &speeds);
         let (chosen, _) = expected.unwrap_or_else(|| panic!("a branch is found, but there is none"));
         assert_eq!(signs, chosen);
-        if plan.mesh_count() <= 10 && dice.chance(10) {
+        if plan.mesh_count() <= 7 && dice.chance(10) {
             let all = oracle::patterns(plan, &speeds, direction);
             met.enumerated += 1;
             met.several_patterns += usize::from(all.len() > 1);

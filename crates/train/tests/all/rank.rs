@@ -333,7 +333,7 @@ fn planted(dice: &mut Dice) -> Option<Planted> {
 fn planted_losses_of_rank_are_found_by_teeth_and_by_numbers() {
     let mut dice = Dice(0x5eed);
     let mut met = std::collections::BTreeMap::<&str, usize>::new();
-    for round in 0..6000 {
+    for round in 0..2000 {
         let Some(Planted { links, sets, input, output }) = planted(&mut dice) else { continue };
         let written = if round % 2 == 0 { Written::Teeth } else { Written::Number };
         let described = sets
@@ -370,7 +370,7 @@ fn planted_losses_of_rank_are_found_by_teeth_and_by_numbers() {
         *met.entry(found.state().name()).or_default() += 1;
     }
     println!("{met:?}");
-    assert!(met.len() >= 5 && met.values().all(|count| *count > 100), "{met:?}");
+    assert!(met.len() >= 5 && met.values().all(|count| *count > 30), "{met:?}");
 }
 
 /// Five sets, three of the same great ratio, one a hair above 1: all that turns turns as a block.
@@ -426,7 +426,7 @@ fn extreme(dice: &mut Dice) -> (Planted, Vec<SetSpec>) {
 /// that their numbers are.
 #[test]
 fn ratios_near_one_and_near_a_billion_have_the_exact_state() {
-    let cases = common::cases(4000);
+    let cases = common::cases(2000);
     let mut dice = Dice(0xd1ce);
     let mut met = std::collections::BTreeMap::<&str, u32>::new();
     let (mut wrong, mut worst, mut unbalanced) = (vec![], 0.0_f64, 0.0_f64);

@@ -99,7 +99,7 @@ fn near(one: Option<f64>, other: Option<f64>) -> bool {
 fn every_variant_is_what_an_analysis_says_of_the_gearbox_described_with_it() {
     let mut dice = Dice(20);
     let mut seen: BTreeMap<StateName, usize> = BTreeMap::new();
-    for _ in 0..12_000 {
+    for _ in 0..4000 {
         let plan = Plan::random(&mut dice);
         let Ok(first) = plan.build(&plan.k(&mut dice)) else { continue };
         let ids: Vec<String> = (0..plan.sets.len()).map(|set| set.to_string()).collect();
@@ -120,7 +120,7 @@ fn every_variant_is_what_an_analysis_says_of_the_gearbox_described_with_it() {
     }
     // Every state has been met, and more than rarely.
     assert_eq!(seen.len(), 7, "{seen:?}");
-    assert!(seen.values().all(|&count| count > 50), "{seen:?}");
+    assert!(seen.values().all(|&count| count > 20), "{seen:?}");
 }
 
 fn scheme() -> Gearbox {
