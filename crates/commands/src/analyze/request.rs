@@ -93,7 +93,7 @@ pub enum Analysis<'g> {
     /// All gears.
     Overview(Overview),
     /// One gear with one input.
-    Gear(OneGear),
+    Gear(Box<OneGear>),
     /// One gear at speeds of several links.
     Inputs(Inputs),
     /// One gear over ranges of two speeds.
@@ -122,7 +122,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     }
     match request.answer(&subject(choice, &read)?)? {
         Analysis::Overview(answer) => output.deliver(call, &answer),
-        Analysis::Gear(answer) => output.deliver(call, &answer),
+        Analysis::Gear(answer) => output.deliver(call, &*answer),
         Analysis::Inputs(answer) => output.deliver(call, &answer),
         Analysis::Map(map) => deliver_map(call, output, &map),
         Analysis::Combinations(answer) => output.deliver(call, &answer),
@@ -160,7 +160,7 @@ impl Request {
         } else if let Some(gear) = gear.filter(is_given) {
             answers::inputs::answer(gearbox, gear, &self.several.wanted()).map(Analysis::Inputs)
         } else if let Some(gear) = gear {
-            answers::gear::answer(gearbox, gear, input).map(Analysis::Gear)
+            answers::gear::answer(gearbox, gear, input).map(|gear| Analysis::Gear(Box::new(gear)))
         } else if self.all_combinations {
             answers::combinations::answer(gearbox).map(Analysis::Combinations)
         } else if self.shifts {

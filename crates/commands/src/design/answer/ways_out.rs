@@ -306,7 +306,7 @@ impl RelaxedLimit {
             Limit::RingTeeth => wanted.bounds.ring = *wanted.bounds.ring.start()..=*TEETH.end(),
             Limit::RingOffset => wanted.ring_offsets = Some(OFFSETS),
             Limit::WidthRatio => {
-                wanted.size.width_ratio = self.greatest.and_then(|greatest| Number::new(greatest).ok())
+                wanted.size.width_ratio = self.greatest.and_then(|greatest| Number::new(greatest).ok());
             }
             Limit::Modules => wanted.size.modules = None,
             Limit::FaceWidths => wanted.size.face_widths = None,
