@@ -284,7 +284,7 @@ impl Problem {
             Self::RenamedKey { new, .. } => Some(new),
             Self::WrongType { correction, .. } => {
                 let text = correction.as_deref()?;
-                let known = [" for an empty one", " for one entry"].into_iter();
+                let known = [" for an empty one", " for one entry", ", in quotes"].into_iter();
                 Some(known.fold(text, |text, reason| text.strip_suffix(reason).unwrap_or(text)))
             }
             Self::Refused { remedy, .. } => remedy.as_deref(),
