@@ -21,7 +21,7 @@ pub struct Refused {
     pub option: Option<String>,
     /// Where in a file it is; `null` where it is not in a file.
     pub place: Option<Place>,
-    /// All faults, at least one: of a file each value that is wrong, else this one.
+    /// Faults: all of a file, otherwise the one of this refusal.
     pub faults: Vec<RefusedFault>,
 }
 
@@ -33,7 +33,8 @@ pub struct RefusedFault {
     pub name: &'static str,
     /// Fault and allowed values, for people.
     pub message: String,
-    /// Text of the wrong value or key as written in the file or call; `null` for lists, maps and missing keys.
+    /// Text of the wrong value or key as written in the file or call; `null` for lists, maps and missing
+    /// keys.
     pub value: Option<String>,
     /// Text to write in its place; `null` where none is known.
     pub remedy: Option<String>,

@@ -1,5 +1,5 @@
-//! Faults put into files: each is found with its name, line, column and path, alone and together with another
-//! one; in gearbox files of several styles those of values, in all kinds of files those of what they describe.
+//! Faults put into files: each is found with its name, line, column and path, alone and with another one. In
+//! gearbox files of several styles the faults are of values, in all kinds of files of their meaning.
 
 #![allow(clippy::unwrap_used, reason = "tests")]
 

@@ -30,8 +30,8 @@ fn search(ratio: f64) -> OneSetSearch {
     OneSetSearch::new(Requirements::new(RatioSeries::of_braked_gears(&[ratio]).unwrap()))
 }
 
-/// Costs of designs of one `k` that meet the criteria: efficiency, speed, ring-to-sun ratio, ratio error, size.
-/// The solver is asked once for all of them.
+/// Costs of designs of one `k` that meet the criteria: efficiency, speed, ring-to-sun ratio, ratio error,
+/// size. The solver is asked once for all of them.
 fn costs(
     search: &OneSetSearch,
     set: SetRoles,

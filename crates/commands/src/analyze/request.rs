@@ -87,10 +87,10 @@ pub struct Request {
     pub load: Load,
 }
 
-/// What was asked of a gearbox.
+/// Answer to a request for an analysis.
 #[derive(Debug)]
 pub enum Analysis<'g> {
-    /// All gears.
+    /// Overview of all gears.
     Overview(Overview),
     /// One gear with one input.
     Gear(Box<OneGear>),

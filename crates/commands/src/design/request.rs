@@ -255,8 +255,6 @@ impl Args {
     /// The request with what its files hold.
     fn request(&self, call: &Call<'_>) -> Result<Request, Failure> {
         let mut request = self.request.clone();
-        // Faults of options come before those of files.
-        request.wanted()?;
         request.sizes.bearings = self.bearings.read(call)?;
         if let Some(file) = &self.basis {
             request.basis = Some(Basis::of(&input::document(call, file)?)?);

@@ -114,7 +114,7 @@ enum Format {
 /// A drawing: its record and its lines, arcs and texts.
 #[derive(Debug, Clone)]
 pub struct Picture {
-    /// What is drawn and how.
+    /// Record of the drawing.
     pub drawing: Drawing,
     /// Lines, arcs and texts in millimetres.
     pub scene: Scene,
@@ -210,7 +210,7 @@ impl Request {
         Ok(Picture { drawing, scene: scenes::of_gearbox(self, gearbox)? })
     }
 
-    /// Draws a motor, of which only the view is asked.
+    /// Draws a motor; only the view applies to it.
     ///
     /// # Errors
     /// [`Failure::Option`] for options of gearboxes and a view that the motor does not have.

@@ -86,7 +86,7 @@ pub struct Request {
     pub bearings: Option<Vec<Bearing>>,
 }
 
-/// Which bearings of the tables.
+/// Bearings of the tables.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum BearingType {
     /// Deep groove ball bearings of the series 60, 62, 63.

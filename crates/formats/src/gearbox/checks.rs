@@ -8,8 +8,8 @@ use epicyclic_train::set::SetSpec;
 use epicyclic_train::{Error, Gearbox, Located, Site};
 use epicyclic_units::Number;
 
-/// Link of what was refused. An entry with a fault keeps its number and name for the faults of others, and what
-/// the solver finds of this link only follows.
+/// Link of refused entries. A refused entry keeps its number and name, so that others may refer to it; a fault
+/// of this link only follows from that refusal.
 pub(super) const NO_LINK: &str = "\u{ffff}";
 
 /// A set in place of one that was refused, with this number of planets.

@@ -86,8 +86,8 @@ pub struct ShaperEntry {
     /// Profile shift coefficient of the shaper. Default 0.
     #[serde(default)]
     pub shift: Option<Number>,
-    /// Addendum of the shaper, in modules. Default: the one that leaves the root circle of the basic rack; searches
-    /// take the dedendum of the rack.
+    /// Addendum of the shaper, in modules. Default: the one that leaves the root circle of the basic rack;
+    /// searches take the dedendum of the rack.
     #[serde(default)]
     pub addendum: Option<Number>,
     /// Radius of its tip corners, which is the fillet of the rack that stands for it in the standard, in

@@ -14,9 +14,9 @@ use epicyclic_units::Number;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// Tools that cut sun, planets and ring of a simple set. Default: a hob for sun and planets; for the ring a shaper
-/// of 30 teeth with corners of 0.3 modules, or with 18 less than a smaller ring has, and a form tool for
-/// rings of fewer than 42 teeth.
+/// Tools that cut sun, planets and ring of a simple set. Default: a hob for sun and planets. Default for the
+/// ring: a shaper of 30 teeth with corners of 0.3 modules, or of 18 teeth less than a smaller ring; a form
+/// tool for rings of fewer than 42 teeth.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ToolsEntry {
@@ -80,8 +80,8 @@ pub struct CutterEntry {
     /// Profile shift coefficient of the shaper; sharpening lowers it from about 0.15 to -0.15. Default 0.
     #[serde(default)]
     pub shift: Option<Number>,
-    /// Addendum of the shaper, in modules. Default: the one that leaves the root circle of the basic rack; searches
-    /// take the dedendum of the rack.
+    /// Addendum of the shaper, in modules. Default: the one that leaves the root circle of the basic rack;
+    /// searches take the dedendum of the rack.
     #[serde(default)]
     pub addendum: Option<Number>,
     /// Radius of its tip corners, in modules. Default 0.3.

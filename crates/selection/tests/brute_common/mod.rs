@@ -153,7 +153,7 @@ struct Model {
     direct_clutches: Vec<[Role; 2]>,
 }
 
-/// What two `k` decide, whatever the teeth.
+/// Figures that follow from two `k`, whatever the teeth.
 struct MotionOfK {
     /// Costs with the speed of links alone, and without size.
     costs: [f64; 5],
