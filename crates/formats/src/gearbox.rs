@@ -63,8 +63,11 @@ mod described;
 mod drag;
 mod kind;
 mod losses;
+mod per_gear;
 mod place;
 mod set;
+mod set_data;
+mod shape;
 mod size;
 mod spacing;
 mod strength;
@@ -77,13 +80,15 @@ pub use data_sheet::DataSheetEntry;
 pub use drag::{BeyondEntry, DragCurveEntry, DragEntry};
 pub use kind::{KindEntry, RollingEntry};
 use losses::losses;
+pub use per_gear::{Gears, PerGear};
 pub use place::{gear_place, part_place};
+pub use set_data::SetData;
 use spacing::spaced;
 pub use strength::{
     AccuracyEntry, DutyEntry, FloatingEntry, MaterialClass, MaterialEntry, OilEntry, OverloadEntry,
     RequiredEntry, ShaperEntry, StrengthEntry,
 };
-pub use tools::{CutterEntry, ProfileEntry, ToolEntry, ToolMisfit, ToolsEntry};
+pub use tools::{CutterEntry, ProfileEntry, ToolEntry, ToolMisfit};
 pub use transmissions::{Planet, PublishedGear, Rounding, Transmission, TransmissionSet, TransmissionsFile};
 pub use vibration::{
     CarrierEntry, PlanetEntry, RingEntry, ShaftEntry, Stiffness, SunEntry, VibrationEntry, VibrationOfGearbox,
@@ -124,12 +129,12 @@ pub enum DescriptionError {
         set: String,
     },
     /// Friction of a set whose teeth are not known.
-    #[error(
-        "set `{set}`: friction is of a simple set with `teeth`, and with `planet_teeth` and `profile_shifts` where equal centre distances ask for them"
-    )]
+    #[error("set `{set}`: friction needs teeth in mesh: {missing}")]
     Friction {
         /// The set.
         set: String,
+        /// What is missing.
+        missing: &'static str,
     },
     /// The basic rack.
     #[error(transparent)]
@@ -144,12 +149,6 @@ pub enum DescriptionError {
         /// How many were given.
         given: usize,
     },
-    /// Tools of a set that is not simple.
-    #[error("set `{set}`: `tools` are of simple sets")]
-    ToolsOfKind {
-        /// The set.
-        set: String,
-    },
     /// Tools that cannot be.
     #[error("set `{set}`: {source}")]
     Tools {
@@ -158,22 +157,54 @@ pub enum DescriptionError {
         /// Why.
         source: ToolMisfit,
     },
-    /// Profile shifts of a set that is not simple, or whose teeth are not all given; tip alterations without
+    /// Profile shifts of a set whose teeth are not all given, or of bevel gears; tip alterations without
     /// shifts.
     #[error(
-        "set `{set}`: `profile_shifts`, with or without `tip_alterations`, are of a simple set with `teeth` and one count in `planet_teeth`"
+        "set `{set}`: `profile_shifts`, with or without `tip_alterations`, need the teeth of all its gears, and gears that are not bevel"
     )]
     Shifts {
         /// The set.
         set: String,
     },
-    /// A helix angle of a set that is not simple, or whose teeth do not share a centre distance.
-    #[error(
-        "set `{set}`: `helix_angle` is of a simple set with `teeth`, and with `planet_teeth` and `profile_shifts` where equal centre distances ask for them"
-    )]
+    /// A helix angle of a set whose teeth are not known or not in mesh.
+    #[error("set `{set}`: helical teeth need teeth in mesh: {missing}")]
     HelixAngle {
         /// The set.
         set: String,
+        /// What is missing.
+        missing: &'static str,
+    },
+    /// A value of a gear that the set has not.
+    #[error("set `{set}`: `{key}` has a value of `{gear}`, and its gears are {gears}")]
+    NoSuchGear {
+        /// The set.
+        set: String,
+        /// The key.
+        key: &'static str,
+        /// The name.
+        gear: String,
+        /// Names of its gears.
+        gears: String,
+    },
+    /// Values in a list of a compound set, whose gears have no order.
+    #[error("set `{set}`: `{key}` needs the names of the gears, as `{key}: {{ {}: … }}`; they are {gears}", gears.split(',').next().unwrap_or_default())]
+    ByName {
+        /// The set.
+        set: String,
+        /// The key.
+        key: &'static str,
+        /// Names of its gears.
+        gears: String,
+    },
+    /// Two keys for one thing.
+    #[error("set `{set}`: `{first}` and `{second}` say the same: keep one of them")]
+    Twice {
+        /// The set.
+        set: String,
+        /// One key.
+        first: &'static str,
+        /// The other.
+        second: &'static str,
     },
     /// A set of a transmission without something its kind needs.
     #[error("set `{set}`: {missing} is missing")]
@@ -231,7 +262,7 @@ pub enum DescriptionError {
         /// The key.
         key: &'static str,
         /// Gears or meshes that the values belong to.
-        of: &'static str,
+        of: String,
         /// How many are given.
         given: usize,
         /// How many are required.
@@ -389,41 +420,49 @@ pub struct SetEntry {
     /// assumed.
     #[serde(default)]
     pub floating: Option<FloatingEntry>,
-    /// Profile shift coefficients of sun, planets and ring of a simple set with `teeth` and `planet_teeth`;
-    /// one above 0 moves the tips of the ring inwards.
+    /// Profile shift coefficients of its gears; one above 0 moves the tips of a ring inwards.
     #[serde(default)]
-    pub profile_shifts: Option<Vec<Number>>,
-    /// With `profile_shifts`: how far the tips of sun, planets and ring are moved, in modules; below 0 the
-    /// teeth are shorter. Default: sun and planets as they come, the ring shortened to stay out of the
-    /// fillets of the planets.
+    pub profile_shifts: Option<PerGear<Number>>,
+    /// With `profile_shifts`: how far the tips of its gears are moved, in modules; below 0 the teeth are
+    /// shorter. Default: external gears as they come, rings shortened to stay out of the fillets of the
+    /// planets.
     #[serde(default)]
-    pub tip_alterations: Option<Vec<Number>>,
-    /// Tools that cut the gears of a simple set.
+    pub tip_alterations: Option<PerGear<Number>>,
+    /// Tools that cut its gears, by gear.
     #[serde(default)]
-    pub tools: Option<ToolsEntry>,
-    /// Helix angle of a simple set with `teeth`, at the reference cylinders and without its hand. `module` is
-    /// then the normal module, the pressure angle the normal one, as in ISO 21771. Default 0 deg, spur teeth.
+    pub tools: BTreeMap<String, ToolEntry>,
+    /// Helix angle of its teeth, at the reference cylinders and without its hand. `module` is then the normal
+    /// module, the pressure angle the normal one, as in ISO 21771. Default 0 deg, spur teeth.
     #[serde(default)]
     pub helix_angle: Option<Quantity<Angle>>,
+    /// Helix angle of each mesh from sun to ring, in place of `helix_angle`.
+    #[serde(default)]
+    pub helix_angles: Option<Vec<Quantity<Angle>>>,
     /// Efficiency `η₀` under a resting carrier, 0.97 or 97 %; 1 unless given.
     #[serde(default)]
     pub efficiency: Option<Quantity<Ratio>>,
     /// Efficiency of each mesh from sun to ring, in place of `efficiency`.
     #[serde(default)]
     pub meshes: Option<Vec<Quantity<Ratio>>>,
-    /// Mean coefficients of friction of the meshes sun–planet and planet–ring, in place of efficiencies: of a
-    /// simple set with teeth.
+    /// Mean coefficients of friction of the meshes from sun to ring, in place of efficiencies: of a set with
+    /// teeth.
     #[serde(default)]
     pub friction: Option<Vec<Number>>,
     /// Module of the mesh with the sun, for forces on planets.
     #[serde(default)]
     pub module: Option<Quantity<Length>>,
+    /// Module of each mesh from sun to ring, in place of `module`: of stepped planets.
+    #[serde(default)]
+    pub modules: Option<Vec<Quantity<Length>>>,
     /// Radius of the planets' centres; goes before that of module and teeth.
     #[serde(default)]
     pub carrier_radius: Option<Quantity<Length>>,
-    /// Face width of a planet, for its mass.
+    /// Face width of its gears, for the mass of a planet and the strength of teeth.
     #[serde(default)]
     pub face_width: Option<Quantity<Length>>,
+    /// Face widths of single gears, which go before `face_width`.
+    #[serde(default)]
+    pub face_widths: Option<PerGear<Quantity<Length>>>,
     /// Bore of a planet. Default: a solid planet.
     #[serde(default)]
     pub planet_bore: Option<Quantity<Length>>,
@@ -445,10 +484,10 @@ pub struct SetEntry {
     /// Mean diameter of these bearings, (d + D)/2, for their modified life.
     #[serde(default)]
     pub bearing_diameter: Option<Quantity<Length>>,
-    /// Of a simple set, for the strength of its teeth: materials, roughness, tools, given factors.
+    /// For the strength of its teeth: materials, roughness, tools, given factors.
     #[serde(default)]
     pub strength: Option<StrengthEntry>,
-    /// Of a simple set, for its data sheet: measuring balls, allowances.
+    /// For its data sheet: measuring balls, allowances.
     #[serde(default)]
     pub data_sheet: Option<DataSheetEntry>,
     /// Of a simple set, for its vibration: bodies, bearings, supports, stiffness of meshes.
@@ -569,7 +608,7 @@ mod tests {
         );
         let beside = loss("friction: [0.05, 0.05], efficiency: 0.97").unwrap_err();
         assert!(beside.contains("give one of `efficiency`"), "{beside}");
-        assert!(of("k: 3, friction: [0.05, 0.05]", "").unwrap_err().contains("a simple set with `teeth`"));
+        assert!(of("k: 3, friction: [0.05, 0.05]", "").unwrap_err().contains("`teeth` are missing"));
         // That of the gearbox is for sets whose teeth are known and that state no losses.
         assert_eq!(of("k: 3", "friction: 0.05\n"), Ok(MeshLoss::IDEAL));
         let eta = MeshEfficiency::new(0.97).unwrap();
@@ -577,7 +616,7 @@ mod tests {
     }
 
     #[test]
-    fn a_helix_angle_is_of_a_simple_set_whose_teeth_share_a_centre_distance() {
+    fn a_helix_angle_is_of_a_set_whose_teeth_share_a_centre_distance() {
         let of = |set: &str| read(&format!("{SCHEME}{set} }}\n"));
         let spec = |set: &str| of(set).map(|gearbox| gearbox.sets()[0].short().unwrap().clone());
         assert!(spec("teeth: [20, 60], helix_angle: 8 deg").unwrap().is_helical());
@@ -587,11 +626,19 @@ mod tests {
             "k: 3, helix_angle: 8 deg",
             "teeth: [20, 61], helix_angle: 8 deg",
             "teeth: [20, 60], planet_teeth: [21], helix_angle: 8 deg",
-            "kind: double_planet, teeth: [20, 60], planet_teeth: [10, 10], helix_angle: 8 deg",
         ] {
             let error = of(without).unwrap_err();
-            assert!(error.starts_with("set `P`: `helix_angle` is of a simple set with `teeth`"), "{error}");
+            assert!(error.starts_with("set `P`: helical teeth need teeth in mesh"), "{error}");
         }
+        let stepped = "kind: stepped_sun_ring, teeth: [20, 60], planet_teeth: [20, 10]";
+        let angles = spec(&format!("{stepped}, helix_angles: [8 deg, 0 deg]")).unwrap().toothing.helix_angles;
+        assert_eq!(
+            angles.iter().map(|angle| epicyclic_units::Physical::degrees(*angle)).collect::<Vec<_>>(),
+            [8.0, 0.0]
+        );
+        assert!(
+            of(&format!("{stepped}, helix_angles: [8 deg]")).unwrap_err().contains("has 1 values; 2 are")
+        );
         for (angle, told) in [("-8 deg", "-8"), ("61 deg", "61")] {
             let error = of(&format!("teeth: [20, 60], helix_angle: {angle}")).unwrap_err();
             assert!(error.starts_with(&format!("set `P`: helix angle is {told}")), "{error}");
@@ -618,31 +665,85 @@ mod tests {
         assert!(read(&pair.replace("external_pair", "simple")).unwrap_err().contains("`carrier` is missing"));
     }
 
-    /// However many values a key of a simple set has, a pair is told once that it has no such key, and a
-    /// simple set how many there are.
+    /// Values of gears are as many as the set has gears, in every kind of set, and those of meshes as many as
+    /// it has meshes.
     #[test]
-    fn keys_of_simple_sets_are_refused_of_pairs_whatever_their_length() {
+    fn values_of_gears_and_meshes_are_as_many_as_these() {
         let pair = |key: &str| {
-            read(&format!("gearbox: P\ninput: x\noutput: y\nsets: [{{ id: P, kind: external_pair, sun: x, ring: y, teeth: [20, 60], {key} }}]\ngears: [{{ name: only }}]\n"))
-                .unwrap_err()
+            read(&format!(
+                "gearbox: P\ninput: x\noutput: y\nsets: [{{ id: P, kind: external_pair, sun: x, ring: y, teeth: [20, 60], {key} }}]\ngears: [{{ name: only }}]\n"
+            ))
         };
-        for values in ["[0.2]", "[0.2, 0.1]", "[0.2, 0.1, 0]"] {
-            for key in ["profile_shifts", "tip_alterations"] {
-                let error = pair(&format!("{key}: {values}"));
-                assert!(error.contains("are of a simple set with `teeth`"), "{error}");
-            }
-            let error = pair(&format!("friction: {values}"));
-            assert!(error.contains("friction is of a simple set"), "{error}");
+        let shifts = pair("profile_shifts: [0.2, 0.1]").unwrap().sets()[0].toothing().shifts.clone();
+        assert_eq!(shifts.unwrap().profile, [0.2, 0.1]);
+        let shifts = pair("profile_shifts: { gear 2: 0.1 }").unwrap().sets()[0].toothing().shifts.clone();
+        assert_eq!(shifts.unwrap().profile, [0.0, 0.1]);
+        assert!(pair("friction: [0.05]").unwrap().sets()[0].has_losses());
+        for (key, message) in [
+            ("profile_shifts: [0.2]", "`profile_shifts` has 1 values; 2 are required: gear 1, gear 2"),
+            (
+                "profile_shifts: { ring: 0.2 }",
+                "`profile_shifts` has a value of `ring`, and its gears are gear 1, gear 2",
+            ),
+            (
+                "tip_alterations: [0, 0]",
+                "`profile_shifts`, with or without `tip_alterations`, need the teeth",
+            ),
+            ("friction: [0.2, 0.1]", "`friction` has 2 values; 1 are required"),
+            ("tools: { sun: { dedendum: 1.25 } }", "`tools` has a value of `sun`"),
+            ("module: 2 mm, modules: [2 mm]", "`module` and `modules` say the same"),
+            ("face_widths: [2 mm]", "`face_widths` has 1 values"),
+        ] {
+            let error = pair(key).unwrap_err();
+            assert!(error.contains(message), "{error}");
         }
         let set = |key: &str| read(&format!("{SCHEME}teeth: [20, 60], planet_teeth: [20], {key} }}\n"));
         assert_eq!(
             set("profile_shifts: [0.2, 0.1]").unwrap_err(),
-            "set `P`: `profile_shifts` has 2 values; 3 are required: sun, planets, ring"
+            "set `P`: `profile_shifts` has 2 values; 3 are required: sun, planet, ring"
         );
         assert_eq!(
             set("friction: [0.05]").unwrap_err(),
-            "set `P`: `friction` has 1 values; 2 are required: sun with planets, planets with ring"
+            "set `P`: `friction` has 1 values; 2 are required: meshes from sun to ring"
         );
+    }
+
+    /// Names of gears are those of the solver, in its order, in every kind of set.
+    #[test]
+    fn gears_have_the_names_of_the_solver() {
+        for (kind, planets) in [
+            ("simple", "planet_teeth: [20], "),
+            ("double_planet", "planet_teeth: [10, 10], "),
+            ("stepped_sun_ring", "planet_teeth: [20, 10], "),
+            ("stepped_suns", "planet_teeth: [20, 10], "),
+            ("stepped_rings", "planet_teeth: [20, 10], "),
+            ("meshing_suns", "planet_teeth: [20, 10], "),
+            ("bevel", "planet_teeth: [10], "),
+            ("external_pair", ""),
+            ("internal_pair", ""),
+        ] {
+            let carrier = if planets.is_empty() { "" } else { "carrier: h, " };
+            let text = format!(
+                "gearbox: P\ninput: x\noutput: y\nsets: [{{ id: P, kind: {kind}, sun: x, ring: y, teeth: [20, 60], {planets}{carrier}}}]\ngears: [{{ name: only }}]\n"
+            );
+            let file: GearboxFile = Document::parse_one("p.yaml", text.as_bytes()).unwrap().read().unwrap();
+            let built = file.gearbox().unwrap();
+            let set = &built.sets()[0];
+            let data = file.set_data(set).unwrap();
+            let of_solver: Vec<_> =
+                set.gears().iter().map(|gear| (set.gear_name(*gear), set.gear_kind(*gear))).collect();
+            let names = data.gears.names.into_iter().zip(data.gears.kinds);
+            // Bevel planets are bevel gears too, but have no other kind in the solver.
+            let is_alike = |one: &(String, _), other: &(String, _)| one.0 == other.0 || kind == "bevel";
+            assert!(
+                names
+                    .into_iter()
+                    .zip(&of_solver)
+                    .all(|(one, other)| is_alike(&one, other) && one.1 == other.1),
+                "{kind}"
+            );
+            assert_eq!(set.meshes().len(), set.kind().unwrap().meshes());
+        }
     }
 
     /// Angles and spacings of planets are read wherever a set has planets, and refused where they cannot be.

@@ -35,6 +35,7 @@
 //! ```
 
 use crate::spacing::Spacing;
+use crate::toothing::Toothing;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use std::fmt;
 
@@ -135,6 +136,8 @@ pub struct CompoundSpec {
     pub planet_count: Option<u32>,
     /// Spacing of the planets on the carrier.
     pub spacing: Spacing,
+    /// Shifts, helix angles and tools of its gears.
+    pub toothing: Toothing,
     /// Whether the teeth are not known, only their proportions: those of central gears are any numbers above
     /// 0, those of planets are left out.
     pub proportional: bool,
@@ -178,8 +181,22 @@ impl CompoundSpec {
             meshes: vec![],
             planet_count: None,
             spacing: Spacing::default(),
+            toothing: Toothing::default(),
             proportional: false,
         }
+    }
+
+    /// Names of its gears, in the order of [`PlanetSet::gears`](crate::PlanetSet::gears).
+    #[must_use]
+    pub fn gears(&self) -> Vec<GearName> {
+        let centrals = self.centrals.iter().filter(|one| one.kind != CentralKind::PlanetShaft);
+        let centrals = centrals.map(|central| GearName::only(&central.name));
+        let planets = self.planets.iter().flat_map(|planet| {
+            let several = planet.teeth.len() > 1;
+            (1..=planet.teeth.len().max(1))
+                .map(move |step| GearName { of: planet.name.clone(), step: several.then_some(step) })
+        });
+        centrals.chain(planets).collect()
     }
 
     /// Adds a sun, named as its link.

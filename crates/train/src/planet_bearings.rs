@@ -70,7 +70,7 @@
 //! - Weight, helix angle, unequal load sharing.
 //! - The working pressure angle of meshes whose shifts are not given.
 
-mod flows;
+pub(crate) mod flows;
 mod forces;
 mod size;
 
@@ -234,6 +234,7 @@ impl PlanetSet {
         for (mesh, own) in size.meshes.iter().enumerate() {
             given.modules[mesh] = own.module.map(Physical::si);
             given.is_behind[mesh] = own.is_behind;
+            given.distances[mesh] = own.centre_distance.or(given.distances[mesh]);
         }
         for (planet, own) in size.planets.iter().enumerate() {
             given.radii[planet] = own.carrier_radius.map(Physical::si);
@@ -328,7 +329,7 @@ impl PlanetSet {
     }
 
     /// Path of the set's power through its meshes.
-    fn flows(&self) -> Flows {
+    pub(crate) fn flows(&self) -> Flows {
         let body = |gear: GearOf| match gear {
             GearOf::Central(central) => self.centrals()[central].body,
             GearOf::Planet(planet, _) => self.centrals().len() + planet,
@@ -374,7 +375,7 @@ impl PlanetSet {
             if let (Some(module), Some(teeth)) = (module, spec.coaxial_planet()) {
                 // The transverse module has less addendum than the normal one.
                 let usual = BasicRack::default();
-                let cos = libm::cos(spec.helix_angle.si());
+                let cos = libm::cos(spec.toothing.helix_angle(0).si());
                 let rack =
                     BasicRack { addendum: usual.addendum * cos, clearance: usual.clearance * cos, ..usual };
                 let gear = ToothedGear::new(GearKind::External, module, teeth, rack)?;

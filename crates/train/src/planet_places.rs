@@ -13,7 +13,7 @@
 //! | `ψ` | angle between them about the main axis | rad |
 //! | `m` | module of the mesh; meshes of one gear have one module | any |
 //!
-//! The gears have no profile shift. A given radius takes precedence over that of module and teeth, and gives
+//! Gears with profile shift have their working centre distances in place of these. A given radius takes precedence over that of module and teeth, and gives
 //! the module of meshes for which none is given. If meshes of one planet give different radii, a mesh with a
 //! module of its own takes precedence over one with the set's module. Among equals the earlier mesh takes
 //! precedence.
@@ -34,6 +34,8 @@ pub(crate) struct Given {
     pub(crate) radii: Vec<Option<f64>>,
     /// For each mesh of two planets, whether the one described later is behind the other.
     pub(crate) is_behind: Vec<bool>,
+    /// Centre distance of each mesh, in its modules.
+    pub(crate) distances: Vec<Option<f64>>,
 }
 
 impl Given {
@@ -45,6 +47,7 @@ impl Given {
             module: None,
             radii: vec![None; planets],
             is_behind: vec![false; meshes],
+            distances: (0..meshes).map(|mesh| plain_distance(set, mesh)).collect(),
         }
     }
 }
@@ -133,6 +136,14 @@ fn teeth_in_mesh(set: &PlanetSet, mesh: usize) -> Option<Mesh> {
     (mesh.centre_distance() > 0.0).then_some(mesh)
 }
 
+/// Centre distance of a mesh of gears without profile shift, in modules.
+fn plain_distance(set: &PlanetSet, mesh: usize) -> Option<f64> {
+    centre_distance(set, mesh).or_else(|| {
+        let [first, second] = planet_mesh(set, mesh)?.map(|gear| teeth_of(set, gear));
+        Some(Mesh::external(first?, second?).centre_distance())
+    })
+}
+
 /// `R/m` of a mesh between a central gear and a planet: `(z_c ± z_p)/2`.
 pub(crate) fn centre_distance(set: &PlanetSet, mesh: usize) -> Option<f64> {
     teeth_in_mesh(set, mesh).map(Mesh::centre_distance)
@@ -162,22 +173,31 @@ fn spread(set: &PlanetSet, modules: &mut [Option<f64>]) {
 }
 
 /// Radii that are not known yet, from the modules that are.
-fn find_radii(set: &PlanetSet, modules: &[Option<f64>], radii: &mut [Option<f64>]) {
+fn find_radii(
+    set: &PlanetSet,
+    distances: &[Option<f64>],
+    modules: &[Option<f64>],
+    radii: &mut [Option<f64>],
+) {
     for (mesh, module) in modules.iter().enumerate() {
         if let (Some(module), Some((_, GearOf::Planet(planet, _)))) = (module, central_mesh(set, mesh))
             && radii[planet].is_none()
         {
-            radii[planet] = centre_distance(set, mesh).map(|distance| module * distance);
+            radii[planet] = distances[mesh].map(|distance| module * distance);
         }
     }
 }
 
 /// Modules that are not known yet, from the radii that are.
-fn find_modules(set: &PlanetSet, radii: &[Option<f64>], modules: &mut [Option<f64>]) {
+fn find_modules(
+    set: &PlanetSet,
+    distances: &[Option<f64>],
+    radii: &[Option<f64>],
+    modules: &mut [Option<f64>],
+) {
     for (mesh, module) in modules.iter_mut().enumerate() {
         if let (None, Some((_, GearOf::Planet(planet, _)))) = (&module, central_mesh(set, mesh)) {
-            *module =
-                radii[planet].zip(centre_distance(set, mesh)).map(|(radius, distance)| radius / distance);
+            *module = radii[planet].zip(distances[mesh]).map(|(radius, distance)| radius / distance);
         }
     }
 }
@@ -187,18 +207,18 @@ pub(crate) fn places(set: &PlanetSet, given: &Given) -> Places {
     let mut modules = given.modules.clone();
     spread(set, &mut modules);
     let mut radii = given.radii.clone();
-    find_radii(set, &modules, &mut radii);
+    find_radii(set, &given.distances, &modules, &mut radii);
     for module in &mut modules {
         *module = module.or(given.module);
     }
     // Every round settles a planet or is the last.
     for _ in 0..=radii.len() {
-        find_radii(set, &modules, &mut radii);
-        find_modules(set, &radii, &mut modules);
+        find_radii(set, &given.distances, &modules, &mut radii);
+        find_modules(set, &given.distances, &radii, &mut modules);
         spread(set, &mut modules);
     }
     let pairs = (0..modules.len())
-        .map(|mesh| pair(set, mesh, modules[mesh], &radii, given.is_behind[mesh]))
+        .map(|mesh| pair(set, mesh, [modules[mesh], given.distances[mesh]], &radii, given.is_behind[mesh]))
         .collect();
     Places { modules, radii, pairs }
 }
@@ -206,7 +226,7 @@ pub(crate) fn places(set: &PlanetSet, given: &Given) -> Places {
 fn pair(
     set: &PlanetSet,
     mesh: usize,
-    module: Option<f64>,
+    [module, distance]: [Option<f64>; 2],
     radii: &[Option<f64>],
     is_behind: bool,
 ) -> Result<Pair, NoPair> {
@@ -215,9 +235,10 @@ fn pair(
     let r1 = radii[first].ok_or(NoPair::Radius(first))?;
     let r2 = radii[second].ok_or(NoPair::Radius(second))?;
     let [z1, z2] = gears.map(|gear| teeth_of(set, gear));
-    let (module, (z1, z2)) = module.zip(z1.zip(z2)).ok_or(NoPair::Distance)?;
-    let mesh = Mesh::external(z1, z2);
-    let distance = module * mesh.centre_distance();
+    let ((module, distance), (z1, z2)) = module.zip(distance).zip(z1.zip(z2)).ok_or(NoPair::Distance)?;
+    let plain = Mesh::external(z1, z2);
+    let stretch = distance / plain.centre_distance();
+    let distance = module * distance;
     let cosine = (r1 * r1 + r2 * r2 - distance * distance) / (2.0 * r1 * r2);
     if cosine.is_nan() || cosine.abs() > 1.0 + FLAT {
         return Err(NoPair::Triangle { radii: [r1, r2], distance });
@@ -225,7 +246,7 @@ fn pair(
     let ahead_rad = libm::acos(cosine.clamp(-1.0, 1.0));
     Ok(Pair {
         distance,
-        pitch_radii: mesh.pitch_radii().map(|radius| module * radius),
+        pitch_radii: plain.pitch_radii().map(|radius| module * radius * stretch),
         angle_rad: if is_behind { -ahead_rad } else { ahead_rad },
     })
 }

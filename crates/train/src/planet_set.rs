@@ -251,6 +251,7 @@ impl PlanetSet {
     #[must_use]
     pub fn gear_name(&self, gear: GearOf) -> String {
         match gear {
+            GearOf::Central(central) if self.is_pair() => format!("gear {}", central + 1),
             GearOf::Central(central) => {
                 let alike =
                     self.centrals.iter().filter(|one| one.kind == self.centrals[central].kind).count();

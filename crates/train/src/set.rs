@@ -6,16 +6,15 @@
 //! by [`CompoundSpec`](crate::compound::CompoundSpec).
 
 pub use crate::set_kind::SetKind;
+pub use crate::toothing::Shifts;
 
 use crate::Error;
 use crate::spacing::Spacing;
 use crate::tolerance::BASIC_RATIO;
+use crate::toothing::Toothing;
 use epicyclic_gears::efficiency::MeshEfficiency;
-use epicyclic_gears::involute::profile::Cutting;
 use epicyclic_gears::simple_set::{BasicRatio, Fraction};
 use epicyclic_gears::teeth::ToothCount;
-use epicyclic_units::Physical;
-use uom::si::f64::Angle;
 
 /// Known ratio of a set.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,17 +61,6 @@ impl MeshLoss {
     }
 }
 
-/// Profile shifts of sun, planets and ring, with the sign of [`involute`](epicyclic_gears::involute): one
-/// above 0 moves the tips of a ring inwards.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Shifts {
-    /// Profile shift coefficients `x`, modules.
-    pub profile: [f64; 3],
-    /// Tip alterations `k`, below 0 shorter, modules; where none are given the tips of the ring are shortened
-    /// to stay out of the fillets of the planets.
-    pub tips: Option<[f64; 3]>,
-}
-
 /// Description of one set, by name; [`GearboxBuilder`](crate::GearboxBuilder) turns it into a
 /// [`PlanetSet`](crate::PlanetSet).
 ///
@@ -105,12 +93,8 @@ pub struct SetSpec {
     pub planet_count: Option<u32>,
     /// Spacing of the planets on the carrier.
     pub spacing: Spacing,
-    /// Profile shifts of a simple set.
-    pub shifts: Option<Shifts>,
-    /// Helix angle `β` of a simple set at the reference cylinders, without its hand; 0 of spur teeth.
-    pub helix_angle: Angle,
-    /// Cutting of sun, planets and ring of a simple set.
-    pub cutting: Box<[Cutting; 3]>,
+    /// Shifts, helix angles and tools of its gears.
+    pub toothing: Toothing,
 }
 
 impl SetSpec {
@@ -127,9 +111,7 @@ impl SetSpec {
             second_planet: None,
             planet_count: None,
             spacing: Spacing::default(),
-            shifts: None,
-            helix_angle: Angle::from_degrees(0.0),
-            cutting: Box::default(),
+            toothing: Toothing::default(),
         }
     }
 

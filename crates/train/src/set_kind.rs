@@ -1,5 +1,6 @@
 //! Kinds of sets: arrangements of the planets between the two central gears.
 
+use epicyclic_gears::geometry::GearKind;
 use std::fmt;
 
 /// Kind of a set: the arrangement of the planets between the two central gears.
@@ -41,6 +42,37 @@ pub enum SetKind {
 }
 
 impl SetKind {
+    /// Number of meshes from the first central gear to the second.
+    #[must_use]
+    pub fn meshes(self) -> usize {
+        match self {
+            Self::ExternalPair | Self::InternalPair => 1,
+            Self::DoublePlanet | Self::MeshingSuns => 3,
+            _ => 2,
+        }
+    }
+
+    /// Names of the gears, in the order of [`PlanetSet::gears`](crate::PlanetSet::gears), and whether they are
+    /// external or internal; `None` of bevel gears.
+    #[must_use]
+    pub fn gears(self) -> Vec<(&'static str, Option<GearKind>)> {
+        let (external, internal) = (Some(GearKind::External), Some(GearKind::Internal));
+        let two = [("planet 1", external), ("planet 2", external)];
+        let with = |first, planets: &[_], last| [&[first], planets, &[last]].concat();
+        match self {
+            Self::Simple => with(("sun", external), &[("planet", external)], ("ring", internal)),
+            Self::DoublePlanet | Self::SteppedSunRing => with(("sun", external), &two, ("ring", internal)),
+            Self::SteppedSuns | Self::MeshingSuns => with(("sun 1", external), &two, ("sun 2", external)),
+            Self::SteppedRings => with(("ring 1", internal), &two, ("ring 2", internal)),
+            Self::Bevel => {
+                let bevel = [("bevel gear 1", None), ("planet", external), ("bevel gear 2", None)];
+                bevel.to_vec()
+            }
+            Self::ExternalPair => vec![("gear 1", external), ("gear 2", external)],
+            Self::InternalPair => vec![("gear 1", external), ("gear 2", internal)],
+        }
+    }
+
     /// Sign of the basic ratio.
     #[must_use]
     pub fn sign(self) -> f64 {

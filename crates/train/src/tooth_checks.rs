@@ -1,13 +1,13 @@
 //! Checks whether the gears of a set fit: equal centre distances, clearance, assembly, undercut,
 //! interference.
 //!
-//! A simple set with [shifts](crate::set::Shifts) or helical teeth is checked with these instead: limits,
+//! Sets with [shifts](crate::set::Shifts) or helical teeth are checked [in mesh](crate::toothing): limits,
 //! interference and clearance follow [`involute::set`](epicyclic_gears::involute::set). Flanks may then
 //! overlap by the rounding of printed shifts.
 //!
 //! No check keeps a gearbox from being analysed. Many a failed check is intended in service: profile shift,
-//! teeth of other proportions, planets at unequal angles. All other checks assume gears without profile
-//! shift. Lengths are in modules. Gears that mesh with one another, and all meshes of one gear, have one
+//! teeth of other proportions, planets at unequal angles. Gears without shifts have none. Lengths are in
+//! modules. Gears that mesh with one another, and all meshes of one gear, have one
 //! module. Nothing more is assumed: the steps of a planet may differ in theirs.
 //!
 //! ```text
@@ -63,10 +63,9 @@ use crate::planet_places::{
     Given, NoPair, Places, central_mesh, centre_distance, places, planet_mesh, planet_of, teeth_of,
 };
 use crate::planet_set::{GearOf, MeshKind, PlanetSet};
-use crate::set::SetSpec;
 use crate::spacing::Spacing;
 use crate::tolerance::{MOST_ALIKE, TOUCH};
-use epicyclic_gears::geometry::GearKind;
+use crate::toothing::{ToothedSet, Untoothed};
 use epicyclic_gears::involute::PlanetSet as InvoluteSet;
 use epicyclic_gears::involute::check::{Check, Rule};
 use epicyclic_gears::involute::set::Limits;
@@ -147,13 +146,13 @@ impl PlanetSet {
             return PlanetFit { assembles: None, clears: None };
         };
         let checks = Checks::new(self, *rack, &[]);
-        let clears = match self.short().and_then(|spec| spec.involute_set(rack)) {
-            Some(Ok(set)) => Some(
+        let clears = match (&checks.toothed, self.short().and_then(|spec| spec.involute_set(rack))) {
+            (_, Some(Ok(set))) => Some(
                 !checks.at_angles(&set).iter().any(|check| check.rule == Rule::PlanetGap && !check.holds()),
             ),
-            Some(Err(_)) => None,
-            None if self.short().is_some_and(SetSpec::is_helical) => None,
-            None => checks.do_clear(),
+            (Err(Untoothed::Refused(_)), _) => None,
+            (Err(_), _) if self.toothing().is_helical() => None,
+            _ => checks.do_clear(),
         };
         let assembles = self.assembly_positions().map(|positions| match self.spacing() {
             Spacing::Placed(Placement::Equal) => positions.is_multiple_of(planets.into()),
@@ -175,6 +174,7 @@ struct Checks<'a> {
     angles: Vec<(usize, f64)>,
     /// Angles from each group of planets to every other; `None` of an unknown number of groups.
     steps: Option<Vec<f64>>,
+    toothed: Result<ToothedSet, Untoothed>,
 }
 
 /// Angles from each to every other planet at these angles, rad.
@@ -211,6 +211,12 @@ impl<'a> Checks<'a> {
         if let Some(first) = given.modules.first_mut().filter(|_| stated.iter().all(Option::is_none)) {
             *first = Some(1.0);
         }
+        let toothed = set.toothed(&rack, &stated);
+        if set.toothing().has_shape() {
+            for (mesh, own) in toothed.iter().flat_map(|set| &set.meshes).enumerate() {
+                given.distances[mesh] = Some(own.pair.centre_distance());
+            }
+        }
         let places = places(set, &given);
         let angles = places.angles(set);
         let steps = match (set.spacing(), set.planet_count()) {
@@ -220,7 +226,7 @@ impl<'a> Checks<'a> {
                 steps_between(&angles_rad)
             }),
         };
-        Self { set, rack, stated, places, angles, steps }
+        Self { set, rack, stated, places, angles, steps, toothed }
     }
 
     /// Checks of toothed gears, with the planets at their actual angles.
@@ -314,15 +320,17 @@ impl<'a> Checks<'a> {
 
     /// Tip radius: of an external gear the largest, of a ring the smallest.
     fn tip(&self, gear: GearOf) -> Option<f64> {
-        let kind = match gear {
-            GearOf::Central(central) => match self.set.centrals()[central].kind {
-                CentralKind::Sun => GearKind::External,
-                CentralKind::Ring => GearKind::Internal,
-                _ => return None,
-            },
-            GearOf::Planet(..) => GearKind::External,
-        };
-        Some(self.module(gear)? * Gear::new(kind, teeth_of(self.set, gear)?).tip_radius(&self.rack))
+        let module = self.module(gear)?;
+        if let Some(own) = self.by_shape().and_then(|toothed| toothed.gear(gear)) {
+            return Some(module * own.tip_diameter() / 2.0);
+        }
+        let kind = self.set.gear_kind(gear)?;
+        Some(module * Gear::new(kind, teeth_of(self.set, gear)?).tip_radius(&self.rack))
+    }
+
+    /// The toothed gears, where shifts or helical teeth make them other than plain spur gears.
+    fn by_shape(&self) -> Option<&ToothedSet> {
+        self.toothed.as_ref().ok().filter(|_| self.set.toothing().has_shape())
     }
 
     fn gears_of(&self, planet: usize) -> impl Iterator<Item = GearOf> + use<> {

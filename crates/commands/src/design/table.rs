@@ -69,8 +69,8 @@ fn safeties(set: &SizedSet) -> impl Iterator<Item = Worn<'_>> {
     let best = set.found.first();
     best.into_iter().flat_map(|best| &best.over_duty).map(|of| Worn {
         set: &set.set,
-        mesh: of.mesh,
-        toothed_gear: of.toothed_gear,
+        mesh: &of.mesh,
+        toothed_gear: &of.toothed_gear,
         material: &of.material,
         flank: Some(&of.flank),
         root: Some(&of.root),

@@ -26,6 +26,7 @@ macro_rules! faults {
 
 faults!(
     crate::error::Error,
+    epicyclic_formats::gearbox::DescriptionError,
     epicyclic_dynamics::Error,
     epicyclic_gears::Error,
     epicyclic_hydromotor::Error,

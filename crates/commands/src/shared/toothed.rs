@@ -3,10 +3,12 @@
 use crate::shared::gearbox::Gearbox;
 use crate::strength::answer::place::refused;
 use epicyclic_formats::Path;
-use epicyclic_formats::gearbox::{GearboxFile, SetEntry};
+use epicyclic_formats::gearbox::{GearboxFile, SetData, SetEntry};
 use epicyclic_gears::involute::PlanetSet;
 use epicyclic_train as train;
 use epicyclic_train::set::{SetKind, SetSpec};
+use epicyclic_train::toothing::{ToothedSet, Untoothed};
+use epicyclic_units::Physical;
 
 /// Sun, planets and ring of a set at a place of the file, in mesh, as their tools leave them; `None` where
 /// the file does not say enough of them.
@@ -21,6 +23,31 @@ pub(crate) fn gears(
     spec.toothed_set(&subject.rack)
         .transpose()
         .map_err(|error| refused(&subject.document, path, &["profile_shifts"], &error))
+}
+
+/// The gears of a set of a file in mesh; the key of what is missing, or `None` of bevel gears.
+///
+/// # Errors
+/// [`Error::Document`](crate::error::Error::Document) at the shifts.
+pub(crate) fn toothed(
+    subject: &Gearbox,
+    data: &SetData<'_>,
+    set: &train::PlanetSet,
+) -> Result<Result<ToothedSet, Option<&'static str>>, crate::error::Error> {
+    let modules: Vec<Option<f64>> =
+        data.modules.iter().map(|module| module.map(|module| module.si())).collect();
+    Ok(match set.toothed(&subject.rack, &modules) {
+        Ok(toothed) => Ok(toothed),
+        Err(Untoothed::Teeth) => Err(Some("teeth")),
+        Err(Untoothed::PlanetTeeth) => {
+            Err(Some(if set.short().is_some() { "planet_teeth" } else { "planet_gears" }))
+        }
+        Err(Untoothed::Shifts) => Err(Some("profile_shifts")),
+        Err(Untoothed::Bevel) => Err(None),
+        Err(Untoothed::Refused(error)) => {
+            return Err(refused(&subject.document, &data.path, &["profile_shifts"], &error));
+        }
+    })
 }
 
 /// A simple set of a file: its place, its entry, its short description.

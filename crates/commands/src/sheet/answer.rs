@@ -1,4 +1,4 @@
-//! Data sheets of the gears of simple sets: circles, tooth thickness, measures, meshes.
+//! Data sheets of the gears of sets: circles, tooth thickness, measures, meshes.
 //!
 //! | module | is |
 //! |---|---|
@@ -16,17 +16,19 @@ use crate::error::Error;
 use crate::shared::fault::{Fault, Named};
 use crate::shared::gearbox::Gearbox;
 use crate::shared::tooth_checks::answer::ToothChecks;
-use crate::shared::toothed::{gears, lacking, missing_teeth, simple_sets};
+use crate::shared::toothed::{lacking, toothed};
+use crate::strength::answer::names::MeshName;
 use crate::strength::answer::place::refused;
-use epicyclic_formats::gearbox::{DataSheetEntry, GearboxFile, SetEntry};
-use epicyclic_formats::{Document, Path};
-use epicyclic_gears::involute::PlanetSet as ToothedSet;
+use epicyclic_formats::Document;
+use epicyclic_formats::gearbox::{GearboxFile, PerGear, SetData};
 use epicyclic_gears::involute::play::Deviation;
 use epicyclic_gears::{Error as GearError, Quantity};
+use epicyclic_train::PlanetSet;
+use epicyclic_train::toothing::{ToothedMesh, ToothedSet};
 use epicyclic_units::Physical;
 use epicyclic_units::format::significant;
 use output::Known;
-use records::{Allowed, AtOutput, LeftOut, Limits, SetSheet};
+use records::{Allowed, AtOutput, GearSheet, LeftOut, Limits, MeshSheet, SetSheet, Toothed, same};
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::Length;
@@ -83,26 +85,25 @@ fn described(subject: &Gearbox, wanted: Option<&str>) -> Result<DataSheets, Erro
     subject.check_set(wanted)?;
     let is_wanted = |id: &str| wanted.is_none_or(|wanted| wanted == id);
     let (mut sets, mut left_out, mut known) = (vec![], vec![], vec![]);
-    for (in_gearbox, (set, simple)) in simple_sets(subject, &file).enumerate() {
-        if !is_wanted(set.id()) {
-            continue;
-        }
-        let Some((path, entry, spec)) = simple else {
-            left_out.push(LeftOut { set: set.id().to_owned(), missing: vec![] });
-            continue;
-        };
-        let toothed = gears(subject, &path, spec)?;
-        let place = Place { document: &subject.document, path };
-        match (toothed, entry.module) {
-            (Some(toothed), Some(module)) => {
-                let (sheet, allowed) = sheet(&place, entry, &toothed, module.0)?;
+    for (place, set) in subject.train.sets().iter().enumerate().filter(|(_, set)| is_wanted(set.id())) {
+        let Some(data) = file.set_data(set) else { continue };
+        let toothed = toothed(subject, &data, set)?;
+        let has_module = data.modules.iter().any(Option::is_some);
+        match toothed {
+            Ok(toothed) if has_module => {
+                let (sheet, allowed) =
+                    Of { document: &subject.document, set, data: &data, toothed: &toothed }.sheet()?;
                 sets.push(sheet);
-                let face_width = entry.face_width.filter(|_| entry.planets.is_some()).map(|width| width.0);
-                known.push(Known { place: in_gearbox, set: toothed, module: module.0, face_width, allowed });
+                if let Some(involutes) = set.simple_involutes(&toothed) {
+                    let face_width = data.face_widths[0].filter(|_| set.planet_count().is_some());
+                    let module = Length::from_si(toothed.meshes[0].module);
+                    known.push(Known { place, set: involutes, module, face_width, allowed });
+                }
             }
-            (toothed, module) => {
-                let missing =
-                    lacking(&[(missing_teeth(entry), toothed.is_some()), ("module", module.is_some())]);
+            Err(None) => left_out.push(LeftOut { set: set.id().to_owned(), missing: vec![] }),
+            toothed => {
+                let key = toothed.as_ref().err().copied().flatten().unwrap_or_default();
+                let missing = lacking(&[(key, toothed.is_ok()), ("module", has_module)]);
                 left_out.push(LeftOut { set: set.id().to_owned(), missing });
             }
         }
@@ -122,87 +123,131 @@ fn described(subject: &Gearbox, wanted: Option<&str>) -> Result<DataSheets, Erro
     })
 }
 
-/// Place of a set in a file.
-struct Place<'a> {
+/// A set of the file with its gears in mesh.
+struct Of<'a> {
     document: &'a Document,
-    path: Path,
+    set: &'a PlanetSet,
+    data: &'a SetData<'a>,
+    toothed: &'a ToothedSet,
 }
 
-impl Place<'_> {
+impl<'a> Of<'a> {
+    fn sheet(&self) -> Result<(SetSheet, Option<Allowed>), Error> {
+        for mesh in &self.toothed.meshes {
+            if !(mesh.module.is_finite() && mesh.module > 0.0) {
+                return Err(self.refused(&["module"], &Named("not-positive", "the module must be above 0")));
+            }
+        }
+        let of = self.data.data_sheet;
+        let gears: Vec<Toothed<'_>> =
+            self.data.of.iter().filter_map(|gear| Toothed::of(self.set, self.toothed, *gear)).collect();
+        let balls = self.balls(&gears)?;
+        let allowances = of.and_then(|of| of.thickness_allowances.as_ref());
+        let allowances = allowances.map(|given| self.given("thickness_allowances", given)).transpose()?;
+        let allowances: Option<Vec<[f64; 2]>> = allowances.map(|all| {
+            all.into_iter()
+                .map(|own| own.map_or([0.0; 2], |limits| limits.map(|limit| limit.0.si())))
+                .collect()
+        });
+        let centre = of.and_then(|of| of.centre_distance_deviations).map(|all| all.map(|limit| limit.0.si()));
+        let deviation = |[lower, upper]: [f64; 2], module_m: f64| Deviation {
+            lower: lower / module_m,
+            upper: upper / module_m,
+        };
+        let allowed = (allowances.is_some() || centre.is_some()).then(|| Allowed {
+            thickness: gears
+                .iter()
+                .enumerate()
+                .map(|(place, gear)| {
+                    let own = allowances.as_ref().map_or([0.0; 2], |all| all[place]);
+                    deviation(own, gear.module_m)
+                })
+                .collect(),
+            centre_distance_m: centre.unwrap_or_default(),
+        });
+        let fault = |error: GearError| {
+            let key = match error {
+                GearError::NotAbove { .. }
+                | GearError::Deviation { quantity: Quantity::CentreDistanceDeviation, .. } => {
+                    "centre_distance_deviations"
+                }
+                _ => "thickness_allowances",
+            };
+            self.refused(&["data_sheet", key], &error)
+        };
+        let materials = self.data.strength.map(|strength| self.given("materials", &strength.materials));
+        let materials = materials.transpose()?;
+        let material = |place: usize| materials.as_ref().and_then(|all| all[place].cloned());
+        let sheets = gears.iter().zip(&balls).enumerate().map(|(place, (gear, ball))| {
+            let allowance = allowed.as_ref().map(|allowed| allowed.thickness[place]);
+            let sheet = GearSheet::of(gear, *ball, allowance)?;
+            Ok(GearSheet { material: material(place), ..sheet })
+        });
+        let mesh = |mesh: &ToothedMesh| {
+            let width = self.data.common_width(mesh.gears).map(Physical::si);
+            let places = mesh.gears.map(|gear| self.data.place(gear));
+            let allowed = allowed.as_ref().map(|allowed| {
+                (
+                    places.map(|place| allowed.thickness[place]),
+                    deviation(allowed.centre_distance_m, mesh.module),
+                )
+            });
+            MeshSheet::of(MeshName::of(self.set, mesh.gears), mesh, width, allowed)
+        };
+        let meshes = self.toothed.meshes.iter().map(mesh);
+        let sheet = SetSheet {
+            planets: self.set.planet_count(),
+            face_width_m: same(self.data.face_widths.iter().map(|width| width.map(Physical::si))),
+            centre_distance_deviations_m: centre.map(Limits::of),
+            thickness_allowances_m: allowances.map(|all| all.into_iter().map(Limits::of).collect()),
+            ..SetSheet::of(
+                self.set.id(),
+                sheets.collect::<Result<_, _>>().map_err(fault)?,
+                meshes.collect::<Result<_, _>>().map_err(fault)?,
+                self.toothed,
+            )
+        };
+        Ok((sheet, allowed))
+    }
+
+    fn given<T>(&self, key: &'static str, values: &'a PerGear<T>) -> Result<Vec<Option<&'a T>>, Error> {
+        let given = values.given(self.set.id(), key, &self.data.gears);
+        let of = if key == "materials" { "strength" } else { "data_sheet" };
+        given.map_err(|error| self.refused(&[of, key], &error))
+    }
+
+    /// Diameters of measuring balls in metres.
+    fn balls(&self, gears: &[Toothed<'_>]) -> Result<Vec<f64>, Error> {
+        let given = self.data.data_sheet.and_then(|of| of.ball_diameters.as_ref());
+        let given = given.map(|given| self.given("ball_diameters", given)).transpose()?;
+        let refused = |why: Named<String>| Err(self.refused(&["data_sheet", "ball_diameters"], &why));
+        let mut balls = vec![];
+        for (place, Toothed { gear, module_m, name, .. }) in gears.iter().enumerate() {
+            let Some(ball) = given.as_ref().and_then(|all| all[place]) else {
+                balls.push(rounded_up(gear.ball_diameter() * module_m));
+                continue;
+            };
+            let ball = ball.0.si();
+            if !(ball.is_finite() && ball > 0.0) {
+                return refused(Named("not-positive", "diameters of balls must be above 0".to_owned()));
+            }
+            let [least, most] = gear.ball_diameters().map(|diameter| diameter * module_m);
+            if !(least..=most).contains(&ball) {
+                let [ball, least, most] = [ball, least, most].map(|size| significant(1e3 * size, 5));
+                let message = format!(
+                    "a ball of {ball} mm touches no flank of the {name}: from the form circle to the tip circle balls of {least} to {most} mm do"
+                );
+                return refused(Named("ball", message));
+            }
+            balls.push(ball);
+        }
+        Ok(balls)
+    }
+
     /// Error at the longest part of a path that exists in the file.
     fn refused(&self, keys: &[&str], why: &dyn Fault) -> Error {
-        refused(self.document, &self.path, keys, why)
+        refused(self.document, &self.data.path, keys, why)
     }
-}
-
-fn sheet(
-    place: &Place<'_>,
-    entry: &SetEntry,
-    set: &ToothedSet,
-    module: Length,
-) -> Result<(SetSheet, Option<Allowed>), Error> {
-    let module_m = module.si();
-    if !(module_m.is_finite() && module_m > 0.0) {
-        return Err(place.refused(&["module"], &Named("not-positive", "the module must be above 0")));
-    }
-    let of = entry.data_sheet.as_ref();
-    let balls = balls(place, of, set, module_m)?;
-    let deviation = |[lower, upper]: [f64; 2]| Deviation { lower: lower / module_m, upper: upper / module_m };
-    let allowances = of.and_then(|of| of.thickness_allowances);
-    let allowances = allowances.map(|all| all.map(|limits| limits.map(|limit| limit.0.si())));
-    let centre = of.and_then(|of| of.centre_distance_deviations).map(|all| all.map(|limit| limit.0.si()));
-    let allowed = match (allowances, centre) {
-        (None, None) => None,
-        _ => Some(Allowed {
-            thickness: allowances.unwrap_or_default().map(deviation),
-            centre_distance: centre.map(deviation).unwrap_or_default(),
-        }),
-    };
-    let fault = |error: GearError| {
-        let key = match error {
-            GearError::NotAbove { .. }
-            | GearError::Deviation { quantity: Quantity::CentreDistanceDeviation, .. } => {
-                "centre_distance_deviations"
-            }
-            _ => "thickness_allowances",
-        };
-        place.refused(&["data_sheet", key], &error)
-    };
-    let sheet = SetSheet::of(entry, set, module_m, balls, allowed.as_ref()).map_err(fault)?;
-    let sheet = SetSheet {
-        thickness_allowances_m: allowances.map(|all| all.map(Limits::of).to_vec()),
-        centre_distance_deviations_m: centre.map(Limits::of),
-        ..sheet
-    };
-    Ok((sheet, allowed))
-}
-
-/// Diameters of measuring balls in metres.
-fn balls(
-    place: &Place<'_>,
-    of: Option<&DataSheetEntry>,
-    set: &ToothedSet,
-    module_m: f64,
-) -> Result<[f64; 3], Error> {
-    let Some(given) = of.and_then(|of| of.ball_diameters) else {
-        return Ok(set.gears().map(|gear| rounded_up(gear.ball_diameter() * module_m)));
-    };
-    let given = given.map(|diameter| diameter.0.si());
-    let refused = |why: Named<String>| Err(place.refused(&["data_sheet", "ball_diameters"], &why));
-    for ((ball, gear), name) in given.into_iter().zip(set.gears()).zip(["sun", "planet", "ring"]) {
-        if !(ball.is_finite() && ball > 0.0) {
-            return refused(Named("not-positive", "diameters of balls must be above 0".to_owned()));
-        }
-        let [least, most] = gear.ball_diameters().map(|diameter| diameter * module_m);
-        if !(least..=most).contains(&ball) {
-            let [ball, least, most] = [ball, least, most].map(|size| significant(1e3 * size, 5));
-            let message = format!(
-                "a ball of {ball} mm touches no flank of the {name}: from the form circle to the tip circle balls of {least} to {most} mm do"
-            );
-            return refused(Named("ball", message));
-        }
-    }
-    Ok(given)
 }
 
 /// Rounds a size up to two digits.

@@ -76,10 +76,14 @@ fn table(
     set: &str,
     title: &str,
     note: &str,
-    headings: &[&str],
+    headings: &[String],
     lines: Vec<Line>,
 ) -> Records {
-    let keys = ["first", "second", "third", "fourth"];
+    // As many as the gears in mesh of the largest compound set that anyone has written; more are left to JSON.
+    let keys = [
+        "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth",
+        "eleventh", "twelfth",
+    ];
     // What no gear has says nothing.
     let is_said = |Line(.., figures): &Line| !figures.iter().all(|figure| matches!(figure, Figure::None));
     Table::new(name, lines.into_iter().filter(is_said))
@@ -88,9 +92,9 @@ fn table(
         .text("symbol", "", |Line(_, _, symbol, _)| symbol)
         .for_people()
         .each(headings.iter().zip(keys).enumerate(), |table, (place, (heading, key))| {
-            table.number(key, heading, |Line(.., figures)| figures.get(place).cloned())
+            table.number(key, &**heading, |Line(.., figures)| figures.get(place).cloned())
         })
-        .view(title, "quantity symbol first second third fourth")
+        .view_of(title, &[&["quantity", "symbol"], &keys[..headings.len().min(keys.len())]].concat())
         .note(note)
         .records()
 }
@@ -107,45 +111,49 @@ fn angle(si: f64) -> Figure {
     Figure::Measured { si, dimension: Dimension::Angle, decimals: MICROMETRES }
 }
 
+fn angles(si: Option<f64>) -> Figure {
+    si.map_or(Figure::None, angle)
+}
+
 fn set(set: &SetSheet) -> Vec<Records> {
     vec![common(set), gears(set), meshes(set), in_mesh(set)]
 }
 
 /// What only helical teeth have of their own.
 fn of_helix(set: &SetSheet, figure: impl FnOnce() -> Figure) -> Figure {
-    if set.helix_angle_rad == 0.0 { Figure::None } else { figure() }
+    if set.helix_angle_rad == Some(0.0) { Figure::None } else { figure() }
 }
 
 fn common(set: &SetSheet) -> Records {
     let limits = set.centre_distance_deviations_m;
     let helical = |figure: fn(&SetSheet) -> Figure| vec![of_helix(set, || figure(set))];
     let lines = vec![
-        Line("module", "normal module, mm", "m_n", vec![length(set.module_m)]),
+        Line("module", "normal module, mm", "m_n", vec![lengths(set.module_m)]),
         Line("pressure_angle", "normal pressure angle, °", "α_n", vec![angle(set.pressure_angle_rad)]),
-        Line("helix_angle", "helix angle, °", "β", vec![angle(set.helix_angle_rad)]),
+        Line("helix_angle", "helix angle, °", "β", vec![angles(set.helix_angle_rad)]),
         Line(
             "base_helix_angle",
             "helix angle, base cylinder, °",
             "β_b",
-            helical(|set| angle(set.base_helix_angle_rad)),
+            helical(|set| angles(set.base_helix_angle_rad)),
         ),
         Line(
             "transverse_module",
             "transverse module, mm",
             "m_t",
-            helical(|set| length(set.transverse_module_m)),
+            helical(|set| lengths(set.transverse_module_m)),
         ),
         Line(
             "transverse_pressure_angle",
             "transverse pressure angle, °",
             "α_t",
-            helical(|set| angle(set.transverse_pressure_angle_rad)),
+            helical(|set| angles(set.transverse_pressure_angle_rad)),
         ),
         Line("addendum", "addendum of the rack, modules", "h_aP*", vec![Figure::Number(set.addendum)]),
         Line("clearance", "clearance of the rack, modules", "c_P*", vec![Figure::Number(set.clearance)]),
         Line("planets", "planets", "N", vec![set.planets.map_or(Figure::None, Figure::Count)]),
         Line("face_width", "face width, mm", "b", vec![lengths(set.face_width_m)]),
-        Line("centre_distance", "centre distance, mm", "a", vec![length(set.centre_distance_m)]),
+        Line("centre_distance", "centre distance, mm", "a", vec![lengths(set.centre_distance_m)]),
         Line(
             "centre_distance_upper",
             "upper deviation, mm",
@@ -159,7 +167,7 @@ fn common(set: &SetSheet) -> Records {
             vec![lengths(limits.map(|of| of.lower))],
         ),
     ];
-    table("set", &set.set, &format!("Set {}", set.set), "", &[""], lines)
+    table("set", &set.set, &format!("Set {}", set.set), "", &[String::new()], lines)
 }
 
 fn gears(set: &SetSheet) -> Records {
@@ -253,7 +261,7 @@ fn gears(set: &SetSheet) -> Records {
         &format!("Gears of set {}, lengths in mm", set.set),
         "Root and form circles are those that the tools leave; (usual): the file states no tool. Spans and measures over balls without allowances but where limits are \
          told; over two balls, of a ring between them.",
-        &["sun", "planet", "ring"],
+        &set.gears.iter().map(|gear| gear.toothed_gear.clone()).collect::<Vec<_>>(),
         lines,
     )
 }
@@ -284,7 +292,23 @@ fn meshes(set: &SetSheet) -> Records {
     let each = |of: &dyn Fn(&MeshSheet) -> Figure| set.meshes.iter().map(of).collect::<Vec<_>>();
     let limit = |of: fn(&MeshSheet) -> Option<Limits>, end: End| each(&|mesh| lengths(of(mesh).map(end)));
     let ratio = |value: f64| Figure::Printed(value, 3);
+    let several = |of_set: Option<f64>, own: fn(&MeshSheet) -> Figure| {
+        if of_set.is_some() { vec![] } else { each(&own) }
+    };
     let lines = vec![
+        Line("module", "normal module", "m_n", several(set.module_m, |mesh| length(mesh.module_m))),
+        Line(
+            "helix_angle",
+            "helix angle, °",
+            "β",
+            several(set.helix_angle_rad, |mesh| angle(mesh.helix_angle_rad)),
+        ),
+        Line(
+            "centre_distance",
+            "centre distance",
+            "a",
+            several(set.centre_distance_m, |mesh| length(mesh.centre_distance_m)),
+        ),
         Line(
             "working_angle",
             "working pressure angle, °",
@@ -340,13 +364,19 @@ fn meshes(set: &SetSheet) -> Records {
         &set.set,
         &format!("Meshes of set {}, lengths in mm", set.set),
         "",
-        &["sun-planet", "planet-ring"],
+        &set.meshes.iter().map(|mesh| mesh.mesh.to_string()).collect::<Vec<_>>(),
         lines,
     )
 }
 
 fn in_mesh(set: &SetSheet) -> Records {
     let all: Vec<&GearInMesh> = set.meshes.iter().flat_map(|mesh| &mesh.gears).collect();
+    let names = || set.meshes.iter().map(|mesh| &mesh.mesh);
+    let headings: Vec<String> = set
+        .meshes
+        .iter()
+        .flat_map(|mesh| mesh.gears.iter().map(|gear| mesh.mesh.gear_among(&gear.toothed_gear, names())))
+        .collect();
     let each = |of: &dyn Fn(&GearInMesh) -> Figure| all.iter().map(|gear| of(gear)).collect::<Vec<_>>();
     let sliding = |value: Option<f64>| value.map_or(Figure::None, |value| Figure::Printed(value, 3));
     let lines = vec![
@@ -371,7 +401,7 @@ fn in_mesh(set: &SetSheet) -> Records {
         &set.set,
         &format!("Gears in mesh of set {}, lengths in mm", set.set),
         "",
-        &["sun", "planet at sun", "planet at ring", "ring"],
+        &headings,
         lines,
     )
 }

@@ -231,7 +231,10 @@ fn task(
         teeth: set.teeth,
         profiles: set.profiles,
         aim: request.aim,
-        held_shifts: set.shifts.map(|shifts| HeldShifts { profile: shifts.profile, tips: shifts.tips }),
+        held_shifts: set.shifts.as_ref().map(|shifts| HeldShifts {
+            profile: three(&shifts.profile),
+            tips: shifts.tips.as_deref().map(three),
+        }),
         limits: request.limits(),
         gears: set.gears,
         methods: set.methods,
@@ -251,4 +254,9 @@ fn task(
         space,
     };
     (task, held)
+}
+
+/// Values of sun, planets and ring.
+fn three(values: &[f64]) -> [f64; 3] {
+    [0, 1, 2].map(|gear: usize| values.get(gear).copied().unwrap_or_default())
 }

@@ -5,9 +5,11 @@
 //! |---|---|
 //! | [`records`] | meshes and gears |
 //! | `names` | meshes, gears, flanks and roots by name |
+//! | `materials` | materials of a file |
 //! | `not_rated` | what is not rated, and why |
 //! | `sharing` | how planets share the load |
-//! | `prepared` | the meshes of a file's sets |
+//! | `rated_set` | the meshes of a file's sets |
+//! | `prepared` | simple sets of a file without their size |
 //! | [`factors`] | factors by their symbols, each once |
 //! | `axial` | axial forces of helical teeth |
 //! | `load` | the load of a set in a gear |
@@ -16,8 +18,8 @@
 //! | `bearings` | planet bearings over a duty |
 //! | `place` | where in the file a fault is |
 //!
-//! Torques are those without losses, so both meshes of a set have the same tangential force; speeds are
-//! relative to the carrier.
+//! Torques are those without losses, speeds are relative to the carrier. Each mesh is rated alone with the load
+//! that the solver finds of it: the damage of two meshes on one flank of a gear is not added.
 
 mod axial;
 mod bearing_records;
@@ -25,11 +27,13 @@ pub(crate) mod bearings;
 pub(crate) mod duty;
 pub mod factors;
 pub(crate) mod load;
-mod names;
+pub(crate) mod materials;
+pub(crate) mod names;
 mod not_rated;
 pub(crate) mod overload;
 pub(crate) mod place;
 pub(crate) mod prepared;
+pub(crate) mod rated_set;
 pub mod records;
 mod sharing;
 
@@ -50,18 +54,18 @@ use epicyclic_strength::load::Floating;
 use epicyclic_strength::rating::rate;
 use epicyclic_train::{Gear, PlanetSet};
 use epicyclic_units::Physical;
-use load::{both_loads, set_load};
+use load::SetLoad;
 use place::{Fault, Partly, located, refused};
-use prepared::RatedSet;
+use rated_set::RatedSet;
 use records::{
     Against, AxialForce, BearingOverDuty, DutyStep, Governing, LoadSharing, MeshAtPoint, NotRated, OverDuty,
-    Overloaded, Rated, Required, Safeties,
+    Overloaded, Rated, Reason, Required, Safeties,
 };
 use schemars::JsonSchema;
 use serde::Serialize;
-use uom::si::f64::{AngularVelocity, KinematicViscosity, Time, Torque};
+use uom::si::f64::{KinematicViscosity, Time};
 
-/// Stresses, limits and safeties of the teeth of simple sets by ISO 6336, method B.
+/// Stresses, limits and safeties of the teeth of a gearbox by ISO 6336, method B.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Strength {
@@ -150,7 +154,9 @@ pub(crate) fn chapters(subject: &Gearbox, load: Load) -> Result<Vec<Strength>, E
     }
     let file: GearboxFile = subject.document.read()?;
     let is_stated = file.oil.is_some() && file.life.is_some();
-    if !is_stated || file.sets.iter().all(|set| set.strength.is_none()) {
+    let has_strength = file.sets.iter().any(|set| set.strength.is_some())
+        || file.compound_sets.iter().any(|set| set.strength.is_some());
+    if !(is_stated && has_strength) {
         return Ok(vec![]);
     }
     let input = load.input();
@@ -225,7 +231,7 @@ impl Asked {
 fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<Strength, Error> {
     let (gear, input) = (request.gear.as_deref(), request.load.input());
     let file: GearboxFile = subject.document.read()?;
-    let (sets, not_rated) = prepared::sets(subject, &file)?;
+    let (sets, not_rated) = rated_set::sets(subject, &file)?;
     let Asked { life, viscosity, required } = Asked::of(&subject.document, &file)?;
     let mut found = Found { not_rated, ..Found::default() };
     let mut bearings = vec![];
@@ -314,8 +320,8 @@ fn sharing(
     let of_set = |set: &PlanetSet| {
         let is_asked = rated.iter().any(|one| one.id == set.id() && !one.has_load_sharing())
             || bearings.iter().any(|one| one.set == set.id() && !one.load_sharing_is_given);
-        let entry = file.sets.iter().find(|entry| entry.id == set.id());
-        let floating = entry.map_or(Floating::Assumed, prepared::floating);
+        let floating = file.set_data(set).and_then(|data| data.floating);
+        let floating = floating.map_or(Floating::Assumed, materials::floating);
         set.planet_count()
             .filter(|planets| is_asked && *planets > 1)
             .and_then(|planets| LoadSharing::of(set.id(), planets, floating))
@@ -340,12 +346,12 @@ fn at_point(
     for name in names {
         let worked = Worked::new(&subject.train, name, input)?;
         for set in sets {
-            let load =
-                set_load(set, &worked, speed).map_err(|reason| Fault::Row(NotRated::new(set.id, reason)));
-            if let Ok((torque, speed)) = load {
-                found.axial.extend(axial::of(set, name, None, (torque, speed), life));
+            let load = SetLoad::of(set, &worked, Some(speed));
+            let load = load.map_err(|reason| Fault::Row(NotRated::new(set.id, reason)));
+            if let Ok(load) = &load {
+                found.axial.extend(axial::of(set, name, None, load, life));
             }
-            let meshes = load.and_then(|(torque, speed)| at_load(subject, set, torque, speed, life));
+            let meshes = load.and_then(|load| at_load(subject, set, &load, life));
             let rated = meshes.map(|Partly { rated, mut not_rated }| {
                 let both = |mesh: &MeshAtPoint| mesh.both(name, set.id, request.factors);
                 not_rated.extend(rated.iter().flat_map(|mesh| mesh.not_rated(set.id)));
@@ -358,20 +364,22 @@ fn at_point(
     Ok(())
 }
 
-/// Rates both meshes of a set at a load.
+/// Rates the meshes of a set at a load.
 fn at_load(
     subject: &Gearbox,
     set: &RatedSet<'_>,
-    torque: Torque,
-    speed: AngularVelocity,
+    load: &SetLoad,
     life: Time,
 ) -> Result<Partly<MeshAtPoint>, Fault> {
     let fault = |error: epicyclic_strength::Error| Fault::of(&subject.document, set.id, &set.path, &error);
-    let loads = both_loads(set, torque, speed, life).map_err(fault)?;
-    Partly::of_meshes(|place, name| {
-        let rating = rate(&set.meshes[place], &loads[place], &set.methods[place]).map_err(fault)?;
-        let materials = [set.materials[place].clone(), set.materials[place + 1].clone()];
-        let mesh = MeshAtPoint { name, materials, load: loads[place], rating: Box::new(rating) };
-        Ok((vec![mesh], vec![]))
+    let loads = load.meshes(set, life);
+    Partly::of_meshes(set, |place, mesh| {
+        let load = loads[place];
+        if load.torque.si() == 0.0 {
+            return Err(Fault::Row(NotRated::new(set.id, Reason::NoTorque)));
+        }
+        let rating = rate(&mesh.mesh, &load, &mesh.method).map_err(fault)?;
+        let (name, materials) = (mesh.name.clone(), mesh.materials.clone());
+        Ok((vec![MeshAtPoint { name, materials, load, rating: Box::new(rating) }], vec![]))
     })
 }

@@ -7,15 +7,13 @@ mod words;
 use crate::shared::tooth_checks::table as tooth_checks;
 use crate::strength::answer::Strength;
 use crate::strength::answer::records::{
-    DutyStep, LoadSharing, NotRated, OverDuty, Overloaded, Rated, SharingBasis, Wear, mesh_name,
+    DutyStep, LoadSharing, MeshName, NotRated, OverDuty, Overloaded, Rated, SharingBasis, Wear,
 };
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, hours, text};
 use crate::table::quantities::{optional, quantity};
 use crate::table::report::AsReport;
 use crate::table::report::{Part, Records, Report, Row, Section, warned};
-use epicyclic_gears::involute::check::SetMesh;
-use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_units::Dimension;
 use planets::{axial_forces, bearing_steps, bearings, bearings_missing};
 use words::{OF_STEPS, extent, from};
@@ -157,7 +155,7 @@ fn at_point(all: &[Rated]) -> Records {
     Table::new("at_point", all.iter())
         .text("gear", "gear", |one| &one.gear)
         .text("set", "set", |one| &one.set)
-        .words("mesh", "mesh", |one| mesh_name(one.mesh))
+        .words("mesh", "mesh", |one| one.mesh.to_string())
         .words("toothed_gear", "of", |one| one.toothed_gear.to_string())
         .text("material", "material", |one| &one.material)
         .printed("flank_safety", "S_H", 3, |one| one.flank_safety)
@@ -224,7 +222,7 @@ fn over_duty_factors(both: &[OverDuty]) -> Option<Records> {
     let [one, other] = [first, second].map(|of| of.toothed_gear.to_string());
     let table = Table::new("factors", rows)
         .text("set", "set", |_| &first.set)
-        .words("mesh", "mesh", |_| mesh_name(first.mesh))
+        .words("mesh", "mesh", |_| first.mesh.to_string())
         .text("symbol", "factor", |(factor, _)| &factor.symbol)
         .number("first", &one, |(_, [factor, _])| factor.map(extent))
         .for_people()
@@ -236,7 +234,7 @@ fn over_duty_factors(both: &[OverDuty]) -> Option<Records> {
         .number("second_greatest", "greatest", |(_, [_, factor])| Some(factor.as_ref()?.greatest))
         .words("formula", "from", |(factor, _)| from(factor.formula.as_deref()))
         .view(
-            format!("Factors over the duty: set {}, mesh {}", first.set, mesh_name(first.mesh)),
+            format!("Factors over the duty: set {}, mesh {}", first.set, first.mesh),
             "symbol first second formula",
         );
     Some(table.note(OF_STEPS).records())
@@ -251,11 +249,11 @@ fn at_point_factors(both: &[Rated]) -> Option<Records> {
     let rows =
         by_formula([&first.factors, &second.factors], |factor| &factor.symbol, |factor| &factor.formula);
     let [one, other] = [first, second].map(|of| of.toothed_gear.to_string());
-    let title = format!("Factors: gear {}, set {}, mesh {}", first.gear, first.set, mesh_name(first.mesh));
+    let title = format!("Factors: gear {}, set {}, mesh {}", first.gear, first.set, first.mesh);
     let table = Table::new("factors", rows)
         .text("gear", "gear", |_| &first.gear)
         .text("set", "set", |_| &first.set)
-        .words("mesh", "mesh", |_| mesh_name(first.mesh))
+        .words("mesh", "mesh", |_| first.mesh.to_string())
         .text("symbol", "factor", |(factor, _)| &factor.symbol)
         .printed("first", &one, 4, |(_, [factor, _])| Some(factor.as_ref()?.value))
         .printed("second", &other, 4, |(_, [_, factor])| Some(factor.as_ref()?.value))
@@ -266,8 +264,8 @@ fn at_point_factors(both: &[Rated]) -> Option<Records> {
 /// A gear of a mesh over a duty, as it stands in a table.
 pub(crate) struct Worn<'a> {
     pub(crate) set: &'a str,
-    pub(crate) mesh: SetMesh,
-    pub(crate) toothed_gear: SimpleGear,
+    pub(crate) mesh: &'a MeshName,
+    pub(crate) toothed_gear: &'a str,
     pub(crate) material: &'a str,
     pub(crate) flank: Option<&'a Wear>,
     pub(crate) root: Option<&'a Wear>,
@@ -277,7 +275,7 @@ impl<'a> From<&'a OverDuty> for Worn<'a> {
     fn from(one: &'a OverDuty) -> Self {
         let OverDuty { set, mesh, toothed_gear, material, flank, root, .. } = one;
         let [flank, root] = [flank, root].map(Option::as_ref);
-        Self { set, mesh: *mesh, toothed_gear: *toothed_gear, material, flank, root }
+        Self { set, mesh, toothed_gear, material, flank, root }
     }
 }
 
@@ -287,7 +285,7 @@ pub(crate) fn over_duty<'a>(all: impl IntoIterator<Item = Worn<'a>>) -> Records 
     };
     Table::new("over_duty", all)
         .text("set", "set", |one| one.set)
-        .words("mesh", "mesh", |one| mesh_name(one.mesh))
+        .words("mesh", "mesh", |one| one.mesh.to_string())
         .words("toothed_gear", "of", |one| one.toothed_gear.to_string())
         .printed("flank_safety", "S_H", 3, |one| Some(one.flank?.safety))
         .number("flank_damage", "damage", |one| one.flank.map(damage))
@@ -314,7 +312,7 @@ fn overload(all: &[Overloaded]) -> Records {
         .text("gear", "gear", |one| &one.gear)
         .quantity("torque", "T", Dimension::Torque, |one| one.torque_n_m)
         .text("set", "set", |one| &one.set)
-        .words("mesh", "mesh", |one| mesh_name(one.mesh))
+        .words("mesh", "mesh", |one| one.mesh.to_string())
         .words("toothed_gear", "of", |one| one.toothed_gear.to_string())
         .printed("flank_safety", "S_H", 3, |one| one.flank_safety)
         .number("required_flank", "required", |one| one.required.flank)
@@ -359,8 +357,8 @@ fn not_rated(all: &[NotRated]) -> Records {
                 if one.gears.is_empty() { text("all") } else { one.gears.clone().into() }
             },
         )
-        .words("mesh", "mesh", |one| one.mesh.map(mesh_name))
-        .words("toothed_gear", "of", |one| one.toothed_gear.map(|gear| gear.to_string()))
+        .words("mesh", "mesh", |one| one.mesh.as_ref().map(MeshName::to_string))
+        .words("toothed_gear", "of", |one| one.toothed_gear.clone())
         .words("place", "part", |one| one.place.map(|place| place.to_string()))
         .words("reason", "why", |one| one.why())
         .view_of("Not rated", &shown)

@@ -6,7 +6,6 @@ use crate::faults::{At, Faults};
 use epicyclic_gears::teeth::ToothCount;
 use epicyclic_train::set::SetSpec;
 use epicyclic_train::{Error, Gearbox, Located, Site};
-use epicyclic_units::Number;
 
 /// Link of refused entries. A refused entry keeps its number and name, so that others may refer to it; a fault
 /// of this link only follows from that refusal.
@@ -48,18 +47,4 @@ pub(super) fn counts(
     };
     let counts: Vec<_> = teeth.iter().enumerate().map(count).collect();
     counts.into_iter().collect()
-}
-
-/// The values of a key of a set, one for each of these gears or meshes.
-pub(super) fn numbers<const N: usize>(
-    set: &str,
-    key: &'static str,
-    of: &'static str,
-    values: &[Number],
-    faults: &mut Faults,
-) -> Option<[f64; N]> {
-    let wrong =
-        |_| DescriptionError::Values { set: set.to_owned(), key, of, given: values.len(), expected: N };
-    let values: [Number; N] = faults.keep(key, values.try_into().map_err(wrong))?;
-    Some(values.map(Number::get))
 }

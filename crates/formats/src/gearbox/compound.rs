@@ -2,11 +2,17 @@
 
 use super::checks::NO_LINK;
 use super::place::{keys_of_part, of_set};
-use super::{DescriptionError, RollingEntry, spaced};
+use super::shape::Shape;
+use super::{
+    DataSheetEntry, DescriptionError, FloatingEntry, Gears, PerGear, RollingEntry, StrengthEntry, ToolEntry,
+    spaced,
+};
 use crate::Path;
 use crate::drive::Spacing;
 use crate::faults::{At, Faults};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::compound::{CentralKind, CentralSpec, CompoundSpec, MeshSpec, PlanetSpec};
 use epicyclic_train::planet_bearings::{MeshSize, PlanetSize, SetSize};
 use epicyclic_train::planet_set::Planet;
@@ -63,9 +69,37 @@ pub struct CompoundEntry<P = PlanetSizeEntry> {
     /// matter.
     #[serde(default)]
     pub planet_angles: Option<Vec<Quantity<Angle>>>,
-    /// Module of its meshes, for the forces on the bearings of planets.
+    /// Module of its meshes, of helical teeth the normal one.
     #[serde(default)]
     pub module: Option<Quantity<Length>>,
+    /// Helix angle of its teeth, at the reference cylinders and without its hand. Default 0 deg, spur teeth.
+    #[serde(default)]
+    pub helix_angle: Option<Quantity<Angle>>,
+    /// Profile shift coefficients by gear, 0 unless given; one above 0 moves the tips of a ring inwards.
+    #[serde(default)]
+    pub profile_shifts: Option<PerGear<Number>>,
+    /// With `profile_shifts`: how far the tips of gears are moved, in modules; below 0 the teeth are shorter.
+    /// Default: external gears as they come, rings shortened to stay out of the fillets of the planets.
+    #[serde(default)]
+    pub tip_alterations: Option<PerGear<Number>>,
+    /// Tools that cut its gears, by gear.
+    #[serde(default)]
+    pub tools: BTreeMap<String, ToolEntry>,
+    /// Face width of its gears, for the strength of teeth.
+    #[serde(default)]
+    pub face_width: Option<Quantity<Length>>,
+    /// Face widths of single gears, which go before `face_width`.
+    #[serde(default)]
+    pub face_widths: Option<PerGear<Quantity<Length>>>,
+    /// For the strength of its teeth: materials, roughness, tools, given factors.
+    #[serde(default)]
+    pub strength: Option<StrengthEntry>,
+    /// For its data sheet: measuring balls, allowances.
+    #[serde(default)]
+    pub data_sheet: Option<DataSheetEntry>,
+    /// Member that floats, for the load sharing of its planets. Default: a floating member is assumed.
+    #[serde(default)]
+    pub floating: Option<FloatingEntry>,
     /// Sizes of single planets, by their names.
     #[serde(default)]
     pub planet_sizes: BTreeMap<String, P>,
@@ -86,6 +120,9 @@ pub struct MeshEntry {
     /// Module of the mesh, if not that of the set.
     #[serde(default)]
     pub module: Option<Quantity<Length>>,
+    /// Helix angle of the mesh, if not that of the set.
+    #[serde(default)]
+    pub helix_angle: Option<Quantity<Angle>>,
     /// Of two planets in mesh: the second by name stands behind the first, not ahead of it in the positive
     /// direction of rotation. The forces on their bearings depend on it.
     #[serde(default)]
@@ -228,6 +265,7 @@ impl<P: PlanetSized> CompoundEntry<P> {
     pub(super) fn spec<'a>(
         &'a self,
         link: impl Fn(&'a str) -> Option<&'a str>,
+        rack: Option<&BasicRack>,
         faults: &mut Faults,
     ) -> CompoundSpec {
         let mut node = |member: &'a String, at: Path| {
@@ -257,8 +295,33 @@ impl<P: PlanetSized> CompoundEntry<P> {
         let planet =
             |(name, teeth): (&String, &Vec<u32>)| PlanetSpec { name: name.clone(), teeth: teeth.clone() };
         let spacing = spaced(&self.id, self.spacing, [self.planet_angles.as_deref(), None], faults);
+        let gears = self.gears();
+        let helix_angle = |(place, mesh): (usize, &MeshEntry)| {
+            let at = Path::root();
+            match (mesh.helix_angle, self.helix_angle) {
+                (Some(own), _) => (own.0, at.key("meshes").index(place).key("helix_angle")),
+                (None, of_set) => {
+                    (of_set.map_or_else(Angle::default, |angle| angle.0), at.key("helix_angle"))
+                }
+            }
+        };
+        let shape = Shape {
+            set: &self.id,
+            gears: &gears,
+            profile_shifts: self.profile_shifts.as_ref(),
+            tip_alterations: self.tip_alterations.as_ref(),
+            tools: &self.tools,
+            shaper: self.strength.as_ref().and_then(|strength| strength.shaper.as_ref()),
+            helix_angles: self.meshes.iter().enumerate().map(helix_angle).collect(),
+            is_known: !self.proportional && self.planet_gears.values().all(|teeth| !teeth.is_empty()),
+        };
+        let toothing = shape.toothing(rack, faults);
+        if let Some(widths) = &self.face_widths {
+            faults.keep("face_widths", widths.given(&self.id, "face_widths", &gears));
+        }
         let spec = CompoundSpec {
             id: self.id.clone(),
+            toothing,
             carrier,
             centrals,
             planets: self.planet_gears.iter().map(planet).collect(),
@@ -306,6 +369,31 @@ impl<P: PlanetSized> CompoundEntry<P> {
             meshes: self.meshes.iter().map(mesh).collect(),
             ..*usual
         }
+    }
+
+    /// Its gears: the central ones, then those of the planets.
+    pub(super) fn gears(&self) -> Gears {
+        let central = |(_, kind, name, _): (&str, CentralKind, &String, f64)| {
+            let kind = match kind {
+                CentralKind::Sun => Some(GearKind::External),
+                CentralKind::Ring => Some(GearKind::Internal),
+                CentralKind::BevelLeft | CentralKind::BevelRight => None,
+                CentralKind::PlanetShaft => return None,
+            };
+            Some((name.clone(), kind))
+        };
+        let planet = |(name, teeth): (&String, &Vec<u32>)| {
+            let steps = 1..=teeth.len().max(1);
+            let is_only = steps.end() == &1;
+            let name = name.clone();
+            steps.map(move |step| {
+                let name = if is_only { name.clone() } else { format!("{name}.{step}") };
+                (name, Some(GearKind::External))
+            })
+        };
+        let planets = self.planet_gears.iter().flat_map(planet);
+        let (names, kinds) = self.centrals().filter_map(central).chain(planets).unzip();
+        Gears { names, kinds, has_order: false }
     }
 
     /// Key, kind, name and teeth of its central gears and planet shafts.

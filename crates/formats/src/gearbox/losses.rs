@@ -1,13 +1,14 @@
 //! Losses of the meshes in a gearbox file: efficiencies, or friction of teeth.
 
-use super::checks::numbers;
 use super::place::keys_of;
+use super::shape::missing;
 use super::{DescriptionError, SetEntry};
 use crate::Path;
 use crate::faults::{At, Faults};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
+use epicyclic_train::toothing::Untoothed;
 use epicyclic_units::{Number, Quantity};
 use uom::si::f64::Ratio;
 
@@ -27,24 +28,32 @@ impl SetEntry {
                 faults.push("friction", DescriptionError::LossesTwice { set: set() });
                 return None;
             }
-            Some(_) if spec.toothed_set(&Default::default()).is_none() => {
-                faults.push("friction", DescriptionError::Friction { set: set() });
-                return None;
-            }
             Some(own) => {
-                Some(numbers(&self.id, "friction", "sun with planets, planets with ring", own, faults)?)
+                let friction = self.of_each_mesh("friction", spec.kind, Some(own), faults)?;
+                Some(friction.iter().map(|friction| friction.get()).collect())
             }
             None => None,
         };
-        let usual = of_gearbox.filter(|_| !has_efficiency).map(|friction| [friction.get(); 2]);
+        let usual =
+            of_gearbox.filter(|_| !has_efficiency).map(|friction| vec![friction.get(); spec.kind.meshes()]);
+        let is_own = own.is_some();
         let Some(friction) = own.or(usual) else { return Some(spec) };
-        match spec.friction_losses(rack?, friction) {
-            Some(Ok(losses)) => Some(spec.with_loss(losses)),
-            Some(Err(source)) => {
+        match spec.friction_losses(
+            rack?,
+            &self.stated_modules(spec.kind.meshes(), !spec.kind.is_stepped()),
+            &friction,
+        ) {
+            Ok(losses) => Some(spec.with_loss(losses)),
+            Err(Untoothed::Refused(source)) => {
                 faults.push(keys_of(&source), DescriptionError::of_set(&self.id, source));
                 None
             }
-            None => Some(spec),
+            Err(why) => {
+                if let Some(missing) = missing(&why).filter(|_| is_own) {
+                    faults.push("friction", DescriptionError::Friction { set: set(), missing });
+                }
+                Some(spec)
+            }
         }
     }
 }
@@ -62,11 +71,7 @@ pub(super) fn losses(
         faults.keep(at, eta).unwrap_or(MeshEfficiency::IDEAL)
     };
     let mesh = |place| Path::root().key("meshes").index(place).into();
-    let expected = match kind {
-        SetKind::ExternalPair | SetKind::InternalPair => 1,
-        SetKind::DoublePlanet | SetKind::MeshingSuns => 3,
-        _ => 2,
-    };
+    let expected = kind.meshes();
     match (efficiency, meshes) {
         (None, None) => MeshLoss::IDEAL,
         (Some(whole), None) => MeshLoss::Set(eta(whole, "efficiency".into())),

@@ -1,15 +1,17 @@
 //! A set with two central gears, as its entry describes it.
 
-use super::checks::{NO_LINK, counts, numbers};
+use super::checks::{NO_LINK, counts};
 use super::losses::losses;
+use super::shape::{Shape, missing};
 use super::spacing::spaced;
-use super::{DescriptionError, SetEntry};
+use super::{DescriptionError, Gears, SetEntry};
+use crate::Path;
 use crate::faults::Faults;
-use epicyclic_gears::involute::Profile;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::GROUND;
-use epicyclic_train::set::{SetKind, SetSpec, Shifts};
-use epicyclic_units::{Number, Quantity};
+use epicyclic_train::set::{SetKind, SetSpec};
+use epicyclic_units::Number;
+use uom::si::f64::Angle;
 
 impl SetEntry {
     /// The set; `None` where a fault leaves its ratio or its planets open. Of what else has a
@@ -61,45 +63,74 @@ impl SetEntry {
         if let Some(count) = self.planets {
             spec = spec.planet_count(count);
         }
-        let spec = spec.spaced(spacing);
-        let with_shifts = self.with_shifts(spec.clone(), faults);
-        let helical = with_shifts.and_then(|spec| self.with_helix_angle(spec, faults));
-        let cut = helical.and_then(|spec| self.with_tools(spec, rack, faults));
-        let whole = cut.and_then(|spec| self.with_friction(spec, rack, friction, faults));
+        let mut spec = spec.spaced(spacing);
+        let gears = Gears::of_kind(kind);
+        if let Some(widths) = &self.face_widths {
+            faults.keep("face_widths", widths.given(&self.id, "face_widths", &gears));
+        }
+        let planet_gears = gears.names.len() - 2;
+        let known = [spec.planet, spec.second_planet].into_iter().flatten().count();
+        let shape = Shape {
+            set: &self.id,
+            gears: &gears,
+            profile_shifts: self.profile_shifts.as_ref(),
+            tip_alterations: self.tip_alterations.as_ref(),
+            tools: &self.tools,
+            shaper: self.strength.as_ref().and_then(|strength| strength.shaper.as_ref()),
+            helix_angles: self.helix_angles(kind, faults),
+            is_known: self.teeth.is_some() && known == planet_gears && kind != SetKind::Bevel,
+        };
+        spec.toothing = shape.toothing(rack, faults);
+        self.of_each_mesh("modules", kind, self.modules.as_deref(), faults);
+        if self.modules.is_some() && self.module.is_some() {
+            let twice = DescriptionError::Twice { set: set(), first: "module", second: "modules" };
+            faults.push("modules", twice);
+        }
+        if spec.is_helical()
+            && let Err(why) = spec.toothed(&BasicRack::default(), &[])
+            && let Some(missing) = missing(&why)
+        {
+            let at = &["helix_angle", "helix_angles"][..];
+            faults.push(at, DescriptionError::HelixAngle { set: set(), missing });
+            spec.toothing.helix_angles.clear();
+        }
+        let whole = self.with_friction(spec.clone(), rack, friction, faults);
         Some(whole.unwrap_or(spec))
     }
 
-    fn with_shifts(&self, spec: SetSpec, faults: &mut Faults) -> Option<SetSpec> {
-        if self.profile_shifts.is_none() && self.tip_alterations.is_none() {
-            return Some(spec);
+    /// Helix angle of each mesh, with the path of its key.
+    fn helix_angles(&self, kind: SetKind, faults: &mut Faults) -> Vec<(Angle, Path)> {
+        if let (Some(_), Some(_)) = (self.helix_angle, &self.helix_angles) {
+            let (set, first, second) = (self.id.clone(), "helix_angle", "helix_angles");
+            faults.push(second, DescriptionError::Twice { set, first, second });
         }
-        let is_known = spec.planet.is_some() && spec.second_planet.is_none() && self.teeth.is_some();
-        let Some(profile) = self.profile_shifts.as_ref().filter(|_| spec.kind == SetKind::Simple && is_known)
-        else {
-            let shifts = DescriptionError::Shifts { set: self.id.clone() };
-            faults.push(&["profile_shifts", "tip_alterations"][..], shifts);
-            return None;
-        };
-        let mut of = |key, values: &[Number]| numbers(&self.id, key, "sun, planets, ring", values, faults);
-        let tips = self.tip_alterations.as_ref().map(|tips| of("tip_alterations", tips));
-        let profile = of("profile_shifts", profile)?;
-        let tips = match tips {
-            Some(tips) => Some(tips?),
-            None => None,
-        };
-        Some(spec.shifted(Shifts { profile, tips }))
+        match self.of_each_mesh("helix_angles", kind, self.helix_angles.as_deref(), faults) {
+            Some(angles) => {
+                let at = |place| Path::root().key("helix_angles").index(place);
+                angles.iter().enumerate().map(|(place, angle)| (angle.0, at(place))).collect()
+            }
+            None => {
+                let angle = self.helix_angle.map_or_else(Angle::default, |angle| angle.0);
+                vec![(angle, Path::root().key("helix_angle")); kind.meshes()]
+            }
+        }
     }
 
-    fn with_helix_angle(&self, spec: SetSpec, faults: &mut Faults) -> Option<SetSpec> {
-        let Some(Quantity(helix_angle)) = self.helix_angle else { return Some(spec) };
-        let profile = Profile { helix_angle, ..Profile::default() };
-        let checked = profile.check().map_err(|source| DescriptionError::of_set(&self.id, source));
-        faults.keep("helix_angle", checked)?;
-        let spec = spec.helical(helix_angle);
-        if spec.is_helical() && spec.toothed_set(&BasicRack::default()).is_none() {
-            faults.push("helix_angle", DescriptionError::HelixAngle { set: self.id.clone() });
-            return None;
+    /// The values of a key, one for each mesh.
+    pub(super) fn of_each_mesh<'v, T>(
+        &self,
+        key: &'static str,
+        kind: SetKind,
+        values: Option<&'v [T]>,
+        faults: &mut Faults,
+    ) -> Option<&'v [T]> {
+        let values = values?;
+        let expected = kind.meshes();
+        if values.len() == expected {
+            return Some(values);
         }
-        Some(spec)
+        let (set, given, of) = (self.id.clone(), values.len(), "meshes from sun to ring".to_owned());
+        faults.push(key, DescriptionError::Values { set, key, of, given, expected });
+        None
     }
 }

@@ -1,12 +1,11 @@
 //! Sizes of the sets of a gearbox file: planets and their bearings, the basic rack, the density.
 
 use super::place::{keys_of, of_set};
-use super::{DescriptionError, GearboxFile};
+use super::{DescriptionError, GearboxFile, MeshEntry, SetEntry};
 use crate::Path;
 use crate::faults::Faults;
 use epicyclic_gears::rack::BasicRack;
-use epicyclic_train::planet_bearings::{MeshSize, PlanetBearing, SetSize};
-use epicyclic_train::planet_set::{Mesh, MeshKind};
+use epicyclic_train::planet_bearings::{MeshSize, PlanetBearing, PlanetSize, SetSize};
 use epicyclic_train::{Gearbox, PlanetSet};
 use epicyclic_units::{Number, Physical};
 use uom::si::f64::{Angle, Length, MassDensity};
@@ -17,7 +16,7 @@ impl GearboxFile {
     /// # Errors
     /// [`DescriptionError::Set`] for each set with an invalid size.
     pub fn planet_bearings(&self, gearbox: &Gearbox) -> Result<Vec<PlanetBearing>, Faults> {
-        planet_bearings(gearbox, |set| self.size(set), |set| of_set(self.sets.len(), set))
+        planet_bearings(gearbox, |set| self.moved(set, self.size(set)), |set| of_set(self.sets.len(), set))
     }
 
     /// The basic rack that the teeth are checked by.
@@ -45,15 +44,16 @@ impl GearboxFile {
     #[must_use]
     pub fn stated_modules(&self, set: &PlanetSet) -> Vec<Option<f64>> {
         if let Some(entry) = self.sets.iter().find(|entry| entry.id == set.id()) {
-            // The module is that of the mesh with the sun; a planet of one gear has one module.
-            let of_first = entry.module.map(|module| module.0.si());
-            let all = set.meshes().iter().enumerate();
-            let is_alone = set.planets().iter().all(|planet| planet.gears.len() == 1);
-            return all.map(|(mesh, _)| of_first.filter(|_| mesh == 0 || is_alone)).collect();
+            return entry.stated_modules(
+                set.meshes().len(),
+                set.planets().iter().all(|planet| planet.gears.len() == 1),
+            );
         }
-        let size = self.size(set);
-        let own = |mesh: usize| size.meshes.get(mesh).and_then(|own| own.module).or(size.module);
-        (0..set.meshes().len()).map(|mesh| own(mesh).map(Physical::si)).collect()
+        if let Some(entry) = self.compound_sets.iter().find(|entry| entry.id == set.id()) {
+            let module = |mesh: &MeshEntry| mesh.module.or(entry.module).map(|module| module.0.si());
+            return entry.meshes.iter().map(module).collect();
+        }
+        vec![None; set.meshes().len()]
     }
 
     /// Size of a set, as far as the file states it.
@@ -65,34 +65,56 @@ impl GearboxFile {
             ..usual
         };
         if let Some(entry) = self.sets.iter().find(|entry| entry.id == set.id()) {
-            // Shifts and helical teeth move the planets from where spur teeth alone would have them.
-            let rack = self.rack().ok();
-            let shifted = set.short().zip(rack).and_then(|(spec, rack)| spec.involute_set(&rack)?.ok());
-            let by_shifts =
-                shifted.as_ref().zip(entry.module).map(|(set, module)| module.0 * set.centre_distance());
-            let working_angle = |mesh: &Mesh| {
-                let pairs = shifted.as_ref().map(|set| [set.sun_mesh(), set.ring_mesh()])?;
-                let pair = pairs[usize::from(mesh.kind == MeshKind::Internal)];
-                Some(Angle::from_si(pair.working_angle_rad()))
-            };
-            let mesh = |mesh: &Mesh| MeshSize { pressure_angle: working_angle(mesh), ..MeshSize::default() };
-            // Centre distances, and diameters but for addenda, are as with spur teeth of the transverse
-            // module.
-            let transverse =
-                |module: Length| set.short().map_or(module, |spec| spec.transverse_module(module));
             return SetSize {
-                module: entry.module.map(|module| transverse(module.0)),
-                carrier_radius: entry.carrier_radius.map(|radius| radius.0).or(by_shifts),
+                module: entry.module.map(|module| set.toothing().transverse_module(0, module.0)),
+                carrier_radius: entry.carrier_radius.map(|radius| radius.0),
                 face_width: entry.face_width.map(|width| width.0),
                 planet_bore: entry.planet_bore.map(|bore| bore.0),
                 planet_mass: entry.planet_mass.map(|mass| mass.0),
                 bearing: entry.load_rating.map(|rating| (rating.0, entry.bearing_rolling.into())),
-                meshes: set.meshes().iter().map(mesh).collect(),
                 ..usual
             };
         }
         let entry = self.compound_sets.iter().find(|entry| entry.id == set.id());
         entry.map_or_else(|| usual.clone(), |entry| entry.size(set, &usual))
+    }
+
+    /// Size of a set whose shifts or helical teeth move the planets from where spur teeth alone would have
+    /// them.
+    fn moved(&self, set: &PlanetSet, size: SetSize) -> SetSize {
+        let modules = self.stated_modules(set);
+        let toothed = self.rack().ok().filter(|_| set.toothing().has_shape());
+        let Some(Ok(toothed)) = toothed.map(|rack| set.toothed(&rack, &modules)) else { return size };
+        let has_modules = modules.iter().any(Option::is_some);
+        let mut size = size;
+        size.planets.resize_with(set.planets().len(), PlanetSize::default);
+        size.meshes.resize_with(set.meshes().len(), MeshSize::default);
+        for (planet, radius) in size.planets.iter_mut().zip(&toothed.radii).filter(|_| has_modules) {
+            let radius = radius.map(Length::from_si).filter(|_| size.carrier_radius.is_none());
+            planet.carrier_radius = planet.carrier_radius.or(radius);
+        }
+        for (place, (own, mesh)) in size.meshes.iter_mut().zip(&toothed.meshes).enumerate() {
+            // Centre distances, and diameters but for addenda, are as with spur teeth of the transverse
+            // module.
+            let transverse = set.toothing().transverse_module(place, Length::from_si(mesh.module));
+            own.module = has_modules.then_some(transverse);
+            own.pressure_angle = Some(Angle::from_si(mesh.pair.working_angle_rad()));
+            own.centre_distance = Some(mesh.pair.centre_distance() * mesh.module / transverse.si());
+        }
+        size
+    }
+}
+
+impl SetEntry {
+    /// Modules of the meshes in metres; `is_alone` where each planet has one gear and so one module.
+    pub(super) fn stated_modules(&self, meshes: usize, is_alone: bool) -> Vec<Option<f64>> {
+        // The module is that of the mesh with the sun.
+        let of_first = self.module.map(|module| module.0.si());
+        let own = |mesh: usize| match &self.modules {
+            Some(modules) => modules.get(mesh).map(|module| module.0.si()),
+            None => of_first.filter(|_| mesh == 0 || is_alone),
+        };
+        (0..meshes).map(own).collect()
     }
 }
 

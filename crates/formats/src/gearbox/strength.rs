@@ -1,22 +1,24 @@
 //! Keys of a gearbox file for the strength of its teeth: of sets, of the gearbox, and its duty.
 
+use super::PerGear;
 use epicyclic_units::{Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use uom::si::f64::{AngularVelocity, KinematicViscosity, Length, Pressure, Ratio, Torque};
 
-/// Data for the strength of a simple set besides its teeth, module and face width.
+/// Data for the strength of a set besides its teeth, modules and face widths. Values of gears are lists in
+/// their order (sun, planets, ring), or by the names of gears.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StrengthEntry {
-    /// Materials of sun, planets and ring: a designation of the table, or a name of `materials`.
-    pub materials: [String; 3],
-    /// Roughness `R_z` of the flanks of sun, planets and ring.
-    pub flank_roughness: [Quantity<Length>; 3],
-    /// Roughness `R_z` of the roots of sun, planets and ring.
-    pub root_roughness: [Quantity<Length>; 3],
-    /// The shaper that cuts the ring; `tools.ring` goes before it.
+    /// Materials of the gears: a designation of the table, or a name of `materials`.
+    pub materials: PerGear<String>,
+    /// Roughness `R_z` of the flanks.
+    pub flank_roughness: PerGear<Quantity<Length>>,
+    /// Roughness `R_z` of the roots.
+    pub root_roughness: PerGear<Quantity<Length>>,
+    /// The shaper that cuts rings; their own `tools` go before it.
     #[serde(default)]
     pub shaper: Option<ShaperEntry>,
     /// Thickness of the rim under the planets' teeth. Default: solid planets.
@@ -25,7 +27,10 @@ pub struct StrengthEntry {
     /// Thickness of the rim outside the ring's teeth. Default: thick.
     #[serde(default)]
     pub ring_rim: Option<Quantity<Length>>,
-    /// Factors given for both meshes by their symbols, Greek letters as such or spelled: `K_A`, `K_gamma`,
+    /// Thickness of the rims of gears under their teeth, in place of `planet_rim` and `ring_rim`.
+    #[serde(default)]
+    pub rims: BTreeMap<String, Quantity<Length>>,
+    /// Factors given for all meshes by their symbols, Greek letters as such or spelled: `K_A`, `K_gamma`,
     /// `K_v`, `K_H_beta`.
     #[serde(default)]
     pub factors: BTreeMap<String, Number>,
@@ -44,6 +49,12 @@ pub struct StrengthEntry {
     /// Factors given for the ring alone, such as `Y_delta_rel_T_stat`.
     #[serde(default)]
     pub ring_factors: BTreeMap<String, Number>,
+    /// Factors given for single meshes, by their gears: `planet-ring`, `long.2-ring`; they go before `factors`.
+    #[serde(default)]
+    pub mesh_factors: BTreeMap<String, BTreeMap<String, Number>>,
+    /// Factors given for single gears, in all their meshes; they go before all others.
+    #[serde(default)]
+    pub gear_factors: BTreeMap<String, BTreeMap<String, Number>>,
     /// Deviations of the teeth, for `K_v`, `K_Hα` and `K_Fα` by method B where they are not given.
     #[serde(default)]
     pub accuracy: Option<AccuracyEntry>,
@@ -62,16 +73,19 @@ pub struct StrengthEntry {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct AccuracyEntry {
-    /// Base pitch deviations `f_pb` of sun, planets and ring.
-    pub pitch_deviations: [Quantity<Length>; 3],
-    /// Profile form deviations `f_fα` of sun, planets and ring.
-    pub profile_deviations: [Quantity<Length>; 3],
+    /// Base pitch deviations `f_pb` of the gears.
+    pub pitch_deviations: PerGear<Quantity<Length>>,
+    /// Profile form deviations `f_fα` of the gears.
+    pub profile_deviations: PerGear<Quantity<Length>>,
     /// Tip relief `C_a`, of gears of grade 5 and finer. Default none.
     #[serde(default)]
     pub tip_relief: Option<Quantity<Length>>,
     /// Bore of the sun, for its mass. Default a solid sun. That of the planets is their `planet_bore`.
     #[serde(default)]
     pub sun_bore: Option<Quantity<Length>>,
+    /// Bores of gears, for their masses, in place of `sun_bore`; of a ring its outside diameter.
+    #[serde(default)]
+    pub bores: BTreeMap<String, Quantity<Length>>,
     /// Gear blank factor `C_R`. Default 1, of solid discs.
     #[serde(default)]
     pub blank_factor: Option<Number>,

@@ -1,37 +1,19 @@
 //! Tools of a gearbox file that cut the gears of a simple set.
 
-use super::{DescriptionError, SetEntry, ShaperEntry};
-use crate::Path;
-use crate::faults::{Faults, Keys};
+use super::ShaperEntry;
+use crate::faults::Keys;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::profile::{Cutting, Iso53};
 use epicyclic_gears::involute::tool::{Shaper, Tool};
-use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::{Error, Quantity};
-use epicyclic_train::set::{SetKind, SetSpec};
 use epicyclic_units::Number;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// Tools that cut sun, planets and ring of a simple set. Default: a hob for sun and planets. Default for the
-/// ring: a shaper of 30 teeth with corners of 0.3 modules, or of 18 teeth less than a smaller ring; a form
-/// tool for rings of fewer than 42 teeth.
-#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct ToolsEntry {
-    /// Tool of the sun.
-    #[serde(default)]
-    pub sun: Option<ToolEntry>,
-    /// Tool of the planets.
-    #[serde(default)]
-    pub planet: Option<ToolEntry>,
-    /// Tool of the ring.
-    #[serde(default)]
-    pub ring: Option<ToolEntry>,
-}
-
-/// Tool that cuts a gear: the basic rack of its hob, a shaper in its place, or a form tool.
+/// Tool that cuts a gear: the basic rack of its hob, a shaper in its place, or a form tool. Default: a hob for
+/// external gears, for internal ones a shaper of 30 teeth with corners of 0.3 modules, or of 18 teeth less than
+/// a smaller gear; a form tool for those of fewer than 42 teeth.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ToolEntry {
@@ -114,7 +96,7 @@ impl CutterEntry {
 
 impl ShaperEntry {
     /// The shaper as a tool, and its corners as the fillet of the rack that stands for it.
-    fn cutting(&self) -> Result<Cutting, epicyclic_gears::Error> {
+    pub(super) fn cutting(&self) -> Result<Cutting, epicyclic_gears::Error> {
         let cutter = CutterEntry {
             teeth: self.teeth,
             shift: self.shift,
@@ -126,7 +108,7 @@ impl ShaperEntry {
 }
 
 impl ToolEntry {
-    fn cutting(&self, kind: GearKind) -> Result<Cutting, ToolMisfit> {
+    pub(super) fn cutting(&self, kind: GearKind) -> Result<Cutting, ToolMisfit> {
         let of_profile = self.profile.map(|profile| Cutting::from(Iso53::from(profile)));
         if of_profile.is_some() && (self.dedendum.is_some() || self.fillet.is_some()) {
             return Err(ToolMisfit::Twice("profile", "dedendum and fillet"));
@@ -171,65 +153,9 @@ pub enum ToolMisfit {
     Invalid(#[from] epicyclic_gears::Error),
 }
 
-impl SetEntry {
-    /// The set with how its gears are cut.
-    pub(super) fn with_tools(
-        &self,
-        spec: SetSpec,
-        rack: Option<&BasicRack>,
-        faults: &mut Faults,
-    ) -> Option<SetSpec> {
-        let shaper = self.strength.as_ref().and_then(|strength| strength.shaper.as_ref());
-        if self.tools.is_none() && shaper.is_none() {
-            return Some(spec);
-        }
-        if self.tools.is_some() && spec.kind != SetKind::Simple {
-            faults.push("tools", DescriptionError::ToolsOfKind { set: self.id.clone() });
-            return None;
-        }
-        let tools = self.tools.clone().unwrap_or_default();
-        let of_tools = |gear: &str| Path::root().key("tools").key(gear);
-        let of_shaper = || Path::root().key("strength").key("shaper");
-        let kinds = [GearKind::External, GearKind::External, GearKind::Internal];
-        let mut refuse = |way: Path, source: ToolMisfit| {
-            let at = way.first_of(source.keys());
-            faults.push(at, DescriptionError::Tools { set: self.id.clone(), source });
-        };
-        let mut own = |gear: &Option<ToolEntry>, kind, way: Path| {
-            let cutting = gear.as_ref().map_or(Ok(Cutting::default()), |gear| gear.cutting(kind));
-            cutting.map_err(|why| refuse(way.clone(), why)).ok().map(|cutting| (cutting, way))
-        };
-        let sun = own(&tools.sun, kinds[0], of_tools("sun"));
-        let planet = own(&tools.planet, kinds[1], of_tools("planet"));
-        let ring = match (shaper, &tools.ring) {
-            (Some(shaper), None) => {
-                let cutting = shaper.cutting().map_err(|why| refuse(of_shaper(), why.into()));
-                cutting.ok().map(|cutting| (cutting, of_shaper()))
-            }
-            (shaper, _) => own(&tools.ring, kinds[2], of_tools("ring")).map(|(ring, way)| {
-                // The corners of the shaper are the fillet of the standard's rack, whatever cuts the teeth.
-                let fillet = shaper.and_then(|shaper| shaper.fillet).map(Number::get);
-                let way = if fillet.is_some() && ring.fillet.is_none() { of_shaper() } else { way };
-                (Cutting { fillet: fillet.or(ring.fillet), ..ring }, way)
-            }),
-        };
-        let all = [sun?, planet?, ring?];
-        let spec = spec.cut([all[0].0, all[1].0, all[2].0]);
-        let mut is_whole = true;
-        for ((cutting, way), (profile, kind)) in all.iter().zip(spec.profiles(rack?).0.iter().zip(kinds)) {
-            let check = profile.check().and_then(|()| cutting.tool.map_or(Ok(()), |tool| tool.check(kind)));
-            if let Err(source) = check {
-                is_whole = false;
-                refuse(way.clone(), source.into());
-            }
-        }
-        is_whole.then_some(spec)
-    }
-}
-
 impl ToolMisfit {
     /// Keys that may hold what is wrong, below the tools of a gear or below the shaper of the strength.
-    fn keys(&self) -> Keys {
+    pub(super) fn keys(&self) -> Keys {
         let error = match self {
             Self::Invalid(error) => error,
             Self::OfHob("stock") => return &["stock"],

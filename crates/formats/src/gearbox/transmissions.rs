@@ -270,7 +270,7 @@ impl Transmission {
         for (place, set) in (self.sets.len()..).zip(&self.compound_sets) {
             let node = |member: &str| link_of.get(member).copied();
             let at = of_set(self.sets.len(), place);
-            builder = builder.compound_set(faults.below(&at, |faults| set.spec(node, faults)));
+            builder = builder.compound_set(faults.below(&at, |faults| set.spec(node, None, faults)));
         }
         for (id, [first, second]) in &self.shift_elements {
             builder = builder.clutch(id, first, second);

@@ -167,19 +167,25 @@ fn of_set(spec: &SetSpec) -> String {
         keys.push(format!("planets: {count}"));
     }
     keys.extend(of_spacing(&spec.spacing));
-    if let Some(Shifts { profile, tips }) = spec.shifts {
+    if let Some(Shifts { profile, tips }) = &spec.toothing.shifts {
         keys.push(format!("profile_shifts: [{}]", list(profile.iter().map(ToString::to_string))));
         if let Some(tips) = tips {
             keys.push(format!("tip_alterations: [{}]", list(tips.iter().map(ToString::to_string))));
         }
     }
-    let tools = ["sun", "planet", "ring"].into_iter().zip(spec.cutting.iter());
+    let gears = spec.kind.gears();
+    let tools = gears.iter().map(|gear| gear.0).zip(&spec.toothing.cutting);
     let tools: Vec<String> = tools.filter_map(|(gear, cutting)| of_tool(gear, cutting)).collect();
     if !tools.is_empty() {
         keys.push(format!("tools: {{ {} }}", tools.join(", ")));
     }
     if spec.is_helical() {
-        keys.push(format!("helix_angle: {}", angle(spec.helix_angle)));
+        let angles = (0..spec.kind.meshes()).map(|mesh| angle(spec.toothing.helix_angle(mesh)));
+        let angles: Vec<String> = angles.collect();
+        keys.push(match angles.iter().all(|one| *one == angles[0]) {
+            true => format!("helix_angle: {}", angles[0]),
+            false => format!("helix_angles: [{}]", angles.join(", ")),
+        });
     }
     match spec.loss {
         loss if loss == MeshLoss::IDEAL => {}
@@ -259,14 +265,30 @@ fn of_compound_set(spec: &CompoundSpec) -> Result<Vec<String>, NotWritable> {
     };
     lines.push(format!("    planet_gears: {{ {} }}", list(spec.planets.iter().map(planet))));
     lines.push("    meshes:".to_owned());
-    let mesh = |MeshSpec { between: [first, second], efficiency }: &MeshSpec| {
+    let mesh = |(place, MeshSpec { between: [first, second], efficiency }): (usize, &MeshSpec)| {
         let of_loss = match efficiency.get() {
             1.0 => String::new(),
             eta => format!(", efficiency: {eta}"),
         };
-        format!("      - {{ gears: [{}, {}]{of_loss} }}", scalar(first), scalar(second))
+        let of_helix = match spec.toothing.helix_angle(place) {
+            none if none.si() == 0.0 => String::new(),
+            of_mesh => format!(", helix_angle: {}", angle(of_mesh)),
+        };
+        format!("      - {{ gears: [{}, {}]{of_loss}{of_helix} }}", scalar(first), scalar(second))
     };
-    lines.extend(spec.meshes.iter().map(mesh));
+    lines.extend(spec.meshes.iter().enumerate().map(mesh));
+    let names: Vec<String> = spec.gears().iter().map(ToString::to_string).collect();
+    let by_gear = |key: &str, values: &[f64]| {
+        let values = names.iter().zip(values).map(|(gear, value)| format!("{}: {value}", scalar(gear)));
+        format!("    {key}: {{ {} }}", list(values))
+    };
+    if let Some(Shifts { profile, tips }) = &spec.toothing.shifts {
+        lines.push(by_gear("profile_shifts", profile));
+        lines.extend(tips.iter().map(|tips| by_gear("tip_alterations", tips)));
+    }
+    let tools = names.iter().zip(&spec.toothing.cutting);
+    let tools = list(tools.filter_map(|(gear, cutting)| of_tool(&scalar(gear), cutting)));
+    lines.extend((!tools.is_empty()).then(|| format!("    tools: {{ {tools} }}")));
     lines.extend(spec.planet_count.map(|count| format!("    planets: {count}")));
     lines.extend(of_spacing(&spec.spacing).map(|key| format!("    {key}")));
     Ok(lines)
@@ -350,13 +372,13 @@ mod tests {
         let eta = |value| MeshEfficiency::new(value).unwrap();
         let z = |count| ToothCount::new(count).unwrap();
         let teeth = SetSpec::teeth("2", SetKind::DoublePlanet, ["y", "in", "null"], 30, 72).unwrap();
-        let shifts = Shifts { profile: [0.1 + 0.2, -0.0426, 0.0], tips: Some([-0.07, 0.0, 0.0]) };
+        let shifts = Shifts { profile: vec![0.1 + 0.2, -0.0426, 0.0], tips: Some(vec![-0.07, 0.0, 0.0]) };
         let shifted = SetSpec::teeth("3", SetKind::Simple, ["y", "in", "free"], 21, 108).unwrap();
         let shifted = shifted.planet_teeth(z(43), None).shifted(shifts);
         let shaper = Shaper { addendum: Some(1.25), ..Shaper::of_teeth(z(30)) };
         let hob = Cutting { protuberance: 0.05, stock: 0.02, ..Cutting::from(Iso53::D) };
         let ring = Cutting { tool: Some(Tool::Shaper(shaper)), ..Cutting::default() };
-        let shifted = shifted.cut([hob, Cutting::default(), ring]);
+        let shifted = shifted.cut(vec![hob, Cutting::default(), ring]);
         let degrees = Angle::from_degrees;
         let helical = |id, angle| {
             let set = SetSpec::teeth(id, SetKind::Simple, ["y", "in", "free"], 20, 60).unwrap();

@@ -4,9 +4,9 @@ use crate::tolerance::POWER;
 
 /// Path of a set's power through its meshes, a tree of central gears and planets.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Flows {
+pub(crate) struct Flows {
     /// Speed of each central gear relative to the carrier, over that of the first.
-    pub(super) speeds: Vec<f64>,
+    pub(crate) speeds: Vec<f64>,
     /// Body of each central gear: planet shafts turn with their planets.
     pub(super) bodies: Vec<usize>,
     /// Bodies of the gears of each mesh, the one nearer to the root first, and its efficiency.
@@ -41,7 +41,7 @@ impl Flows {
 
     /// Power that a mesh carries from its first gear's side, for a speed of 1 of the first central gear
     /// relative to the carrier: the mean of the powers that enter and leave the mesh.
-    pub(super) fn through(&self, mesh: usize, torques: &[f64]) -> f64 {
+    pub(crate) fn through(&self, mesh: usize, torques: &[f64]) -> f64 {
         let powers = || self.speeds.iter().zip(torques).map(|(speed, torque)| speed * torque);
         let (sum, largest) = (powers().sum::<f64>(), powers().map(f64::abs).fold(0.0, f64::max));
         // More power enters than leaves, so the sum has the sign of the set's rotation. If it is 0, nothing

@@ -58,6 +58,9 @@ pub struct MeshSize {
     /// Working pressure angle of a mesh with a central gear, if it differs from that of the set because
     /// profiles are shifted.
     pub pressure_angle: Option<Angle>,
+    /// Centre distance of the mesh in its modules, if it differs from that of the teeth because profiles are
+    /// shifted.
+    pub centre_distance: Option<f64>,
     /// Whether, in a mesh of two planets, the one described later is behind the other. By default it is ahead
     /// in the positive direction of rotation.
     pub is_behind: bool,

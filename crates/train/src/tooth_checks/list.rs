@@ -1,13 +1,13 @@
 //! The checks of the teeth of each set as a list: checks made, checks not possible, checks that fail.
 
-use super::{Checks, ToothWarning};
+use super::{Checks, NamedGear, ToothWarning};
 use crate::Gearbox;
 use crate::planet_places::{central_mesh, planet_of, teeth_of};
 use crate::planet_set::{GearOf, MeshKind, PlanetSet};
 use crate::set::SetKind;
 use crate::tolerance::PRINTED_SHIFTS;
+use crate::toothing::{ToothedMesh, Untoothed};
 use epicyclic_gears::ToothCount;
-use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::check::{Check, Place as SimplePlace, Rule, Severity};
 use epicyclic_gears::involute::checks::{Limits, gear_checks, mesh_checks};
 use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet as InvoluteSet, Profile};
@@ -117,16 +117,18 @@ impl SetChecks {
 
 impl Checks<'_> {
     /// Toothed gears of a simple set on one centre distance.
-    fn toothed(&self) -> Option<Result<InvoluteSet, epicyclic_gears::Error>> {
-        self.set.short()?.toothed_set(&self.rack)
+    fn simple(&self) -> Option<InvoluteSet> {
+        self.set.simple_involutes(self.toothed.as_ref().ok()?)
     }
 
     /// Every check of the set.
     pub(super) fn list(&self) -> Vec<SetCheck> {
         let mut all: Vec<SetCheck> = vec![];
-        let toothed = self.toothed();
-        match &toothed {
-            Some(Ok(set)) => {
+        let simple = self.simple();
+        let is_refused = matches!(self.toothed, Err(Untoothed::Refused(_)))
+            && (self.set.toothing().has_shape() || self.is_simple());
+        match (&simple, &self.toothed) {
+            (Some(set), _) => {
                 for check in self.at_angles(set) {
                     let own = set.gears().into_iter().zip(SimpleGear::ALL);
                     let own = own
@@ -135,21 +137,27 @@ impl Checks<'_> {
                         .next();
                     all.push(self.of_simple(check, own));
                 }
-                all.extend(self.ring_tips(set));
+                all.extend(self.ring_tips(set.ring_mesh(), &["planet".to_owned(), "ring".to_owned()]));
             }
-            Some(Err(error)) => all.push(self.missed(&ToothWarning::ShiftsRefused { error: error.clone() })),
-            None if self.needs_shifts() => {}
-            None => all.extend(self.of_meshes()),
+            (None, Err(Untoothed::Refused(error))) if is_refused => {
+                all.push(self.missed(&ToothWarning::ShiftsRefused { error: error.clone() }));
+            }
+            (None, Ok(set)) => all.extend(self.of_meshes(&set.meshes)),
+            (None, Err(_)) if self.needs_shifts() => {}
+            (None, Err(_)) => all.extend(self.of_meshes(&self.plain_meshes())),
         }
-        all.extend(self.structure(toothed.is_some()).iter().map(|warning| self.missed(warning)));
+        all.extend(self.structure(simple.is_some() || is_refused).iter().map(|warning| self.missed(warning)));
         all
+    }
+
+    fn is_simple(&self) -> bool {
+        self.set.kind() == Some(SetKind::Simple)
     }
 
     /// Whether it is a simple set whose teeth share a centre distance with profile shifts alone; none are
     /// stated, so nothing is known of its teeth.
     fn needs_shifts(&self) -> bool {
-        let is_simple = self.set.short().is_some_and(|spec| spec.kind == SetKind::Simple);
-        is_simple && self.gears().into_iter().all(|gear| self.set.teeth(gear).is_some())
+        self.is_simple() && self.set.gears().into_iter().all(|gear| self.set.teeth(gear).is_some())
     }
 
     /// A check of a simple set by the words of this crate.
@@ -201,8 +209,7 @@ impl Checks<'_> {
     /// Whether a gear has the least whole number of teeth that counts as not undercut.
     fn is_nearest_whole(&self, subject: &Subject) -> bool {
         let Subject::Gear(name) = subject else { return false };
-        let gears = self.gears();
-        let own = gears.into_iter().find(|gear| self.plain_name(*gear) == *name);
+        let own = self.set.gears().into_iter().find(|gear| self.set.gear_name(*gear) == *name);
         own.and_then(|gear| self.whole_teeth(gear)).is_some_and(|teeth| !self.rack.undercuts(teeth))
     }
 
@@ -213,24 +220,6 @@ impl Checks<'_> {
         ToothCount::new(teeth as u32).ok()
     }
 
-    /// Central gears with teeth, and the gears of the planets.
-    fn gears(&self) -> Vec<GearOf> {
-        let centrals = (0..self.set.centrals().len()).map(GearOf::Central);
-        let planets = (0..self.set.planets().len()).flat_map(|planet| self.gears_of(planet));
-        centrals.chain(planets).collect()
-    }
-
-    /// The gear of a simple set by its kind, of others by its name.
-    fn plain_name(&self, gear: GearOf) -> String {
-        let is_simple = self.toothed().is_some();
-        match gear {
-            GearOf::Central(0) if is_simple => "sun".to_owned(),
-            GearOf::Central(1) if is_simple => "ring".to_owned(),
-            GearOf::Planet(..) if is_simple => "planet".to_owned(),
-            _ => self.set.gear_name(gear),
-        }
-    }
-
     /// The largest number of planets alike that clears.
     fn most_that_clear(&self) -> Option<u32> {
         let planets = self.set.planet_count()?;
@@ -238,17 +227,16 @@ impl Checks<'_> {
         (2..planets).rev().find(|&fewer| self.clears(&neighbours, &super::equal_steps(fewer)))
     }
 
-    /// Check of the shortening of the ring's tips in a simple set against its basic rack, if the file states
-    /// no tips.
-    fn ring_tips(&self, set: &InvoluteSet) -> Option<SetCheck> {
-        let spec = self.set.short()?;
-        if spec.shifts.is_some_and(|shifts| shifts.tips.is_some()) {
+    /// Check of the shortening of a ring's tips against its basic rack, if the file states no tips.
+    fn ring_tips(&self, pair: &Pair, names: &[String; 2]) -> Option<SetCheck> {
+        let has_tips = self.set.toothing().shifts.as_ref().is_some_and(|shifts| shifts.tips.is_some());
+        if has_tips || !pair.is_internal() {
             return None;
         }
-        let [_, planet, ring] = set.gears();
+        let [planet, ring] = pair.gears();
         let full = ring.with_tip_alteration(0.0).ok()?;
-        let pair = Pair::at_centre_distance(*planet, full, set.centre_distance()).ok()?;
-        Some(self.shortened(&pair, ring, &["planet".to_owned(), "ring".to_owned()]))
+        let full = Pair::at_centre_distance(*planet, full, pair.centre_distance()).ok()?;
+        Some(self.shortened(&full, ring, names))
     }
 
     /// The check that a ring runs with its full teeth: a remark where their tips reach into fillets alone,
@@ -276,36 +264,36 @@ impl Checks<'_> {
         }
     }
 
-    /// Checks of gears and meshes without profile shift, each mesh on its own centre distance.
-    fn of_meshes(&self) -> Vec<SetCheck> {
-        let mut all = vec![];
-        // The virtual teeth of bevel gears depend on angles that nothing gives; helical sets of which teeth
-        // are missing have no spur teeth.
-        if self.is_bevel() || self.set.short().is_some_and(crate::set::SetSpec::is_helical) {
-            return all;
+    /// Meshes of gears without profile shift, each on its own centre distance, as far as the teeth are known.
+    fn plain_meshes(&self) -> Vec<ToothedMesh> {
+        // Helical sets of which teeth are missing have no spur teeth.
+        if self.set.toothing().is_helical() {
+            return vec![];
         }
         let profile = Profile::of_rack(self.rack);
         let toothed = |gear: GearOf| {
-            let kind = self.gear_kind(gear)?;
+            let kind = self.set.gear_kind(gear)?;
             InvoluteGear::new(kind, self.whole_teeth(gear)?, profile, 0.0).ok()
         };
+        let plain = |mesh: usize| {
+            let gears = self.set.gears_of_mesh(mesh);
+            let full = Pair::without_backlash(toothed(gears[0])?, toothed(gears[1])?).ok()?;
+            Some(ToothedMesh { gears, pair: full.with_clear_ring_tips().unwrap_or(full), module: 1.0 })
+        };
+        (0..self.set.meshes().len()).filter_map(plain).collect()
+    }
+
+    /// Checks of gears and their meshes.
+    fn of_meshes(&self, meshes: &[ToothedMesh]) -> Vec<SetCheck> {
+        let mut all = vec![];
+        let limits = Limits::default();
         let mut seen: Vec<GearOf> = vec![];
-        for mesh in self.set.meshes() {
-            let [first, second] = match mesh.gears {
-                [one, other] if self.gear_kind(one) == Some(GearKind::Internal) => [other, one],
-                gears => gears,
-            };
-            let names = [first, second].map(|gear| self.set.gear_name(gear));
-            let (Some(one), Some(other)) = (toothed(first), toothed(second)) else { continue };
-            let Ok(full) = Pair::without_backlash(one, other) else { continue };
-            let pair = full.with_clear_ring_tips().unwrap_or(full);
-            if mesh.kind == MeshKind::Internal {
-                all.push(self.shortened(&full, &pair.gears()[1], &names));
-            }
-            let limits = Limits::default();
-            for ((gear, name), of) in [first, second].into_iter().zip(&names).zip(pair.gears()) {
-                if !seen.contains(&gear) {
-                    seen.push(gear);
+        for ToothedMesh { gears, pair, .. } in meshes {
+            let names = gears.map(|gear| self.set.gear_name(gear));
+            all.extend(self.ring_tips(pair, &names));
+            for ((gear, name), of) in gears.iter().zip(&names).zip(pair.gears()) {
+                if !seen.contains(gear) {
+                    seen.push(*gear);
                     let subject = Subject::Gear(name.clone());
                     gear_checks(&subject, of, &limits, &mut |check| all.push(self.made(&check, Some(of))));
                 }
@@ -313,21 +301,27 @@ impl Checks<'_> {
             let mut see = |check: Check<Subject>| all.push(self.made(&check, None));
             let [one, other] = names;
             let tips = [Subject::Tips(one.clone(), other.clone()), Subject::Tips(other.clone(), one.clone())];
-            mesh_checks(&Subject::Mesh(one, other), &tips, &pair, &limits, &mut see);
+            mesh_checks(&Subject::Mesh(one, other), &tips, pair, &limits, &mut see);
         }
         all
     }
 
     /// Misfits in the numbers of teeth and planets; `is_toothed` for a simple set whose teeth share a centre
-    /// distance.
+    /// distance, and for a set whose shifts are refused.
     pub(super) fn structure(&self, is_toothed: bool) -> Vec<ToothWarning> {
         let mut found = vec![];
         found.extend(self.small_rings());
         if !is_toothed && !self.set.is_pair() {
-            found.extend(self.half_tooth());
-            found.extend(self.centre_distances());
-            if !self.set.short().is_some_and(crate::set::SetSpec::is_helical) {
-                found.extend(self.steps());
+            let by_shape = self.by_shape().is_some();
+            if !by_shape {
+                found.extend(self.half_tooth());
+                found.extend(self.centre_distances());
+            }
+            if by_shape || !self.set.toothing().is_helical() {
+                if !by_shape {
+                    found.extend(self.steps());
+                }
+                found.extend(self.across_axis());
                 found.extend(self.triangles());
                 found.extend(self.overlaps());
             }
@@ -357,21 +351,26 @@ impl Checks<'_> {
         }
     }
 
-    /// Steps of one planet whose meshes have different centre distances with the modules that are stated, and
-    /// steps that reach across the axis.
+    /// Meshes of a planet with central gears: the mesh, the central gear, the planet's gear, and the centre
+    /// distance of gears without profile shift, in modules.
+    fn with_centrals(&self, planet: usize) -> Vec<(usize, NamedGear, GearOf, f64)> {
+        let of_planet = |mesh: &usize| {
+            central_mesh(self.set, *mesh).is_some_and(|(_, gear)| planet_of(gear) == Some(planet))
+        };
+        let meshes: Vec<usize> = (0..self.set.meshes().len()).filter(of_planet).collect();
+        let placed = |mesh: usize| {
+            let (central, gear) = central_mesh(self.set, mesh)?;
+            let distance = super::centre_distance(self.set, mesh)?;
+            Some((mesh, self.named(GearOf::Central(central))?, gear, distance))
+        };
+        meshes.into_iter().filter_map(placed).collect()
+    }
+
+    /// Steps of one planet whose meshes have different centre distances with the modules that are stated.
     fn steps(&self) -> Vec<ToothWarning> {
         let mut found = vec![];
         for planet in 0..self.set.planets().len() {
-            let of_planet = |mesh: &usize| {
-                central_mesh(self.set, *mesh).is_some_and(|(_, gear)| planet_of(gear) == Some(planet))
-            };
-            let meshes: Vec<usize> = (0..self.set.meshes().len()).filter(of_planet).collect();
-            let placed = |mesh: usize| {
-                let (central, gear) = central_mesh(self.set, mesh)?;
-                let distance = super::centre_distance(self.set, mesh)?;
-                Some((mesh, self.named(GearOf::Central(central))?, gear, distance))
-            };
-            let all: Vec<_> = meshes.into_iter().filter_map(placed).collect();
+            let all = self.with_centrals(planet);
             let Some((first, central, gear, distance)) = all.first() else { continue };
             for (mesh, other, step, teeth) in all.iter().skip(1).filter(|(_, _, step, _)| step != gear) {
                 let ratio = distance / teeth;
@@ -393,6 +392,15 @@ impl Checks<'_> {
                     _ => {}
                 }
             }
+        }
+        found
+    }
+
+    /// Planets whose gears reach across the axis.
+    fn across_axis(&self) -> Vec<ToothWarning> {
+        let mut found = vec![];
+        for planet in 0..self.set.planets().len() {
+            let all = self.with_centrals(planet);
             // About an axis without a sun a single planet may turn as an eccentric does.
             let has_sun = all.iter().any(|(mesh, ..)| self.set.meshes()[*mesh].kind == MeshKind::External);
             for gear in self.gears_of(planet).filter(|_| has_sun) {
@@ -415,7 +423,7 @@ impl Checks<'_> {
         let is_pair = self.set.is_pair();
         let has = |gear: GearOf| self.set.teeth(gear).is_some();
         let mut centrals = (0..self.set.centrals().len())
-            .filter(|central| self.gear_kind(GearOf::Central(*central)).is_some());
+            .filter(|central| self.set.gear_kind(GearOf::Central(*central)).is_some());
         if !centrals.all(|central| has(GearOf::Central(central))) {
             missing.push("teeth");
         }
@@ -423,25 +431,12 @@ impl Checks<'_> {
         if !is_pair && !planets.all(|gear| self.whole_teeth(gear).is_some()) {
             missing.push(if self.set.short().is_some() { "planet_teeth" } else { "planet_gears" });
         }
-        if self.toothed().is_none() && self.needs_shifts() {
+        if self.toothed == Err(Untoothed::Shifts) {
             missing.push("profile_shifts");
         }
         if !is_pair && self.set.planet_count().is_none() {
             missing.push("planets");
         }
         missing
-    }
-
-    /// External or internal; `None` of a planet shaft.
-    fn gear_kind(&self, gear: GearOf) -> Option<GearKind> {
-        use crate::compound::CentralKind;
-        match gear {
-            GearOf::Planet(..) => Some(GearKind::External),
-            GearOf::Central(central) => match self.set.centrals()[central].kind {
-                CentralKind::Sun => Some(GearKind::External),
-                CentralKind::Ring => Some(GearKind::Internal),
-                _ => None,
-            },
-        }
     }
 }

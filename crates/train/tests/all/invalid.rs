@@ -185,14 +185,14 @@ fn shifts_given_are_checked_in_place_of_what_they_would_have_to_mend() {
         gearbox.tooth_checks(&BasicRack::default())
     };
     // As printed of a wind gearbox, to four digits.
-    let shifts = Shifts { profile: [0.389, 0.5039, 0.1171], tips: Some([-0.0833, -0.0833, 0.0]) };
-    assert_eq!(with(shifts), [""; 0]);
-    let long = Shifts { tips: Some([0.3, -0.0833, 0.0]), ..shifts };
+    let shifts = Shifts { profile: vec![0.389, 0.5039, 0.1171], tips: Some(vec![-0.0833, -0.0833, 0.0]) };
+    assert_eq!(with(shifts.clone()), [""; 0]);
+    let long = Shifts { tips: Some(vec![0.3, -0.0833, 0.0]), ..shifts.clone() };
     assert_eq!(
         with(long)[1],
         "set `2`: the tips of the sun, mesh with the planet, clear the roots of the mate by -0.133 modules, at least 0 needed"
     );
-    let pointed = with(Shifts { profile: [3.0, 0.5, 0.1], ..shifts });
+    let pointed = with(Shifts { profile: vec![3.0, 0.5, 0.1], ..shifts.clone() });
     let start = "set `2`: external gear of 18 teeth, profile shift x = 3, tip alteration k = 0: its teeth are pointed";
     assert!(pointed.len() == 1 && pointed[0].starts_with(start), "{pointed:?}");
 }

@@ -5,7 +5,6 @@ use super::records::{GearFacts, SelfLocking, State, beside};
 use crate::answer::Warning;
 use crate::shared::gearbox::Gearbox;
 use epicyclic_train::one_way::Duty;
-use epicyclic_train::set::SetSpec;
 use epicyclic_train::{self as train, Analysis, PlanetSet};
 
 /// Formats names of gears: `gear 1`, `gears 1, 2`.
@@ -133,7 +132,7 @@ pub(crate) fn tilted(subject: &Gearbox) -> Option<Warning> {
         let own = subject.planet_bearings.iter().filter(|bearing| bearing.set == place);
         own.into_iter().any(|bearing| bearing.radius.is_some() && bearing.planets.is_some())
     };
-    let is_helical = |set: &PlanetSet| set.short().is_some_and(SetSpec::is_helical);
+    let is_helical = |set: &PlanetSet| set.toothing().is_helical();
     let sets = subject.train.sets().iter().enumerate();
     let sets = sets.filter(|(place, set)| is_helical(set) && is_borne(*place)).map(|(_, set)| set.id());
     let names: Vec<&str> = sets.collect();

@@ -5,9 +5,11 @@ use crate::error::Error;
 use crate::shared::fault::Named;
 use crate::strength::answer::factors;
 use crate::strength::answer::place::refused;
+use epicyclic_formats::gearbox::Gears;
 use epicyclic_formats::yaml::Value;
 use epicyclic_formats::{Document, Path};
 use epicyclic_strength::factor::Symbol;
+use epicyclic_train::set::SetKind;
 
 /// Assumed materials, factors, tools, oil, life and required safeties, as written in a gearbox file.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,7 +56,9 @@ impl Basis {
             let message = "a basis has the key `strength`, at its top or of a set: materials, roughness, shaper, factors";
             refused(document, &Path::root(), &[], &Named("missing-key", message))
         })?;
-        factors::check(document, &of.clone().key("strength"))?;
+        let gears = Gears::of_kind(SetKind::Simple).names;
+        let meshes = [0, 1].map(|first: usize| gears[first..first + 2].join("-"));
+        factors::check(document, &of.clone().key("strength"), &gears, &meshes)?;
         let tools = document.value_at(&of.key("tools")).cloned();
         let own = |key: &&str| Some(((*key).to_owned(), file.get(*key)?.clone()));
         Ok(Self { strength: strength.clone(), tools, keys: KEYS.iter().filter_map(own).collect() })

@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::shared::gearbox::Gearbox;
 use crate::tolerance::ROUNDED;
 use epicyclic_gears::involute::PlanetSet as ToothedSet;
-use epicyclic_gears::involute::play::{Part, at_output};
+use epicyclic_gears::involute::play::{Deviation, Part, at_output};
 use epicyclic_gears::simple_set::Member;
 use epicyclic_strength::load::mesh_stiffness;
 use epicyclic_train::{Analysis, Gear};
@@ -61,8 +61,10 @@ fn of_gear(
                 None
             }
         };
-        let (thickness, centre) =
-            one.allowed.as_ref().map_or_else(Default::default, |all| (all.thickness, all.centre_distance));
+        let (thickness, centre) = one.allowed.as_ref().map_or_else(Default::default, |all| {
+            let [lower, upper] = all.centre_distance_m.map(|limit| limit / one.module.si());
+            ([0, 1, 2].map(|gear: usize| all.thickness[gear]), Deviation { lower, upper })
+        });
         let backlash = one.set.backlash_at(Member::Sun, thickness, centre)?;
         parts.push(Part { torque_share: share, stiffness, backlash });
     }

@@ -1,12 +1,15 @@
 //! Records of data sheets: gears, meshes, sets.
 
 use crate::shared::tool::{CuttingTool, ToolKind};
-use epicyclic_formats::gearbox::SetEntry;
+use crate::strength::answer::names::MeshName;
+use crate::tolerance::SAME;
 use epicyclic_gears::Error;
-use epicyclic_gears::involute::check::SetMesh;
+use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::involute::InvoluteGear;
 use epicyclic_gears::involute::play::Deviation;
-use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet};
-use epicyclic_gears::quantity::SimpleGear;
+use epicyclic_train::PlanetSet;
+use epicyclic_train::planet_set::GearOf;
+use epicyclic_train::toothing::{ToothedMesh, ToothedSet};
 use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -27,10 +30,12 @@ impl Limits {
     }
 }
 
-/// Allowances and deviations, in modules.
+/// Allowances, in modules, and deviations.
 pub(super) struct Allowed {
-    pub(super) thickness: [Deviation; 3],
-    pub(super) centre_distance: Deviation,
+    /// Of the normal tooth thickness of each gear.
+    pub(super) thickness: Vec<Deviation>,
+    /// Lower and upper one of the centre distance, in m.
+    pub(super) centre_distance_m: [f64; 2],
 }
 
 /// Backlash and stiffness at the output in a gear while the input is held.
@@ -55,65 +60,98 @@ pub struct AtOutput {
 pub struct SetSheet {
     /// Name of the set.
     pub set: String,
-    /// Normal module `m_n`, in m.
-    pub module_m: f64,
+    /// Normal module `m_n`, in m; null if its meshes have several.
+    pub module_m: Option<f64>,
     /// Normal pressure angle `α_n`, in rad.
     pub pressure_angle_rad: f64,
-    /// Helix angle `β` at the reference cylinders, in rad.
-    pub helix_angle_rad: f64,
-    /// Helix angle at the base cylinders `β_b`, in rad.
-    pub base_helix_angle_rad: f64,
-    /// Transverse module `m_t`, in m.
-    pub transverse_module_m: f64,
-    /// Transverse pressure angle `α_t`, in rad.
-    pub transverse_pressure_angle_rad: f64,
+    /// Helix angle `β` at the reference cylinders, in rad; null if its meshes have several.
+    pub helix_angle_rad: Option<f64>,
+    /// Helix angle at the base cylinders `β_b`, in rad; null if its meshes have several.
+    pub base_helix_angle_rad: Option<f64>,
+    /// Transverse module `m_t`, in m; null if its meshes have several.
+    pub transverse_module_m: Option<f64>,
+    /// Transverse pressure angle `α_t`, in rad; null if its meshes have several.
+    pub transverse_pressure_angle_rad: Option<f64>,
     /// Addendum of the basic rack `h_aP*`, in modules.
     pub addendum: f64,
     /// Clearance of the basic rack `c_P*`, in modules.
     pub clearance: f64,
     /// Number of planets; null if the file does not give it.
     pub planets: Option<u32>,
-    /// Face width in m; null if the file does not give it.
+    /// Face width of all gears in m; null if the file does not give it, or gives several.
     pub face_width_m: Option<f64>,
-    /// Centre distance `a`, in m.
-    pub centre_distance_m: f64,
+    /// Centre distance `a` of all meshes, in m; null if they have several.
+    pub centre_distance_m: Option<f64>,
     /// Lower and upper deviation of the centre distance in m; null if the file gives none.
     pub centre_distance_deviations_m: Option<Limits>,
-    /// Lower and upper allowance of the normal tooth thickness of sun, planet and ring, `E_sni` and `E_sns`,
-    /// in m; null if the file gives none.
+    /// Lower and upper allowance of the normal tooth thickness of each gear, `E_sni` and `E_sns`, in m; null if
+    /// the file gives none.
     pub thickness_allowances_m: Option<Vec<Limits>>,
-    /// Data of sun, planet and ring.
+    /// Data of the gears; of a simple set sun, planet and ring.
     pub gears: Vec<GearSheet>,
-    /// Data of the meshes of sun and planet, planet and ring.
+    /// Data of the meshes.
     pub meshes: Vec<MeshSheet>,
 }
 
-/// Hand of a helix relative to that of the sun, which the file leaves open.
+/// Hand of a helix relative to that of the first gear of the set, which the file leaves open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Hand {
-    /// Hand of the sun.
+    /// Hand of the first gear, in a simple set the sun.
     OfSun,
-    /// Hand opposite to that of the sun.
+    /// Hand opposite to that.
     Opposite,
 }
 
-impl Hand {
-    /// External gears in mesh have opposite hands; a ring has the hand of its planets.
-    const fn of(gear: SimpleGear) -> Self {
-        match gear {
-            SimpleGear::Sun => Self::OfSun,
-            SimpleGear::Planet | SimpleGear::Ring => Self::Opposite,
+/// A gear of a set in mesh.
+pub(super) struct Toothed<'t> {
+    pub(super) name: String,
+    pub(super) gear: &'t InvoluteGear,
+    pub(super) module_m: f64,
+    pub(super) hand: Option<Hand>,
+}
+
+impl<'t> Toothed<'t> {
+    pub(super) fn of(set: &PlanetSet, toothed: &'t ToothedSet, gear: GearOf) -> Option<Self> {
+        let own = toothed.gear(gear)?;
+        let mesh = toothed.meshes.iter().find(|mesh| mesh.gears.contains(&gear))?;
+        let hand = own.profile().is_helical().then(|| hand(set, toothed, gear)).flatten();
+        Some(Self { name: set.gear_name(gear), gear: own, module_m: mesh.module, hand })
+    }
+}
+
+/// Hand of a gear: external gears in mesh have opposite hands, a ring has the hand of its planets. That of
+/// another gear of a stepped planet does not follow.
+fn hand(set: &PlanetSet, toothed: &ToothedSet, gear: GearOf) -> Option<Hand> {
+    let mut known = vec![(*set.gears().first()?, Hand::OfSun)];
+    for _ in 0..toothed.meshes.len() {
+        for mesh in &toothed.meshes {
+            let [one, other] = mesh.gears;
+            for (from, to) in [(one, other), (other, one)] {
+                let of = |of: GearOf| known.iter().find(|known| known.0 == of).map(|known| known.1);
+                if let (Some(hand), None) = (of(from), of(to)) {
+                    let opposite = if hand == Hand::OfSun { Hand::Opposite } else { Hand::OfSun };
+                    known.push((to, if mesh.pair.is_internal() { hand } else { opposite }));
+                }
+            }
         }
     }
+    known.into_iter().find(|known| known.0 == gear).map(|known| known.1)
+}
+
+/// The value that all have, to the last digits of its rounding.
+pub(super) fn same(mut values: impl Iterator<Item = Option<f64>>) -> Option<f64> {
+    let first = values.next()??;
+    let is_same = |value: Option<f64>| value.is_some_and(|value| (value - first).abs() <= SAME * first.abs());
+    values.all(is_same).then_some(first)
 }
 
 /// Data of a gear.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct GearSheet {
-    /// Kind of the gear: sun, planet or ring.
-    pub toothed_gear: SimpleGear,
+    /// Name of the gear; in a simple set sun, planet or ring.
+    pub toothed_gear: String,
     /// Tooth number `z`.
     pub teeth: u32,
     /// Hand of the helix; null for spur teeth.
@@ -179,8 +217,8 @@ pub struct GearSheet {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct GearInMesh {
-    /// Kind of the gear: sun, planet or ring.
-    pub toothed_gear: SimpleGear,
+    /// Name of the gear; in a simple set sun, planet or ring.
+    pub toothed_gear: String,
     /// Working diameter `d_w`, in m.
     pub working_diameter_m: f64,
     /// Active root diameter `d_Nf` in m, where contact with the mate ends at the root.
@@ -199,7 +237,13 @@ pub struct GearInMesh {
 #[schemars(deny_unknown_fields)]
 pub struct MeshSheet {
     /// Name of the mesh.
-    pub mesh: SetMesh,
+    pub mesh: MeshName,
+    /// Normal module `m_n`, in m.
+    pub module_m: f64,
+    /// Helix angle `β` at the reference cylinders, in rad.
+    pub helix_angle_rad: f64,
+    /// Centre distance `a`, in m.
+    pub centre_distance_m: f64,
     /// Working transverse pressure angle `α_wt`, in rad.
     pub working_angle_rad: f64,
     /// Transverse contact ratio `ε_α`.
@@ -221,63 +265,35 @@ pub struct MeshSheet {
 }
 
 impl SetSheet {
-    pub(super) fn of(
-        entry: &SetEntry,
-        set: &PlanetSet,
-        module_m: f64,
-        balls: [f64; 3],
-        allowed: Option<&Allowed>,
-    ) -> Result<Self, Error> {
-        let profile = set.gears()[0].profile();
-        let face_width_m = entry.face_width.map(|width| width.0.si());
-        let named = [SimpleGear::Sun, SimpleGear::Planet, SimpleGear::Ring];
-        let thickness = allowed.map(|allowed| allowed.thickness);
-        let gears = named.into_iter().enumerate().map(|(place, name)| {
-            let allowance = thickness.map(|all| all[place]);
-            GearSheet::of(name, set.gears()[place], module_m, balls[place], allowance)
-                .map(|sheet| sheet.with_entry(entry, place))
-        });
-        let meshes = [set.sun_mesh(), set.ring_mesh()].into_iter().enumerate().map(|(place, pair)| {
-            MeshSheet::of(
-                SetMesh::BOTH[place],
-                pair,
-                module_m,
-                face_width_m,
-                allowed.map(|allowed| {
-                    let [one, other] = [allowed.thickness[place], allowed.thickness[place + 1]];
-                    ([one, other], allowed.centre_distance)
-                }),
-            )
-        });
-        Ok(Self {
-            set: entry.id.clone(),
-            module_m,
-            pressure_angle_rad: profile.rack.pressure_angle.si(),
-            helix_angle_rad: profile.helix_angle.si(),
-            base_helix_angle_rad: profile.base_helix_rad(),
-            transverse_module_m: module_m / libm::cos(profile.helix_angle.si()),
-            transverse_pressure_angle_rad: profile.transverse_angle_rad(),
-            addendum: profile.rack.addendum,
-            clearance: profile.rack.clearance,
-            planets: entry.planets,
-            face_width_m,
-            centre_distance_m: module_m * set.centre_distance(),
+    pub(super) fn of(set: &str, gears: Vec<GearSheet>, meshes: Vec<MeshSheet>, toothed: &ToothedSet) -> Self {
+        let profile = |mesh: &ToothedMesh| *mesh.pair.gears()[0].profile();
+        let rack = profile(&toothed.meshes[0]).rack;
+        let all = |of: &dyn Fn(&ToothedMesh) -> f64| same(toothed.meshes.iter().map(|mesh| Some(of(mesh))));
+        Self {
+            set: set.to_owned(),
+            module_m: all(&|mesh| mesh.module),
+            pressure_angle_rad: rack.pressure_angle.si(),
+            helix_angle_rad: all(&|mesh| profile(mesh).helix_angle.si()),
+            base_helix_angle_rad: all(&|mesh| profile(mesh).base_helix_rad()),
+            transverse_module_m: all(&|mesh| mesh.module / libm::cos(profile(mesh).helix_angle.si())),
+            transverse_pressure_angle_rad: all(&|mesh| profile(mesh).transverse_angle_rad()),
+            addendum: rack.addendum,
+            clearance: rack.clearance,
+            planets: None,
+            face_width_m: None,
+            centre_distance_m: same(meshes.iter().map(|mesh| Some(mesh.centre_distance_m))),
             centre_distance_deviations_m: None,
             thickness_allowances_m: None,
-            gears: gears.collect::<Result<_, _>>()?,
-            meshes: meshes.collect::<Result<_, _>>()?,
-        })
+            gears,
+            meshes,
+        }
     }
 }
 
 impl GearSheet {
-    fn of(
-        toothed_gear: SimpleGear,
-        gear: &InvoluteGear,
-        module_m: f64,
-        ball_m: f64,
-        allowance: Option<Deviation>,
-    ) -> Result<Self, Error> {
+    pub(super) fn of(of: &Toothed<'_>, ball_m: f64, allowance: Option<Deviation>) -> Result<Self, Error> {
+        let Toothed { name, gear, module_m, hand } = of;
+        let module_m = *module_m;
         let tool = CuttingTool::of(gear);
         let spanned = gear.spanned_teeth();
         let helix_angle = gear.profile().helix_angle.si();
@@ -285,7 +301,7 @@ impl GearSheet {
         let lead = std::f64::consts::PI * gear.reference_diameter() / libm::tan(helix_angle);
         let base_helix = gear.profile().base_helix_rad();
         // Only a helical external gear needs a minimum width for the measurement of its span.
-        let has_span_width = is_helical && toothed_gear != SimpleGear::Ring;
+        let has_span_width = is_helical && gear.kind() == GearKind::External;
         let thinner = |allowance: f64| gear.with_thickness_allowance(allowance);
         let both = match allowance {
             Some(Deviation { lower, upper }) => Some([thinner(lower)?, thinner(upper)?]),
@@ -295,9 +311,9 @@ impl GearSheet {
         // If the balls fall through the spaces at one limit, no range can be given.
         let over_limits = both.and_then(|[lower, upper]| Some([over(&lower)?, over(&upper)?]));
         Ok(Self {
-            toothed_gear,
+            toothed_gear: name.clone(),
             teeth: gear.teeth().get(),
-            hand: is_helical.then(|| Hand::of(toothed_gear)),
+            hand: *hand,
             lead_m: is_helical.then_some(module_m * lead),
             profile_shift: gear.shift(),
             tip_alteration_m: module_m * gear.tip_alteration(),
@@ -326,12 +342,6 @@ impl GearSheet {
             shaper_addendum: tool.shaper_addendum_in_modules,
         })
     }
-
-    /// Adds the material that the file gives.
-    fn with_entry(self, entry: &SetEntry, place: usize) -> Self {
-        let material = entry.strength.as_ref().map(|strength| strength.materials[place].clone());
-        Self { material, ..self }
-    }
 }
 
 /// Thinner teeth of a ring give the larger measures, so the limits are sorted.
@@ -340,13 +350,13 @@ fn sorted([one, other]: [f64; 2]) -> Limits {
 }
 
 impl MeshSheet {
-    fn of(
-        mesh: SetMesh,
-        pair: &Pair,
-        module_m: f64,
+    pub(super) fn of(
+        mesh: MeshName,
+        toothed: &ToothedMesh,
         face_width_m: Option<f64>,
         allowed: Option<([Deviation; 2], Deviation)>,
     ) -> Result<Self, Error> {
+        let (pair, module_m) = (&toothed.pair, toothed.module);
         let plays = allowed.map(|(thickness, centre)| pair.plays(thickness, centre)).transpose()?;
         let limits = |of: fn(&epicyclic_gears::involute::play::Play) -> f64| {
             plays.map(|plays| sorted(plays.map(|play| module_m * of(&play))))
@@ -354,8 +364,8 @@ impl MeshSheet {
         let overlap_ratio = face_width_m.map(|width| pair.overlap_ratio(width / module_m));
         let (working, roots) = (pair.working_diameters(), pair.active_root_diameters());
         let (clearances, sliding) = (pair.tip_clearances(), pair.specific_sliding());
-        let gears = mesh.gears().into_iter().enumerate().map(|(place, toothed_gear)| GearInMesh {
-            toothed_gear,
+        let gears = mesh.gears.iter().enumerate().map(|(place, toothed_gear)| GearInMesh {
+            toothed_gear: toothed_gear.clone(),
             working_diameter_m: module_m * working[place],
             active_root_diameter_m: module_m * roots[place],
             tip_clearance_m: module_m * clearances[place],
@@ -364,7 +374,9 @@ impl MeshSheet {
             sliding_at_root: Some(sliding[place][1]).filter(|sliding| sliding.is_finite()),
         });
         Ok(Self {
-            mesh,
+            module_m,
+            helix_angle_rad: pair.gears()[0].profile().helix_angle.si(),
+            centre_distance_m: module_m * pair.centre_distance(),
             working_angle_rad: pair.working_angle_rad(),
             contact_ratio: pair.transverse_contact_ratio(),
             overlap_ratio,
@@ -373,6 +385,7 @@ impl MeshSheet {
             backlash_limits_m: limits(|play| play.circumferential),
             normal_backlash_limits_m: limits(|play| play.normal),
             gears: gears.collect(),
+            mesh,
         })
     }
 }
@@ -383,7 +396,7 @@ impl MeshSheet {
 pub struct LeftOut {
     /// Name of the set.
     pub set: String,
-    /// Keys that the entry of the set lacks; empty for a set that is not simple.
+    /// Keys that the entry of the set lacks; empty for bevel gears.
     pub missing: Vec<String>,
 }
 
@@ -392,7 +405,7 @@ impl LeftOut {
     #[must_use]
     pub fn why(&self) -> String {
         if self.missing.is_empty() {
-            "no simple set".to_owned()
+            "bevel gears have no data sheet".to_owned()
         } else {
             format!("{} missing", self.missing.join(", "))
         }

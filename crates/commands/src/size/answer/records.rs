@@ -3,6 +3,7 @@
 use crate::answer::Warning;
 use crate::shared::tool::CuttingTool;
 use crate::size::options::Request;
+use crate::strength::answer::names::MeshName;
 use crate::strength::answer::prepared::SetToSize;
 use crate::strength::answer::records::{NotRated, Reason, Wear};
 use epicyclic_gears::ToothCount;
@@ -185,9 +186,9 @@ pub struct SizedBearing {
 #[schemars(deny_unknown_fields)]
 pub struct SizedGear {
     /// Name of the mesh.
-    pub mesh: SetMesh,
+    pub mesh: MeshName,
     /// Gear of the mesh.
-    pub toothed_gear: SimpleGear,
+    pub toothed_gear: String,
     /// Name of the gear's material.
     pub material: String,
     /// Damage and safety of the flank.
@@ -202,8 +203,8 @@ impl SizedGear {
         Side::BOTH.map(|side| {
             let own = &rating[side as usize];
             Self {
-                mesh,
-                toothed_gear: mesh.gears()[side as usize],
+                mesh: mesh.into(),
+                toothed_gear: mesh.gears()[side as usize].to_string(),
                 material: materials[first + side as usize].clone(),
                 flank: Wear::of(&own.contact),
                 root: Wear::of(&own.root),
@@ -320,7 +321,7 @@ pub struct SizedSet {
 impl SizedSet {
     pub(super) fn of(set: &SetToSize<'_>, held: Vec<HeldKey>, found: &Found, most: usize) -> Self {
         let teeth = set.teeth.map(ToothCount::get);
-        let materials = set.materials;
+        let materials = &set.materials;
         let out = found.left_out;
         Self {
             set: set.id.to_owned(),

@@ -9,9 +9,9 @@
 //! is that of [`epicyclic_strength::bearing`].
 
 use super::duty::WorkedStep;
+use super::materials::{floating, given_sharing};
 use super::overload::Peak;
 use super::place::refused;
-use super::prepared::{floating, given_sharing};
 use super::records::{BearingOverDuty, BearingStepFigures, ModifiedLife};
 use crate::analyze::answer::Worked;
 use crate::analyze::answer::records::planet_name;
@@ -99,8 +99,10 @@ impl File<'_> {
         let set = &self.subject.train.sets()[bearing.set];
         let entry = self.file.sets.iter().find(|entry| entry.id == set.id());
         let given = self.given(set.id(), &set.planets()[bearing.planet].name);
-        let stated = given.load_sharing.or_else(|| entry.and_then(given_sharing));
-        let floating = entry.map_or(Floating::Assumed, floating);
+        let data = self.file.set_data(set);
+        let strength = data.as_ref().and_then(|data| data.strength);
+        let stated = given.load_sharing.or_else(|| strength.and_then(given_sharing));
+        let floating = data.and_then(|data| data.floating).map_or(Floating::Assumed, floating);
         let sharing = match stated {
             Some(stated) => Some(stated),
             None => load_sharing(bearing.planets.unwrap_or(1), floating).ok(),

@@ -1,8 +1,8 @@
 //! Steps of a duty, and the rating of a set over them.
 
-use super::load::{both_loads, set_load};
+use super::load::SetLoad;
 use super::place::{Fault, Partly, refused};
-use super::prepared::RatedSet;
+use super::rated_set::RatedSet;
 use super::records::{NotRated, OverDuty, Reason};
 use crate::analyze::answer::{Input, Worked};
 use crate::error::Error;
@@ -15,7 +15,7 @@ use epicyclic_strength::rating::rate;
 use epicyclic_strength::spectrum::{Step, check_shares, rate_duty};
 use epicyclic_train::InputLoad;
 use epicyclic_units::Physical;
-use uom::si::f64::{AngularVelocity, Time, Torque};
+use uom::si::f64::Time;
 
 /// Step of the duty from the file, with its gear at that load; `None` if the step has no load.
 pub(crate) struct WorkedStep<'g>(pub(crate) &'g DutyEntry, pub(crate) Option<Worked<'g>>);
@@ -54,7 +54,7 @@ fn worked<'g>(subject: &'g Gearbox, step: &DutyEntry, path: &Path) -> Result<Opt
     Ok(Some(worked))
 }
 
-/// Rates both meshes of a set over the duty.
+/// Rates the meshes of a set over the duty.
 pub(super) fn rated(
     subject: &Gearbox,
     set: &RatedSet<'_>,
@@ -63,40 +63,37 @@ pub(super) fn rated(
     with_factors: bool,
 ) -> Result<Partly<OverDuty>, Fault> {
     let fault = |error: epicyclic_strength::Error| Fault::of(&subject.document, set.id, &set.path, &error);
-    let mut steps: [Vec<Step>; 2] = [vec![], vec![]];
-    let mut loaded: [Vec<Load>; 2] = [vec![], vec![]];
+    let mut of_steps: Vec<Vec<Load>> = vec![];
     for WorkedStep(entry, worked) in duty {
-        let idle = (Torque::from_si(0.0), AngularVelocity::from_si(0.0));
-        let (torque, speed) = match worked {
-            None => idle,
-            Some(worked) => match set_load(set, worked, entry.speed.0) {
-                Err(Reason::NoTorquesFollow) => {
-                    return Err(Fault::Row(NotRated::new(set.id, Reason::NoTorquesFollow)));
-                }
-                Err(_) => idle,
-                Ok(load) => load,
-            },
+        let load = match worked.as_ref().map(|worked| SetLoad::of(set, worked, Some(entry.speed.0))) {
+            Some(Err(Reason::NoTorquesFollow)) => {
+                return Err(Fault::Row(NotRated::new(set.id, Reason::NoTorquesFollow)));
+            }
+            None | Some(Err(_)) => SetLoad::idle(set),
+            Some(Ok(load)) => load,
         };
-        let loads = both_loads(set, torque, speed, life).map_err(fault)?;
-        let is_loaded = torque.si() != 0.0;
-        for ((steps, loaded), load) in steps.iter_mut().zip(&mut loaded).zip(loads) {
-            steps.push(Step { share: entry.share.0.si(), torque: load.torque, speed: load.speed });
-            loaded.extend(Some(load).filter(|_| with_factors && is_loaded));
-        }
+        of_steps.push(load.meshes(set, life));
     }
-    let contacts =
-        both_loads(set, Torque::from_si(0.0), AngularVelocity::from_si(0.0), life).map_err(fault)?;
-    Partly::of_meshes(|place, name| {
+    let idle = SetLoad::idle(set).meshes(set, life);
+    Partly::of_meshes(set, |place, mesh| {
+        let step = |(WorkedStep(entry, _), loads): (&WorkedStep<'_>, &Vec<Load>)| {
+            let Load { torque, speed, .. } = loads[place];
+            Step { share: entry.share.0.si(), torque, speed }
+        };
+        let steps: Vec<Step> = duty.iter().zip(&of_steps).map(step).collect();
         let rating =
-            rate_duty(&set.meshes[place], &steps[place], life, contacts[place].contacts, &set.methods[place])
-                .map_err(fault)?;
-        let of_step = |load: &Load| rate(&set.meshes[place], load, &set.methods[place]);
-        let of_steps: Vec<_> = loaded[place].iter().map(of_step).collect::<Result<_, _>>().map_err(fault)?;
+            rate_duty(&mesh.mesh, &steps, life, idle[place].contacts, &mesh.method).map_err(fault)?;
+        let loaded = of_steps.iter().map(|loads| &loads[place]);
+        let loaded = loaded.filter(|load| with_factors && load.torque.si() != 0.0);
+        let of_steps: Vec<_> = loaded
+            .map(|load| rate(&mesh.mesh, load, &mesh.method))
+            .collect::<Result<_, _>>()
+            .map_err(fault)?;
         let parts = rating
             .gears
             .each_ref()
             .map(|gear| (gear.contact.as_ref().err().cloned(), gear.root.as_ref().err().cloned()));
-        let both = OverDuty::both(set.id, name, &set.materials[place..], &rating, &of_steps);
-        Ok((both.into(), NotRated::parts(set.id, name, parts)))
+        let both = OverDuty::both(set.id, mesh, &rating, &of_steps);
+        Ok((both.into(), NotRated::parts(set.id, &mesh.name, parts)))
     })
 }

@@ -11,25 +11,41 @@ use epicyclic_strength::factor::Symbol;
 pub(crate) const KEYS: [&str; 6] =
     ["factors", "sun_mesh_factors", "ring_mesh_factors", "sun_factors", "planet_factors", "ring_factors"];
 
-/// Refuses names that are not factors, and a factor given twice under one key, such as `K_A` and `KA`;
-/// `strength` is the path of the key.
-pub(crate) fn check(document: &Document, strength: &Path) -> Result<(), Error> {
+/// Refuses names that are not factors, a factor given twice under one key, such as `K_A` and `KA`, and factors
+/// of gears and meshes that the set has not.
+pub(crate) fn check(
+    document: &Document,
+    strength: &Path,
+    gears: &[String],
+    meshes: &[String],
+) -> Result<(), Error> {
     for key in KEYS {
+        check_names(document, &strength.clone().key(key))?;
+    }
+    for (key, names) in [("gear_factors", gears), ("mesh_factors", meshes)] {
         let path = strength.clone().key(key);
-        let names = document.value_at(&path).and_then(Value::as_mapping).into_iter().flatten();
-        let mut before: Vec<(Symbol, &str)> = vec![];
-        for name in names.filter_map(|(name, _)| name.as_str()) {
-            let of = symbol(document, &path, name)?;
-            if let Some((_, other)) = before.iter().find(|(other, _)| *other == of) {
-                return Err(refused(
-                    document,
-                    &path,
-                    &[name],
-                    &Named("factor-twice", twice(of, [other, name])),
-                ));
+        let given = document.value_at(&path).and_then(Value::as_mapping).into_iter().flatten();
+        for name in given.filter_map(|(name, _)| name.as_str()) {
+            if !names.iter().any(|one| one == name) {
+                let message = format!("`{key}` has no `{name}`; there are {}", names.join(", "));
+                return Err(refused(document, &path, &[name], &Named("no-such-gear", message)));
             }
-            before.push((of, name));
+            check_names(document, &path.clone().key(name))?;
         }
+    }
+    Ok(())
+}
+
+fn check_names(document: &Document, path: &Path) -> Result<(), Error> {
+    let names = document.value_at(path).and_then(Value::as_mapping).into_iter().flatten();
+    let mut before: Vec<(Symbol, &str)> = vec![];
+    for name in names.filter_map(|(name, _)| name.as_str()) {
+        let of = symbol(document, path, name)?;
+        if let Some((_, other)) = before.iter().find(|(other, _)| *other == of) {
+            let why = Named("factor-twice", twice(of, [other, name]));
+            return Err(refused(document, path, &[name], &why));
+        }
+        before.push((of, name));
     }
     Ok(())
 }

@@ -1,11 +1,11 @@
 //! Load of a set in a gear.
 
-use super::prepared::RatedSet;
+use super::rated_set::RatedSet;
 use super::records::Reason;
 use crate::analyze::answer::Worked;
-use crate::tolerance::rounded;
+use crate::tolerance::{ROUNDED, rounded};
 use epicyclic_strength::mesh::Load;
-use epicyclic_strength::planets::loads;
+use epicyclic_train::mesh_loads::MeshLoad;
 use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Time, Torque};
 
@@ -13,12 +13,6 @@ use uom::si::f64::{AngularVelocity, Time, Torque};
 pub(super) fn torque(place: usize, worked: &Worked<'_>) -> Option<Torque> {
     let (operation, case) = worked.operation.as_ref().zip(worked.analysis.ideal())?;
     Some(operation.input * rounded(case.members[place].as_ref()?[0] / case.input))
-}
-
-/// Torque on the sun without losses.
-pub(super) fn sun_torque(set: &RatedSet<'_>, worked: &Worked<'_>) -> Result<Torque, Reason> {
-    let torque = torque(set.place, worked).ok_or(Reason::NoTorquesFollow)?;
-    if torque.si() == 0.0 { Err(Reason::NoTorque) } else { Ok(torque) }
 }
 
 /// Torque on the sun without losses, its speed relative to the carrier, and the carrier speed. Each is 0 if
@@ -33,28 +27,58 @@ pub(crate) fn felt(
     Some((torque(place, worked)?, [speed * turning, speed * motion.carrier().unwrap_or(0.0)]))
 }
 
-/// Torque on the sun without losses and its speed relative to the carrier.
-pub(super) fn set_load(
-    set: &RatedSet<'_>,
-    worked: &Worked<'_>,
-    speed: AngularVelocity,
-) -> Result<(Torque, AngularVelocity), Reason> {
-    let (torque, [turning, _]) = felt(set.place, worked, speed).ok_or(Reason::NoTorquesFollow)?;
-    if torque.si() == 0.0 {
-        Err(Reason::NoTorque)
-    } else if turning.si() == 0.0 {
-        Err(Reason::NoRolling)
-    } else {
-        Ok((torque, turning))
-    }
+/// Load of a set without losses.
+pub(super) struct SetLoad {
+    /// Torques on the central gears, N·m; each is 0 if only a rounding error is left.
+    torques: Vec<f64>,
+    /// Speed of the first central gear relative to the carrier.
+    pub(super) speed: AngularVelocity,
 }
 
-/// Loads of both meshes of a set.
-pub(super) fn both_loads(
-    set: &RatedSet<'_>,
-    torque: Torque,
-    speed: AngularVelocity,
-    life: Time,
-) -> Result<[Load; 2], epicyclic_strength::Error> {
-    loads(torque, speed, set.planets, set.teeth, life)
+impl SetLoad {
+    /// Load of a set in a gear at a speed of the input; without a speed that of a set that need not roll.
+    pub(super) fn of(
+        set: &RatedSet<'_>,
+        worked: &Worked<'_>,
+        speed: Option<AngularVelocity>,
+    ) -> Result<Self, Reason> {
+        let case = worked.operation.as_ref().zip(worked.analysis.ideal());
+        let (operation, case) = case.ok_or(Reason::NoTorquesFollow)?;
+        let members = case.members[set.place].as_ref().ok_or(Reason::NoTorquesFollow)?;
+        let torque = |of: &f64| (operation.input * rounded(of / case.input)).si();
+        let torques: Vec<f64> = members.iter().map(torque).collect();
+        if torques.iter().all(|torque| *torque == 0.0) {
+            return Err(Reason::NoTorque);
+        }
+        let Some(speed) = speed else { return Ok(Self { torques, speed: AngularVelocity::from_si(0.0) }) };
+        let relative = worked.analysis.sets()[set.place].relative.ok_or(Reason::NoTorquesFollow)?;
+        let turning = rounded(relative);
+        if turning == 0.0 {
+            return Err(Reason::NoRolling);
+        }
+        Ok(Self { torques, speed: speed * turning })
+    }
+
+    /// No load.
+    pub(super) fn idle(set: &RatedSet<'_>) -> Self {
+        Self { torques: vec![0.0; set.set.members().len()], speed: AngularVelocity::from_si(0.0) }
+    }
+
+    /// Loads of the meshes of the set, in its order.
+    pub(super) fn meshes(&self, set: &RatedSet<'_>, life: Time) -> Vec<Load> {
+        let loads = set.set.mesh_loads(&self.torques).unwrap_or_default();
+        let largest = self.torques.iter().fold(0.0, |largest: f64, torque| largest.max(torque.abs()));
+        let load = |load: MeshLoad| Load {
+            // A mesh without load has what rounding leaves of torques that cancel.
+            torque: Torque::from_si(if load.torques[0].abs() <= ROUNDED * largest {
+                0.0
+            } else {
+                load.torques[0].abs()
+            }),
+            speed: AngularVelocity::from_si((self.speed.si() * load.speeds[0]).abs()),
+            life,
+            contacts: load.contacts,
+        };
+        loads.into_iter().map(load).collect()
+    }
 }

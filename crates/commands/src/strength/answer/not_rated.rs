@@ -1,8 +1,6 @@
 //! Sets and teeth that are not rated, with the reasons.
 
-use super::names::{Against, mesh_name};
-use epicyclic_gears::involute::check::SetMesh;
-use epicyclic_gears::quantity::SimpleGear;
+use super::names::{Against, MeshName};
 use epicyclic_strength as strength;
 use epicyclic_strength::rating::Place;
 use schemars::JsonSchema;
@@ -14,6 +12,8 @@ use serde::Serialize;
 pub enum Reason {
     /// The set is not simple: it lacks a sun, planet or ring.
     NotSimple,
+    /// The gears are bevel gears.
+    Bevel,
     /// Keys are missing in the entry of the file.
     KeysMissing,
     /// A factor is not given and cannot be calculated.
@@ -39,9 +39,9 @@ pub struct NotRated {
     /// Selected gears in which the set is not rated; empty for all.
     pub gears: Vec<String>,
     /// Name of the mesh; null if no mesh of the set is rated.
-    pub mesh: Option<SetMesh>,
+    pub mesh: Option<MeshName>,
     /// Gear of the mesh; null if neither gear is rated.
-    pub toothed_gear: Option<SimpleGear>,
+    pub toothed_gear: Option<String>,
     /// Flank or root of this gear; null if neither is rated.
     pub place: Option<Place>,
     /// Reason why the part is not rated.
@@ -93,20 +93,20 @@ impl NotRated {
     }
 
     /// Restricts the record to one mesh.
-    pub(crate) fn of_mesh(self, mesh: SetMesh) -> Self {
-        Self { mesh: Some(mesh), ..self }
+    pub(crate) fn of_mesh(self, mesh: &MeshName) -> Self {
+        Self { mesh: Some(mesh.clone()), ..self }
     }
 
     /// Records of the flanks and roots of both gears of a mesh that have an error.
     pub(crate) fn parts(
         set: &str,
-        mesh: SetMesh,
+        mesh: &MeshName,
         errors: [(Option<strength::Error>, Option<strength::Error>); 2],
     ) -> Vec<Self> {
         let of_gear = |(side, (flank, root)): (usize, (Option<strength::Error>, Option<strength::Error>))| {
             [(Place::Flank, flank), (Place::Root, root)].into_iter().filter_map(move |(place, error)| {
                 let row = Self::of_error(set, &error?)?.of_mesh(mesh);
-                Some(Self { toothed_gear: Some(mesh.gears()[side]), place: Some(place), ..row })
+                Some(Self { toothed_gear: Some(mesh.gears[side].clone()), place: Some(place), ..row })
             })
         };
         errors.into_iter().enumerate().flat_map(of_gear).collect()
@@ -125,7 +125,8 @@ impl NotRated {
     /// Adds the record to others, and merges the gears of equal sets and reasons.
     pub(crate) fn join(mut self, all: &mut Vec<Self>) {
         let alike = |one: &&mut Self| {
-            let part = |one: &Self| (one.against, one.mesh, one.toothed_gear, one.place, one.reason);
+            let part =
+                |one: &Self| (one.against, one.mesh.clone(), one.toothed_gear.clone(), one.place, one.reason);
             part(one) == part(&self)
                 && (&one.set, &one.missing, &one.because) == (&self.set, &self.missing, &self.because)
                 && !one.gears.is_empty()
@@ -145,10 +146,10 @@ impl NotRated {
     #[must_use]
     pub fn of(&self) -> String {
         let mut words = format!("set {}", self.set);
-        if let Some(mesh) = self.mesh {
-            words += &format!(", mesh {}", mesh_name(mesh));
+        if let Some(mesh) = &self.mesh {
+            words += &format!(", mesh {mesh}");
         }
-        if let (Some(gear), Some(place)) = (self.toothed_gear, self.place) {
+        if let (Some(gear), Some(place)) = (&self.toothed_gear, self.place) {
             words += &format!(", {place} of the {gear}");
         }
         words
@@ -161,6 +162,7 @@ impl NotRated {
         let missing = self.missing.join(", ");
         let why = match (self.reason, &self.because) {
             (Reason::NotSimple, _) => "no simple set".to_owned(),
+            (Reason::Bevel, _) => "its gears are bevel gears, which ISO 6336 does not rate".to_owned(),
             (Reason::KeysMissing | Reason::FactorMissing, None) => format!("{missing} missing"),
             (Reason::KeysMissing | Reason::FactorMissing, Some(because)) => {
                 format!("{missing} missing: {because}")

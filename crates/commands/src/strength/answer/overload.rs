@@ -1,9 +1,9 @@
 //! Rating of a set against the overloads of a file.
 
-use super::load::{both_loads, sun_torque, torque};
+use super::load::{SetLoad, torque};
 use super::place::{Fault, Partly, refused};
-use super::prepared::RatedSet;
-use super::records::{NotRated, Overloaded, Required};
+use super::rated_set::RatedSet;
+use super::records::{NotRated, Overloaded, Reason, Required};
 use crate::analyze::answer::{Input, Worked};
 use crate::error::Error;
 use crate::shared::fault::{Fault as Refusal, Named};
@@ -15,7 +15,7 @@ use epicyclic_strength::rating::overload;
 use epicyclic_strength::sizing::SetOverload;
 use epicyclic_train::InputLoad;
 use epicyclic_units::Physical;
-use uom::si::f64::{AngularVelocity, Time};
+use uom::si::f64::Time;
 
 /// Overload from the file, with the required safeties and its gear at that load.
 pub(crate) struct Peak<'g> {
@@ -71,7 +71,7 @@ pub(crate) fn peaks<'g>(
     Ok(all.into_iter().filter(|peak| gear.is_none_or(|gear| peak.entry.gear == gear)).collect())
 }
 
-/// Rates both meshes of a set against an overload. A set that does not roll carries its torque too.
+/// Rates the meshes of a set against an overload. A set that does not roll carries its torque too.
 pub(super) fn rated(
     subject: &Gearbox,
     set: &RatedSet<'_>,
@@ -79,10 +79,15 @@ pub(super) fn rated(
     life: Time,
 ) -> Result<Partly<Overloaded>, Fault> {
     let fault = |error: epicyclic_strength::Error| Fault::of(&subject.document, set.id, &set.path, &error);
-    let torque = sun_torque(set, &peak.worked).map_err(|reason| Fault::Row(NotRated::new(set.id, reason)))?;
-    let loads = both_loads(set, torque, AngularVelocity::from_si(0.0), life).map_err(fault)?;
-    Partly::of_meshes(|place, mesh| {
-        let rating = overload(&set.meshes[place], loads[place].torque, &set.methods[place]).map_err(fault)?;
+    let load = SetLoad::of(set, &peak.worked, None);
+    let load = load.map_err(|reason| Fault::Row(NotRated::new(set.id, reason)))?;
+    let loads = load.meshes(set, life);
+    Partly::of_meshes(set, |place, mesh| {
+        let torque = loads[place].torque;
+        if torque.si() == 0.0 {
+            return Err(Fault::Row(NotRated::new(set.id, Reason::NoTorque)));
+        }
+        let rating = overload(&mesh.mesh, torque, &mesh.method).map_err(fault)?;
         let parts = rating
             .gears
             .each_ref()
@@ -91,12 +96,12 @@ pub(super) fn rated(
             gear: peak.entry.gear.clone(),
             torque_n_m: peak.entry.torque.0.si(),
             set: set.id.to_owned(),
-            mesh,
-            toothed_gear: mesh.gears()[side as usize],
+            mesh: mesh.name.clone(),
+            toothed_gear: mesh.name.gears[side as usize].clone(),
             flank_safety: rating.gears[side as usize].contact.as_ref().ok().copied(),
             root_safety: rating.gears[side as usize].root.as_ref().ok().copied(),
             required: peak.required,
         });
-        Ok((both.into(), NotRated::parts(set.id, mesh, parts)))
+        Ok((both.into(), NotRated::parts(set.id, &mesh.name, parts)))
     })
 }

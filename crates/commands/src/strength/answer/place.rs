@@ -1,10 +1,10 @@
 //! Places in a gearbox file of faults of its strength.
 
-use super::records::{NotRated, Reason};
+use super::rated_set::{RatedMesh, RatedSet};
+use super::records::NotRated;
 use crate::error::Error;
 use crate::shared::fault::Fault as Refusal;
 use epicyclic_formats::{Document, Path};
-use epicyclic_gears::involute::check::SetMesh;
 use epicyclic_strength::{self as strength, Quantity};
 
 /// Reasons why a set cannot be rated.
@@ -32,32 +32,29 @@ pub(crate) struct Partly<T> {
 }
 
 impl<T> Partly<T> {
-    /// Rates both meshes independently: if one cannot be rated, the other is kept.
+    /// Rates the meshes independently: if one cannot be rated, the others are kept.
     ///
     /// # Errors
-    /// [`Fault::Refused`], and [`Fault::Row`] if nothing is loaded.
+    /// [`Fault::Refused`], and [`Fault::Row`] if no mesh can be rated for one reason.
     pub(crate) fn of_meshes(
-        mut mesh: impl FnMut(usize, SetMesh) -> Result<(Vec<T>, Vec<NotRated>), Fault>,
+        set: &RatedSet<'_>,
+        mut rate: impl FnMut(usize, &RatedMesh) -> Result<(Vec<T>, Vec<NotRated>), Fault>,
     ) -> Result<Self, Fault> {
         let mut all = Self { rated: vec![], not_rated: vec![] };
-        for (place, name) in SetMesh::BOTH.into_iter().enumerate() {
-            match mesh(place, name) {
+        for (place, mesh) in set.meshes.iter().enumerate() {
+            match rate(place, mesh) {
                 Ok((rated, not_rated)) => {
                     all.rated.extend(rated);
                     all.not_rated.extend(not_rated);
                 }
-                Err(Fault::Row(row)) if row.reason != Reason::NoTorque => {
-                    all.not_rated.push(row.of_mesh(name));
-                }
+                Err(Fault::Row(row)) => all.not_rated.push(row.of_mesh(&mesh.name)),
                 Err(fault) => return Err(fault),
             }
         }
-        if let ([], [first, second]) = (&all.rated[..], &all.not_rated[..]) {
-            let of_set = |row: &NotRated| NotRated { mesh: None, ..row.clone() };
-            // An equal reason for both meshes is a reason for the whole set.
-            if of_set(first) == of_set(second) {
-                return Err(Fault::Row(of_set(first)));
-            }
+        let of_set = |row: &NotRated| NotRated { mesh: None, ..row.clone() };
+        let is_one_reason = all.not_rated.iter().all(|row| of_set(row) == of_set(&all.not_rated[0]));
+        if all.rated.is_empty() && all.not_rated.len() == set.meshes.len() && is_one_reason {
+            return Err(Fault::Row(of_set(&all.not_rated[0])));
         }
         Ok(all)
     }

@@ -1,14 +1,12 @@
 //! Records of the strength of teeth: meshes, gears, governing safeties, parts that are not rated.
 
 pub use super::bearing_records::{BearingOverDuty, BearingStepFigures, ModifiedLife};
-pub use super::names::Against;
-pub(crate) use super::names::mesh_name;
+pub use super::names::{Against, MeshName};
 pub use super::not_rated::{NotRated, Reason};
+use super::rated_set::RatedMesh;
 pub use super::sharing::{LoadSharing, SharingBasis};
 use crate::answer::Warning;
 use epicyclic_formats::gearbox::{DutyEntry, RequiredEntry};
-use epicyclic_gears::involute::check::SetMesh;
-use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_strength::factor::{Origin, Side};
 use epicyclic_strength::mesh::Load;
 use epicyclic_strength::rating::MeshRating;
@@ -82,9 +80,9 @@ pub struct Rated {
     /// Name of the set.
     pub set: String,
     /// Name of the mesh.
-    pub mesh: SetMesh,
+    pub mesh: MeshName,
     /// Gear of the mesh.
-    pub toothed_gear: SimpleGear,
+    pub toothed_gear: String,
     /// Name of the gear's material.
     pub material: String,
     /// Absolute torque of one mesh on its first gear, in N·m.
@@ -113,7 +111,7 @@ pub struct Rated {
 
 /// Mesh at an operating point.
 pub(crate) struct MeshAtPoint {
-    pub(crate) name: SetMesh,
+    pub(crate) name: MeshName,
     /// Materials of the gears.
     pub(crate) materials: [String; 2],
     pub(crate) load: Load,
@@ -131,8 +129,8 @@ impl MeshAtPoint {
             Rated {
                 gear: gear.to_owned(),
                 set: set.to_owned(),
-                mesh: self.name,
-                toothed_gear: self.name.gears()[side as usize],
+                mesh: self.name.clone(),
+                toothed_gear: self.name.gears[side as usize].clone(),
                 material: self.materials[side as usize].clone(),
                 mesh_torque_n_m: self.load.torque.si(),
                 mesh_speed_rad_s: self.load.speed.si(),
@@ -157,7 +155,7 @@ impl MeshAtPoint {
             .gears
             .each_ref()
             .map(|gear| (gear.contact.as_ref().err().cloned(), gear.root.as_ref().err().cloned()));
-        NotRated::parts(set, self.name, parts)
+        NotRated::parts(set, &self.name, parts)
     }
 }
 
@@ -261,9 +259,9 @@ pub struct OverDuty {
     /// Name of the set.
     pub set: String,
     /// Name of the mesh.
-    pub mesh: SetMesh,
+    pub mesh: MeshName,
     /// Gear of the mesh.
-    pub toothed_gear: SimpleGear,
+    pub toothed_gear: String,
     /// Name of the gear's material.
     pub material: String,
     /// Damage and safety of the flank; null for a flank in `not_rated`.
@@ -277,20 +275,14 @@ pub struct OverDuty {
 
 impl OverDuty {
     /// Records of both gears of a mesh; `steps` are the ratings whose factors are listed.
-    pub(crate) fn both(
-        set: &str,
-        mesh: SetMesh,
-        materials: &[String],
-        rating: &DutyRating,
-        steps: &[MeshRating],
-    ) -> [Self; 2] {
+    pub(crate) fn both(set: &str, mesh: &RatedMesh, rating: &DutyRating, steps: &[MeshRating]) -> [Self; 2] {
         Side::BOTH.map(|side| {
             let own = &rating.gears[side as usize];
             Self {
                 set: set.to_owned(),
-                mesh,
-                toothed_gear: mesh.gears()[side as usize],
-                material: materials[side as usize].clone(),
+                mesh: mesh.name.clone(),
+                toothed_gear: mesh.name.gears[side as usize].clone(),
+                material: mesh.materials[side as usize].clone(),
                 flank: own.contact.as_ref().ok().map(Wear::of),
                 root: own.root.as_ref().ok().map(Wear::of),
                 factors: FactorOverDuty::of(steps, side),
@@ -310,9 +302,9 @@ pub struct Overloaded {
     /// Name of the set.
     pub set: String,
     /// Name of the mesh.
-    pub mesh: SetMesh,
+    pub mesh: MeshName,
     /// Gear of the mesh.
-    pub toothed_gear: SimpleGear,
+    pub toothed_gear: String,
     /// Static safety of the flank, `S_H`; null for a flank in `not_rated`.
     pub flank_safety: Option<f64>,
     /// Static safety of the root, `S_F`; null for a root in `not_rated`.
@@ -357,9 +349,9 @@ pub struct Governing {
     /// Name of the set.
     pub set: String,
     /// Name of the mesh.
-    pub mesh: SetMesh,
+    pub mesh: MeshName,
     /// Gear of the mesh.
-    pub toothed_gear: SimpleGear,
+    pub toothed_gear: String,
     /// Place on the tooth: flank or root.
     pub place: Place,
     /// Value of the safety.
@@ -371,18 +363,19 @@ pub struct Governing {
 impl Governing {
     /// Safeties of flank and root of a gear, as far as they are rated.
     fn both(
-        (against, gear, set, mesh, toothed_gear): (Against, Option<&String>, &String, SetMesh, SimpleGear),
+        (against, gear, set, mesh, toothed_gear): (Against, Option<&String>, &String, &MeshName, &String),
         safeties: [Option<f64>; 2],
         required: Required,
     ) -> impl Iterator<Item = Self> + use<> {
-        let (gear, set) = (gear.cloned(), set.clone());
+        let (gear, set, mesh, toothed_gear) =
+            (gear.cloned(), set.clone(), mesh.clone(), toothed_gear.clone());
         [Place::Flank, Place::Root].into_iter().zip(safeties).filter_map(move |(place, safety)| {
             Some(Self {
                 against,
                 gear: gear.clone(),
                 set: set.clone(),
-                mesh,
-                toothed_gear,
+                mesh: mesh.clone(),
+                toothed_gear: toothed_gear.clone(),
                 place,
                 safety: safety?,
                 required: required.at(place),
@@ -395,16 +388,16 @@ impl Safeties {
     /// Safeties of flank and root of each rated gear.
     fn all(&self, required: Required) -> impl Iterator<Item = Governing> {
         let points = self.at_point.iter().flat_map(move |one| {
-            let of = (Against::OperatingPoint, Some(&one.gear), &one.set, one.mesh, one.toothed_gear);
+            let of = (Against::OperatingPoint, Some(&one.gear), &one.set, &one.mesh, &one.toothed_gear);
             Governing::both(of, [one.flank_safety, one.root_safety], required)
         });
         let duties = self.over_duty.iter().flat_map(move |one| {
             let safety = |wear: &Option<Wear>| wear.as_ref().map(|wear| wear.safety);
-            let of = (Against::Duty, None, &one.set, one.mesh, one.toothed_gear);
+            let of = (Against::Duty, None, &one.set, &one.mesh, &one.toothed_gear);
             Governing::both(of, [safety(&one.flank), safety(&one.root)], required)
         });
         let overloads = self.overload.iter().flat_map(|one| {
-            let of = (Against::Overload, Some(&one.gear), &one.set, one.mesh, one.toothed_gear);
+            let of = (Against::Overload, Some(&one.gear), &one.set, &one.mesh, &one.toothed_gear);
             Governing::both(of, [one.flank_safety, one.root_safety], one.required)
         });
         points.chain(duties).chain(overloads)
@@ -435,11 +428,7 @@ impl fmt::Display for Governing {
             Place::Root => "S_F",
         };
         let Self { set, mesh, toothed_gear, place, safety, .. } = self;
-        write!(
-            f,
-            "{symbol} = {safety:.3} of the {toothed_gear}'s {place} (set {set}, mesh {}",
-            mesh_name(*mesh)
-        )?;
+        write!(f, "{symbol} = {safety:.3} of the {toothed_gear}'s {place} (set {set}, mesh {mesh}")?;
         match (self.against, &self.gear) {
             (Against::Overload, Some(gear)) => write!(f, ", gear {gear}, against the overload)"),
             (_, Some(gear)) => write!(f, ", gear {gear})"),

@@ -5,8 +5,6 @@ use crate::strength::answer::Strength;
 use crate::strength::answer::records::{OverDuty, Rated};
 use crate::table::columns::Table;
 use crate::table::report::Records;
-use epicyclic_gears::involute::check::SetMesh;
-use epicyclic_gears::quantity::SimpleGear;
 
 /// A factor of a gear in a mesh: symbol, value as it is shown, and formula.
 struct Told {
@@ -17,7 +15,7 @@ struct Told {
 
 /// A gear in a mesh with its factors.
 struct InMesh {
-    heading: &'static str,
+    heading: String,
     factors: Vec<Told>,
 }
 
@@ -43,7 +41,7 @@ fn at_point(strength: &Strength) -> Vec<(String, Vec<InMesh>)> {
         let own = || strength.at_point.iter().filter(|one| one.set == set);
         let gear = &own().min_by(|one, other| over(one).total_cmp(&over(other)))?.gear;
         let in_mesh = |one: &Rated| InMesh {
-            heading: heading(one.mesh, one.toothed_gear),
+            heading: one.mesh.gear_among(&one.toothed_gear, own().map(|one| &one.mesh)),
             factors: one
                 .factors
                 .iter()
@@ -61,31 +59,22 @@ fn at_point(strength: &Strength) -> Vec<(String, Vec<InMesh>)> {
 }
 
 fn over_duty(all: &[OverDuty]) -> Vec<(String, Vec<InMesh>)> {
-    let in_mesh = |one: &OverDuty| InMesh {
-        heading: heading(one.mesh, one.toothed_gear),
-        factors: one
-            .factors
-            .iter()
-            .map(|factor| Told {
-                symbol: factor.symbol.clone(),
-                value: extent(factor),
-                formula: factor.formula.clone(),
-            })
-            .collect(),
-    };
     let of_set = |set: &[OverDuty]| {
+        let in_mesh = |one: &OverDuty| InMesh {
+            heading: one.mesh.gear_among(&one.toothed_gear, set.iter().map(|one| &one.mesh)),
+            factors: one
+                .factors
+                .iter()
+                .map(|factor| Told {
+                    symbol: factor.symbol.clone(),
+                    value: extent(factor),
+                    formula: factor.formula.clone(),
+                })
+                .collect(),
+        };
         (format!("Factors of set {} over the duty", set[0].set), set.iter().map(in_mesh).collect())
     };
     all.chunk_by(|one, other| one.set == other.set).map(of_set).collect()
-}
-
-const fn heading(mesh: SetMesh, gear: SimpleGear) -> &'static str {
-    match (mesh, gear) {
-        (_, SimpleGear::Sun) => "sun",
-        (_, SimpleGear::Ring) => "ring",
-        (SetMesh::SunPlanet, SimpleGear::Planet) => "planet at sun",
-        (SetMesh::PlanetRing, SimpleGear::Planet) => "planet at ring",
-    }
 }
 
 /// A row for each factor, and for each formula where the gears have it by several.
@@ -108,7 +97,7 @@ fn table(title: String, note: &str, all: &[InMesh]) -> Records {
     Table::new("factors", rows)
         .text("symbol", "factor", |(symbol, ..)| symbol)
         .each(all.iter().enumerate(), |table, (place, one)| {
-            table.number("value", one.heading, |(_, formula, told)| {
+            table.number("value", &*one.heading, |(_, formula, told)| {
                 told[place].filter(|one| one.formula.as_deref() == *formula).map(|one| &*one.value)
             })
         })

@@ -87,7 +87,8 @@ impl SetShifts {
 /// Set with these profile shifts and tip alterations, and this tool for its ring.
 fn shifted(set: SetSpec, profile: [f64; 3], tips: [f64; 3], ring_tool: CuttingTool) -> SetSpec {
     let hob = Cutting::default();
-    set.shifted(Shifts { profile, tips: Some(tips) }).cut([hob, hob, ring_tool.cutting()])
+    let shifts = Shifts { profile: profile.to_vec(), tips: Some(tips.to_vec()) };
+    set.shifted(shifts).cut(vec![hob, hob, ring_tool.cutting()])
 }
 
 /// Sets with profile shift that give a ratio, the most exact first.

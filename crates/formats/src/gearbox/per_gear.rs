@@ -1,0 +1,136 @@
+//! Values of the gears of a set, in their order or by their names.
+
+use super::DescriptionError;
+use epicyclic_gears::geometry::GearKind;
+use epicyclic_train::set::SetKind;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::Deserialize;
+use serde::de::{Deserializer, MapAccess, SeqAccess, Visitor};
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::fmt;
+use std::marker::PhantomData;
+
+/// Values of the gears of a set: a list from the first central gear over the planets to the second, or a map
+/// from gears to values.
+///
+/// Gears have the names that answers give them: `sun`, `planet`, `ring`; `planet 1`, `planet 2` of two planets
+/// or two steps; `gear 1`, `gear 2` of a pair. Those of compound sets have the names that its meshes use.
+#[derive(Debug, Clone, PartialEq)]
+pub enum PerGear<T> {
+    /// In the order of the gears.
+    List(Vec<T>),
+    /// By gear.
+    Named(BTreeMap<String, T>),
+}
+
+impl<T> PerGear<T> {
+    /// The values in the order of these gears, as far as they are given.
+    ///
+    /// # Errors
+    /// [`DescriptionError::Values`] for a list of another length, [`DescriptionError::ByName`] for a list of a
+    /// compound set, [`DescriptionError::NoSuchGear`].
+    pub fn given(
+        &self,
+        set: &str,
+        key: &'static str,
+        gears: &Gears,
+    ) -> Result<Vec<Option<&T>>, DescriptionError> {
+        let names = &gears.names;
+        match self {
+            Self::List(_) if !gears.has_order => {
+                Err(DescriptionError::ByName { set: set.to_owned(), key, gears: names.join(", ") })
+            }
+            Self::List(values) if values.len() == names.len() => Ok(values.iter().map(Some).collect()),
+            Self::List(values) => Err(DescriptionError::Values {
+                set: set.to_owned(),
+                key,
+                of: names.join(", "),
+                given: values.len(),
+                expected: names.len(),
+            }),
+            Self::Named(values) => match values.keys().find(|name| !names.contains(name)) {
+                Some(gear) => Err(gears.unknown(set, key, gear)),
+                None => Ok(names.iter().map(|gear| values.get(gear)).collect()),
+            },
+        }
+    }
+}
+
+/// Gears of a set as its keys know them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Gears {
+    /// Names, in the order of [`PlanetSet::gears`](epicyclic_train::PlanetSet::gears).
+    pub names: Vec<String>,
+    /// External or internal; `None` of bevel gears.
+    pub kinds: Vec<Option<GearKind>>,
+    /// Whether lists may be in their order: not in compound sets, whose gears have none.
+    pub has_order: bool,
+}
+
+impl Gears {
+    /// Gears of a kind of set.
+    #[must_use]
+    pub fn of_kind(kind: SetKind) -> Self {
+        let (names, kinds) = kind.gears().into_iter().map(|(name, kind)| (name.to_owned(), kind)).unzip();
+        Self { names, kinds, has_order: true }
+    }
+
+    pub(super) fn unknown(&self, set: &str, key: &'static str, gear: &str) -> DescriptionError {
+        let gears = self.names.join(", ");
+        DescriptionError::NoSuchGear { set: set.to_owned(), key, gear: gear.to_owned(), gears }
+    }
+}
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for PerGear<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(ListOrMap(PhantomData))
+    }
+}
+
+struct ListOrMap<T>(PhantomData<T>);
+
+impl<'de, T: Deserialize<'de>> Visitor<'de> for ListOrMap<T> {
+    type Value = PerGear<T>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a list of values in the order of the gears, or a map from gears to values")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut values: A) -> Result<Self::Value, A::Error> {
+        let mut all = vec![];
+        while let Some(value) = values.next_element()? {
+            all.push(value);
+        }
+        Ok(PerGear::List(all))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut values: A) -> Result<Self::Value, A::Error> {
+        let mut all = BTreeMap::new();
+        while let Some((gear, value)) = values.next_entry()? {
+            all.insert(gear, value);
+        }
+        Ok(PerGear::Named(all))
+    }
+}
+
+impl<T: JsonSchema> JsonSchema for PerGear<T> {
+    fn schema_name() -> Cow<'static, str> {
+        format!("PerGear_{}", T::schema_name()).into()
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let value = generator.subschema_for::<T>();
+        json_schema!({
+            "anyOf": [
+                { "type": "array", "items": value },
+                { "type": "object", "additionalProperties": value },
+            ],
+            "description": "Values in the order of the gears, or by the names of gears.",
+        })
+    }
+}

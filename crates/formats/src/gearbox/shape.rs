@@ -1,0 +1,147 @@
+//! Keys of a set that shape its teeth: profile shifts, tip alterations, helix angles, tools.
+
+use super::per_gear::{Gears, PerGear};
+use super::{DescriptionError, ShaperEntry, ToolEntry, ToolMisfit};
+use crate::Path;
+use crate::faults::Faults;
+use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::involute::Profile;
+use epicyclic_gears::involute::profile::Cutting;
+use epicyclic_gears::rack::BasicRack;
+use epicyclic_train::toothing::{Shifts, Toothing, Untoothed};
+use epicyclic_units::{Number, Physical};
+use std::collections::BTreeMap;
+use uom::si::f64::Angle;
+
+/// The keys of a set.
+pub(super) struct Shape<'e> {
+    /// Name of the set.
+    pub(super) set: &'e str,
+    /// Its gears.
+    pub(super) gears: &'e Gears,
+    pub(super) profile_shifts: Option<&'e PerGear<Number>>,
+    pub(super) tip_alterations: Option<&'e PerGear<Number>>,
+    pub(super) tools: &'e BTreeMap<String, ToolEntry>,
+    /// Shaper of the strength, which cuts internal gears without a tool of their own.
+    pub(super) shaper: Option<&'e ShaperEntry>,
+    /// Helix angle of each mesh, with the path of its key.
+    pub(super) helix_angles: Vec<(Angle, Path)>,
+    /// Whether the teeth of all gears are known.
+    pub(super) is_known: bool,
+}
+
+impl Shape<'_> {
+    /// Teeth of the set beyond their numbers; what has a fault is left out. Tools are checked with a rack
+    /// alone.
+    pub(super) fn toothing(&self, rack: Option<&BasicRack>, faults: &mut Faults) -> Toothing {
+        Toothing {
+            shifts: self.shifts(faults),
+            helix_angles: self.checked_angles(faults),
+            cutting: self.cutting(rack, faults).unwrap_or_default(),
+        }
+    }
+
+    fn shifts(&self, faults: &mut Faults) -> Option<Shifts> {
+        if self.profile_shifts.is_none() && self.tip_alterations.is_none() {
+            return None;
+        }
+        let Some(profile) = self.profile_shifts.filter(|_| self.is_known) else {
+            let shifts = DescriptionError::Shifts { set: self.set.to_owned() };
+            faults.push(&["profile_shifts", "tip_alterations"][..], shifts);
+            return None;
+        };
+        let mut of = |key: &'static str, values: &PerGear<Number>| {
+            let values = faults.keep(key, values.given(self.set, key, self.gears))?;
+            Some(values.into_iter().map(|value| value.map_or(0.0, |value| value.get())).collect::<Vec<_>>())
+        };
+        let tips = self.tip_alterations.map(|tips| of("tip_alterations", tips));
+        let profile = of("profile_shifts", profile)?;
+        let tips = match tips {
+            Some(tips) => Some(tips?),
+            None => None,
+        };
+        Some(Shifts { profile, tips })
+    }
+
+    fn checked_angles(&self, faults: &mut Faults) -> Vec<Angle> {
+        let mut seen: Vec<&Path> = vec![];
+        let mut is_whole = true;
+        for (angle, at) in &self.helix_angles {
+            let profile = Profile { helix_angle: *angle, ..Profile::default() };
+            if let Err(source) = profile.check() {
+                is_whole = false;
+                if !seen.contains(&at) {
+                    seen.push(at);
+                    faults.push(at.clone(), DescriptionError::of_set(self.set, source));
+                }
+            }
+        }
+        let is_helical = self.helix_angles.iter().any(|(angle, _)| angle.si() != 0.0);
+        if is_whole && is_helical { self.helix_angles.iter().map(|one| one.0).collect() } else { vec![] }
+    }
+
+    fn cutting(&self, rack: Option<&BasicRack>, faults: &mut Faults) -> Option<Vec<Cutting>> {
+        if self.tools.is_empty() && self.shaper.is_none() {
+            return None;
+        }
+        // Bevel gears have no tools here.
+        let is_cut = |name: &String| {
+            let gears = self.gears.names.iter().zip(&self.gears.kinds);
+            gears.into_iter().any(|(gear, kind)| gear == name && kind.is_some())
+        };
+        for gear in self.tools.keys().filter(|name| !is_cut(name)) {
+            let unknown = self.gears.unknown(self.set, "tools", gear);
+            faults.push(Path::root().key("tools").key(gear), unknown);
+        }
+        let of_shaper = || Path::root().key("strength").key("shaper");
+        let mut refuse = |way: Path, source: ToolMisfit| {
+            let at = way.first_of(source.keys());
+            faults.push(at, DescriptionError::Tools { set: self.set.to_owned(), source });
+        };
+        let mut all = vec![];
+        for (name, kind) in self.gears.names.iter().zip(&self.gears.kinds) {
+            let Some(kind) = *kind else { continue };
+            let (own, way) = (self.tools.get(name), Path::root().key("tools").key(name));
+            let shaper = self.shaper.filter(|_| kind == GearKind::Internal);
+            let made = match (shaper, own) {
+                (Some(shaper), None) => shaper
+                    .cutting()
+                    .map_err(|why| refuse(of_shaper(), why.into()))
+                    .map(|own| (own, of_shaper())),
+                (_, None) => Ok((Cutting::default(), way)),
+                (_, Some(own)) => own.cutting(kind).map_err(|why| refuse(way.clone(), why)).map(|cutting| {
+                    // The corners of the shaper are the fillet of the standard's rack, whatever cuts the
+                    // teeth.
+                    let fillet = shaper.and_then(|shaper| shaper.fillet).map(Number::get);
+                    let way = if fillet.is_some() && cutting.fillet.is_none() { of_shaper() } else { way };
+                    (Cutting { fillet: fillet.or(cutting.fillet), ..cutting }, way)
+                }),
+            };
+            all.push(made.map(|(cutting, way)| (cutting, way, kind)));
+        }
+        let all = all.into_iter().collect::<Result<Vec<_>, ()>>().ok()?;
+        let angle = self.helix_angles.first().map_or_else(Angle::default, |one| one.0);
+        let profile = Profile { helix_angle: angle, ..Profile::of_rack(*rack?) };
+        let mut is_whole = true;
+        for (cutting, way, kind) in &all {
+            let check = cutting.of(profile).check();
+            let check = check.and_then(|()| cutting.tool.map_or(Ok(()), |tool| tool.check(*kind)));
+            if let Err(source) = check {
+                is_whole = false;
+                refuse(way.clone(), source.into());
+            }
+        }
+        is_whole.then(|| all.into_iter().map(|one| one.0).collect())
+    }
+}
+
+/// What teeth in mesh lack, in words; `None` of teeth that are refused, which the checks of teeth report.
+pub(super) fn missing(why: &Untoothed) -> Option<&'static str> {
+    Some(match why {
+        Untoothed::Teeth => "`teeth` are missing",
+        Untoothed::PlanetTeeth => "the teeth of its planets are missing",
+        Untoothed::Shifts => "its centre distances differ, so it needs `profile_shifts`",
+        Untoothed::Bevel => "its gears are bevel gears",
+        Untoothed::Refused(_) => return None,
+    })
+}
