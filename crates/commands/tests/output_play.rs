@@ -86,3 +86,17 @@ fn stages_in_a_row_add_over_the_ratio() {
     assert_eq!((unknown.backlash_rad, unknown.stiffness_n_m), (None, None));
     assert_eq!(unknown.missing, ["the teeth of set A"]);
 }
+
+/// At every centre distance in the tolerance the output turns no less and no more than at its ends.
+#[test]
+fn the_ends_of_a_tolerance_bound_the_play() {
+    let within = |lower: &str, upper: &str| {
+        let deviations = format!(", data_sheet: {{ centre_distance_deviations: [{lower} mm, {upper} mm] }}");
+        at_output(&one(&deviations)).backlash_rad.unwrap()
+    };
+    let all = within("-0.2", "0.2");
+    for at in ["-0.2", "-0.1", "-0.03", "0", "0.07", "0.15", "0.2"] {
+        let one = within(at, at);
+        assert!(one.lower >= all.lower - 1e-15 && one.upper <= all.upper + 1e-15, "{at}");
+    }
+}

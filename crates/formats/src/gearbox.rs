@@ -196,6 +196,14 @@ pub enum DescriptionError {
         /// Names of its gears.
         gears: String,
     },
+    /// A key that a list of transmissions does not read.
+    #[error("set `{set}`: `{key}` is read in a gearbox file alone, not in a list of transmissions")]
+    NotListed {
+        /// The set.
+        set: String,
+        /// The key.
+        key: &'static str,
+    },
     /// Two keys for one thing.
     #[error("set `{set}`: `{first}` and `{second}` say the same: keep one of them")]
     Twice {

@@ -32,35 +32,52 @@ pub struct MeshLoad {
 }
 
 impl PlanetSet {
+    /// Torques of all meshes of a kind together on each of their two gears, as [`MeshLoad::torques`] times the
+    /// number of planets; `None` where the teeth of a planet are not known.
+    #[must_use]
+    pub fn mesh_torques(&self, torques: &[f64]) -> Option<Vec<[f64; 2]>> {
+        let torques = torques.get(..self.centrals().len())?;
+        let flows = self.flows();
+        let of = |mesh: usize| {
+            let power = flows.through(mesh, torques);
+            let near = self.meshes()[mesh].gears[0];
+            let gears = self.gears_of_mesh(mesh);
+            let torque = |end: usize| {
+                let speed = self.relative_speed(gears[end])?;
+                Some(if gears[end] == near { -power } else { power } / speed)
+            };
+            Some([torque(0)?, torque(1)?])
+        };
+        (0..self.meshes().len()).map(of).collect()
+    }
+
+    /// Speed of a gear relative to the carrier, over that of the first central gear.
+    fn relative_speed(&self, gear: GearOf) -> Option<f64> {
+        match gear {
+            GearOf::Central(central) => Some(self.ratio_between(central, 0)),
+            GearOf::Planet(planet, _) => self.planet_factor(planet),
+        }
+    }
+
     /// Loads of the meshes at these torques on the central gears, in the order of [`PlanetSet::meshes`]; more
     /// values, as that of the carrier, are not read. `None` where the number of planets or the teeth of a
     /// planet are not known.
     #[must_use]
     pub fn mesh_loads(&self, torques: &[f64]) -> Option<Vec<MeshLoad>> {
         let planets = if self.is_pair() { 1.0 } else { f64::from(self.planet_count()?) };
-        let torques = torques.get(..self.centrals().len())?;
-        let flows = self.flows();
-        let speed = |gear: GearOf| match gear {
-            GearOf::Central(central) => Some(flows.speeds[central]),
-            GearOf::Planet(planet, _) => self.planet_factor(planet),
-        };
-        let load = |mesh: usize| {
-            let power = flows.through(mesh, torques);
-            let near = self.meshes()[mesh].gears[0];
+        let load = |(mesh, torques): (usize, [f64; 2])| {
             let gears = self.gears_of_mesh(mesh);
-            let speeds = [speed(gears[0])?, speed(gears[1])?];
-            let sign = |gear: GearOf| if gear == near { -1.0 } else { 1.0 };
             let contacts = |gear: GearOf, mate: GearOf| {
                 let is_among_planets = planet_of(gear).is_none() && planet_of(mate).is_some();
                 if is_among_planets { planets } else { 1.0 }
             };
             Some(MeshLoad {
-                torques: [0, 1].map(|end: usize| sign(gears[end]) * power / (speeds[end] * planets)),
-                speeds,
+                torques: torques.map(|torque| torque / planets),
+                speeds: [self.relative_speed(gears[0])?, self.relative_speed(gears[1])?],
                 contacts: [contacts(gears[0], gears[1]), contacts(gears[1], gears[0])],
             })
         };
-        (0..self.meshes().len()).map(load).collect()
+        self.mesh_torques(torques)?.into_iter().enumerate().map(load).collect()
     }
 
     /// Whether the meshes of a gear bend its teeth both ways: it passes power on, as a planet with one gear

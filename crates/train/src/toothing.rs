@@ -19,12 +19,12 @@
 //! in mesh have no backlash: the angle between them is free. Tips of rings that are not stated stay out of
 //! the fillets of their planets.
 
-use crate::LinkId;
-use crate::compound::CentralKind;
+use crate::compound::{CentralKind, CompoundSpec};
 use crate::planet_places::{Given, Places, central_mesh, places, planet_of, teeth_of};
 use crate::planet_set::{Description, GearOf, MeshKind, PlanetSet, parts_of_short};
 use crate::set::{Gearing, MeshLoss, SetKind, SetSpec};
 use crate::tolerance::TOUCH;
+use crate::{GROUND, Gearbox, LinkId};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::profile::{Cutting, Profiles};
 use epicyclic_gears::involute::sliding::mesh_efficiency;
@@ -315,6 +315,21 @@ impl PlanetSet {
             },
         };
         if swaps { [other, one] } else { [one, other] }
+    }
+}
+
+impl CompoundSpec {
+    /// As [`PlanetSet::toothed`], of a set that no gearbox has yet.
+    ///
+    /// # Errors
+    /// As [`PlanetSet::toothed`]; [`Untoothed::Teeth`] of a set that makes no gearbox.
+    pub fn toothed(&self, rack: &BasicRack, modules: &[Option<f64>]) -> Result<ToothedSet, Untoothed> {
+        let links = self.centrals.iter().map(|central| central.link.as_str()).chain([self.carrier.as_str()]);
+        let links: Vec<&str> = links.filter(|link| *link != GROUND).collect();
+        let [input, output] = [links.first(), links.last()].map(|link| link.copied().unwrap_or_default());
+        let alone = Gearbox::builder(&self.id).links(links).input(input).output(output);
+        let alone = alone.compound_set(self.clone()).gear("1", [""; 0]).build();
+        alone.map_err(|_| Untoothed::Teeth)?.sets()[0].toothed(rack, modules)
     }
 }
 

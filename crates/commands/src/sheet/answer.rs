@@ -31,7 +31,6 @@ use output::Known;
 use records::{Allowed, AtOutput, GearSheet, LeftOut, Limits, MeshSheet, SetSheet, Toothed, same};
 use schemars::JsonSchema;
 use serde::Serialize;
-use uom::si::f64::Length;
 
 /// Data sheets of the gears of a gearbox.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -94,11 +93,10 @@ fn described(subject: &Gearbox, wanted: Option<&str>) -> Result<DataSheets, Erro
                 let (sheet, allowed) =
                     Of { document: &subject.document, set, data: &data, toothed: &toothed }.sheet()?;
                 sets.push(sheet);
-                if let Some(involutes) = set.simple_involutes(&toothed) {
-                    let face_width = data.face_widths[0].filter(|_| set.planet_count().is_some());
-                    let module = Length::from_si(toothed.meshes[0].module);
-                    known.push(Known { place, set: involutes, module, face_width, allowed });
-                }
+                let gears =
+                    toothed.meshes.iter().map(|mesh| mesh.gears.map(|gear| data.place(gear))).collect();
+                let face_widths = toothed.meshes.iter().map(|mesh| data.common_width(mesh.gears)).collect();
+                known.push(Known { place, set, toothed, gears, face_widths, allowed });
             }
             Err(None) => left_out.push(LeftOut { set: set.id().to_owned(), missing: vec![] }),
             toothed => {

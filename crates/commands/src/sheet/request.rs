@@ -10,11 +10,10 @@ use crate::shared::gearbox_choice::refuse;
 use crate::sheet::answer::{self as answers, DataSheets};
 use std::path::PathBuf;
 
-/// Data sheets of the gears of simple sets: circles, tooth thickness, measures, meshes.
+/// Data sheets of the gears of a gearbox: circles, tooth thickness, measures, meshes.
 ///
 /// Names and signs are those of ISO 21771. A set needs its teeth and its module; profile shifts, allowances
-/// and what else the file states are used. Sets that are not simple or lack data are named with what is
-/// missing.
+/// and what else the file states are used. Sets that lack data are named with what is missing.
 #[derive(Debug, clap::Args)]
 #[command(after_help = include_str!("examples.txt"))]
 pub struct Args {

@@ -380,6 +380,8 @@ fn at_load(
         }
         let rating = rate(&mesh.mesh, &load, &mesh.method).map_err(fault)?;
         let (name, materials) = (mesh.name.clone(), mesh.materials.clone());
-        Ok((vec![MeshAtPoint { name, materials, load, rating: Box::new(rating) }], vec![]))
+        let tan_helix_angle = libm::tan(mesh.mesh.pair.gears()[0].profile().helix_angle.si());
+        let rating = Box::new(rating);
+        Ok((vec![MeshAtPoint { name, materials, load, tan_helix_angle, rating }], vec![]))
     })
 }

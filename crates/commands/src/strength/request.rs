@@ -11,12 +11,12 @@ use crate::strength::answer::{self as answers, Strength};
 use crate::strength::options::Request;
 use std::path::PathBuf;
 
-/// Strength of the teeth of simple sets by ISO 6336, method B: safeties of flanks and roots.
+/// Strength of the teeth of a gearbox by ISO 6336, method B: safeties of flanks and roots.
 ///
 /// With --torque or --power and --speed the stresses, limits and safeties in each gear at this load for the
 /// required life; without them damage, safety and life over the duty of the file, by Miner's rule. Torques
-/// are those without losses; their direction does not matter. Sets that are not simple or lack data are named
-/// with what is missing.
+/// are those without losses; their direction does not matter. Sets that lack data are named with what is
+/// missing.
 #[derive(Debug, clap::Args)]
 #[command(after_help = include_str!("examples.txt"))]
 pub struct Args {

@@ -151,7 +151,7 @@ fn duty(all: &[DutyStep]) -> Records {
 }
 
 fn at_point(all: &[Rated]) -> Records {
-    let note = "F_t: of one mesh, without losses. n: of its first gear relative to the carrier.";
+    let note = "F_t, F_a: of one mesh, without losses. n: of its first gear relative to the carrier.";
     Table::new("at_point", all.iter())
         .text("gear", "gear", |one| &one.gear)
         .text("set", "set", |one| &one.set)
@@ -165,6 +165,8 @@ fn at_point(all: &[Rated]) -> Records {
         .headed("root_stress", "σ_F", Dimension::Pressure, |one| one.root_stress_pa)
         .headed("root_limit", "σ_FG", Dimension::Pressure, |one| one.root_limit_pa)
         .quantity("tangential_force", "F_t", Dimension::Force, |one| one.tangential_force_n)
+        .quantity("axial_force", "F_a", Dimension::Force, |one| one.axial_force_n)
+        .only_if(all.iter().any(|one| one.axial_force_n != 0.0))
         .quantity("mesh_torque", "T", Dimension::Torque, |one| one.mesh_torque_n_m)
         .quantity("mesh_speed", "n", Dimension::AngularSpeed, |one| one.mesh_speed_rad_s)
         .number("cycles", "N_L", |one| one.cycles)
@@ -177,7 +179,7 @@ fn at_point(all: &[Rated]) -> Records {
         )
         .view(
             "Materials and loads",
-            "gear set mesh toothed_gear material tangential_force mesh_speed million_cycles",
+            "gear set mesh toothed_gear material tangential_force axial_force mesh_speed million_cycles",
         )
         .note(note)
         .records()

@@ -2,7 +2,7 @@
 
 use super::checks::NO_LINK;
 use super::place::{keys_of_part, of_set};
-use super::shape::Shape;
+use super::shape::{Shape, missing};
 use super::{
     DataSheetEntry, DescriptionError, FloatingEntry, Gears, PerGear, RollingEntry, StrengthEntry, ToolEntry,
     spaced,
@@ -12,12 +12,13 @@ use crate::drive::Spacing;
 use crate::faults::{At, Faults};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::involute::sliding::mesh_efficiency;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::compound::{CentralKind, CentralSpec, CompoundSpec, MeshSpec, PlanetSpec};
 use epicyclic_train::planet_bearings::{MeshSize, PlanetSize, SetSize};
 use epicyclic_train::planet_set::Planet;
 use epicyclic_train::{PlanetSet, SetPart};
-use epicyclic_units::{Number, Quantity};
+use epicyclic_units::{Number, Physical, Quantity};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use std::borrow::Cow;
@@ -117,6 +118,9 @@ pub struct MeshEntry {
     /// Efficiency of the mesh, 0.99 or 99 %; 1 unless given.
     #[serde(default)]
     pub efficiency: Option<Quantity<Ratio>>,
+    /// Mean coefficient of friction of the mesh, in place of its efficiency: of a set with teeth.
+    #[serde(default)]
+    pub friction: Option<Number>,
     /// Module of the mesh, if not that of the set.
     #[serde(default)]
     pub module: Option<Quantity<Length>>,
@@ -266,6 +270,7 @@ impl<P: PlanetSized> CompoundEntry<P> {
         &'a self,
         link: impl Fn(&'a str) -> Option<&'a str>,
         rack: Option<&BasicRack>,
+        friction: Option<Number>,
         faults: &mut Faults,
     ) -> CompoundSpec {
         let mut node = |member: &'a String, at: Path| {
@@ -330,7 +335,51 @@ impl<P: PlanetSized> CompoundEntry<P> {
             spacing: Default::default(),
             proportional: self.proportional,
         };
-        spec.spaced(spacing)
+        let mut spec = spec.spaced(spacing);
+        self.add_friction(&mut spec, rack, friction, faults);
+        spec
+    }
+
+    /// Efficiencies of the meshes that state friction, or have that of the gearbox.
+    fn add_friction(
+        &self,
+        spec: &mut CompoundSpec,
+        rack: Option<&BasicRack>,
+        of_gearbox: Option<Number>,
+        faults: &mut Faults,
+    ) {
+        let own = |mesh: &MeshEntry| mesh.friction.or(of_gearbox.filter(|_| mesh.efficiency.is_none()));
+        let mut is_asked = false;
+        for (place, mesh) in self.meshes.iter().enumerate() {
+            is_asked |= own(mesh).is_some();
+            if mesh.friction.is_some() && mesh.efficiency.is_some() {
+                let (set, first, second) = (self.id.clone(), "efficiency", "friction");
+                let at = Path::root().key("meshes").index(place).key("friction");
+                faults.push(at, DescriptionError::Twice { set, first, second });
+            }
+        }
+        let Some(rack) = rack.filter(|_| is_asked) else { return };
+        let modules: Vec<Option<f64>> =
+            self.meshes.iter().map(|mesh| mesh.module.or(self.module).map(|module| module.0.si())).collect();
+        let toothed = match spec.toothed(rack, &modules) {
+            Ok(toothed) => toothed,
+            Err(why) => {
+                let place = self.meshes.iter().position(|mesh| mesh.friction.is_some());
+                if let (Some(place), Some(missing)) = (place, missing(&why)) {
+                    let at = Path::root().key("meshes").index(place).key("friction");
+                    faults.push(at, DescriptionError::Friction { set: self.id.clone(), missing });
+                }
+                return;
+            }
+        };
+        let meshes = self.meshes.iter().zip(&mut spec.meshes).zip(&toothed.meshes).enumerate();
+        for (place, ((entry, mesh), toothed)) in meshes {
+            let Some(friction) = own(entry) else { continue };
+            let eta = mesh_efficiency(&toothed.pair, friction.get());
+            let eta = eta.map_err(|source| DescriptionError::of_set(&self.id, source));
+            let at = Path::root().key("meshes").index(place).first_of(&["friction", "gears"]);
+            mesh.efficiency = faults.keep(at, eta).unwrap_or(MeshEfficiency::IDEAL);
+        }
     }
 
     /// Path of a part of the set.
@@ -369,6 +418,20 @@ impl<P: PlanetSized> CompoundEntry<P> {
             meshes: self.meshes.iter().map(mesh).collect(),
             ..*usual
         }
+    }
+
+    /// Keys given that gearbox files alone read.
+    pub(super) fn keys_of_gearboxes(&self) -> impl Iterator<Item = &'static str> {
+        let has_friction = self.meshes.iter().any(|mesh| mesh.friction.is_some());
+        let keys = [
+            ("strength", self.strength.is_some()),
+            ("data_sheet", self.data_sheet.is_some()),
+            ("face_width", self.face_width.is_some()),
+            ("face_widths", self.face_widths.is_some()),
+            ("floating", self.floating.is_some()),
+            ("meshes", has_friction),
+        ];
+        keys.into_iter().filter(|one| one.1).map(|one| one.0)
     }
 
     /// Its gears: the central ones, then those of the planets.

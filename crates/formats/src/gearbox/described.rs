@@ -50,8 +50,9 @@ impl GearboxFile {
             builder = builder.set(spec.unwrap_or_else(|| refused(&set.id, set.planets)));
         }
         for (place, set) in (self.sets.len()..).zip(&self.compound_sets) {
-            let spec = faults
-                .below(&of_set(self.sets.len(), place), |faults| set.spec(Some, rack.as_ref().ok(), faults));
+            let spec = faults.below(&of_set(self.sets.len(), place), |faults| {
+                set.spec(Some, rack.as_ref().ok(), self.friction, faults)
+            });
             builder = builder.compound_set(spec);
         }
         for brake in &self.brakes {

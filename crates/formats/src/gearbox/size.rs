@@ -6,6 +6,7 @@ use crate::Path;
 use crate::faults::Faults;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::planet_bearings::{MeshSize, PlanetBearing, PlanetSize, SetSize};
+use epicyclic_train::planet_set::GearOf;
 use epicyclic_train::{Gearbox, PlanetSet};
 use epicyclic_units::{Number, Physical};
 use uom::si::f64::{Angle, Length, MassDensity};
@@ -79,15 +80,24 @@ impl GearboxFile {
         entry.map_or_else(|| usual.clone(), |entry| entry.size(set, &usual))
     }
 
-    /// Size of a set whose shifts or helical teeth move the planets from where spur teeth alone would have
-    /// them.
+    /// Size of a set with the face widths of its gears; shifts or helical teeth move its planets from where spur
+    /// teeth alone would have them.
     fn moved(&self, set: &PlanetSet, size: SetSize) -> SetSize {
         let modules = self.stated_modules(set);
+        let mut size = size;
+        size.planets.resize_with(set.planets().len(), PlanetSize::default);
+        if let Some(data) = self.set_data(set) {
+            for (gear, width) in data.of.iter().zip(&data.face_widths) {
+                if let GearOf::Planet(planet, place) = *gear {
+                    let own = &mut size.planets[planet].face_widths;
+                    own.resize(own.len().max(place + 1), None);
+                    own[place] = own[place].or(*width);
+                }
+            }
+        }
         let toothed = self.rack().ok().filter(|_| set.toothing().has_shape());
         let Some(Ok(toothed)) = toothed.map(|rack| set.toothed(&rack, &modules)) else { return size };
         let has_modules = modules.iter().any(Option::is_some);
-        let mut size = size;
-        size.planets.resize_with(set.planets().len(), PlanetSize::default);
         size.meshes.resize_with(set.meshes().len(), MeshSize::default);
         for (planet, radius) in size.planets.iter_mut().zip(&toothed.radii).filter(|_| has_modules) {
             let radius = radius.map(Length::from_si).filter(|_| size.carrier_radius.is_none());

@@ -270,7 +270,13 @@ impl Transmission {
         for (place, set) in (self.sets.len()..).zip(&self.compound_sets) {
             let node = |member: &str| link_of.get(member).copied();
             let at = of_set(self.sets.len(), place);
-            builder = builder.compound_set(faults.below(&at, |faults| set.spec(node, None, faults)));
+            let spec = faults.below(&at, |faults| {
+                for key in set.keys_of_gearboxes() {
+                    faults.push(key, DescriptionError::NotListed { set: set.id.clone(), key });
+                }
+                set.spec(node, None, None, faults)
+            });
+            builder = builder.compound_set(spec);
         }
         for (id, [first, second]) in &self.shift_elements {
             builder = builder.clutch(id, first, second);

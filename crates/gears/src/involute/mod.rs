@@ -48,7 +48,7 @@
 //! | [`outline`] | the same as polylines, of a tooth and of a whole gear |
 //! | [`placed`] | how sun, planets and ring are turned in mesh |
 //! | [`sliding`] | losses of a mesh by friction |
-//! | [`play`] | backlash by tooth-thickness allowances, and with the torsional stiffness at the output |
+//! | [`play`] | backlash of a mesh by tooth-thickness allowances |
 //!
 //! # Source
 //! ISO 21771:2007 for names and signs; formulas derived from the involute. Tested against the gears of the

@@ -1,38 +1,46 @@
 //! Backlash and torsional stiffness at the output in each gear while the input is held.
+//!
+//! ```text
+//! φ = Σ N·|T_x|·φ_x        1/k = Σ N·(T_x/r_b,x)²/(c_γ·b)
+//! ```
+//!
+//! `T_x` is the torque of a mesh on one of its gears over that on the output, `φ_x` the angle by which its play
+//! lets this gear turn, `N` the number of planets, `c_γ·b` the stiffness of the mesh along its line of action.
 
 use super::records::{Allowed, AtOutput, Limits};
 use crate::analyze::answer::analysis;
 use crate::error::Error;
 use crate::shared::gearbox::Gearbox;
 use crate::tolerance::ROUNDED;
-use epicyclic_gears::involute::PlanetSet as ToothedSet;
-use epicyclic_gears::involute::play::{Deviation, Part, at_output};
-use epicyclic_gears::simple_set::Member;
+use epicyclic_gears::involute::play::Deviation;
 use epicyclic_strength::load::mesh_stiffness;
-use epicyclic_train::{Analysis, Gear};
+use epicyclic_train::toothing::ToothedSet;
+use epicyclic_train::{Analysis, Gear, PlanetSet};
 use epicyclic_units::Physical;
-use uom::si::f64::{Length, Torque};
+use uom::si::f64::Length;
 
-/// Set with known tooth numbers.
-pub(super) struct Known {
+/// Set with known teeth.
+pub(super) struct Known<'g> {
     /// Place of the set in the gearbox.
     pub(super) place: usize,
-    pub(super) set: ToothedSet,
-    pub(super) module: Length,
-    /// Face width; `None` unless the number of planets is known too, because the stiffness needs both.
-    pub(super) face_width: Option<Length>,
+    pub(super) set: &'g PlanetSet,
+    pub(super) toothed: ToothedSet,
+    /// Place of each gear of each mesh among the gears.
+    pub(super) gears: Vec<[usize; 2]>,
+    /// Common face width of each mesh.
+    pub(super) face_widths: Vec<Option<Length>>,
     pub(super) allowed: Option<Allowed>,
 }
 
 /// Results for every gear of a gearbox.
-pub(super) fn of_gears(subject: &Gearbox, known: &[Known]) -> Result<Vec<AtOutput>, Error> {
+pub(super) fn of_gears(subject: &Gearbox, known: &[Known<'_>]) -> Result<Vec<AtOutput>, Error> {
     let gears = subject.train.gears().iter().map(Gear::name);
     gears.map(|name| of_gear(subject, known, name, &analysis(&subject.train, name)?)).collect()
 }
 
 fn of_gear(
     subject: &Gearbox,
-    known: &[Known],
+    known: &[Known<'_>],
     name: &str,
     analysis: &Analysis<'_>,
 ) -> Result<AtOutput, Error> {
@@ -42,45 +50,71 @@ fn of_gear(
         row.missing.push("no torques follow".to_owned());
         return Ok(row);
     };
-    let (mut parts, mut is_whole) = (vec![], true);
+    let (mut backlash, mut compliance) = ([0.0; 2], Some(0.0));
+    let mut is_whole = true;
     for (place, members) in case.members.iter().enumerate() {
-        let share = members.as_ref().map_or(0.0, |members| members[0] / case.output);
-        if share.abs() < ROUNDED {
+        let torque = |of: &f64| of / case.output;
+        let torques: Vec<f64> = members.iter().flatten().map(torque).collect();
+        if torques.iter().all(|torque| torque.abs() < ROUNDED) {
             continue;
         }
         let id = subject.train.sets()[place].id();
-        let Some(one) = known.iter().find(|one| one.place == place) else {
+        let one = known.iter().find(|one| one.place == place);
+        let Some((one, torques)) = one.and_then(|one| Some((one, one.set.mesh_torques(&torques)?))) else {
             row.missing.push(format!("the teeth of set {id}"));
             is_whole = false;
             continue;
         };
-        let stiffness = match one.face_width {
-            Some(width) => Some(one.stiffness(width)?),
-            None => {
-                row.missing.push(format!("planets or face_width of set {id}, for the stiffness"));
-                None
-            }
-        };
-        let (thickness, centre) = one.allowed.as_ref().map_or_else(Default::default, |all| {
-            let [lower, upper] = all.centre_distance_m.map(|limit| limit / one.module.si());
-            ([0, 1, 2].map(|gear: usize| all.thickness[gear]), Deviation { lower, upper })
-        });
-        let backlash = one.set.backlash_at(Member::Sun, thickness, centre)?;
-        parts.push(Part { torque_share: share, stiffness, backlash });
+        let own = one.backlash(&torques)?;
+        backlash = [backlash[0] + own[0], backlash[1] + own[1]];
+        let own = one.compliance(&torques)?;
+        if own.is_none() {
+            row.missing.push(format!("planets or face_width of set {id}, for the stiffness"));
+        }
+        compliance = compliance.zip(own).map(|(all, own)| all + own);
     }
     if is_whole {
-        let (stiffness, backlash) = at_output(&parts)?;
-        row.backlash_rad = Some(Limits { lower: backlash.least, upper: backlash.greatest });
-        row.stiffness_n_m = stiffness.map(Physical::si).filter(|si| si.is_finite());
+        let [lower, upper] = backlash;
+        row.backlash_rad = Some(Limits { lower, upper });
+        row.stiffness_n_m = compliance.filter(|all| *all > 0.0).map(f64::recip);
     }
     Ok(row)
 }
 
-impl Known {
-    /// Torsional stiffness at the sun in N·m per radian.
-    fn stiffness(&self, width: Length) -> Result<Torque, Error> {
-        let of = |pair| mesh_stiffness(pair, width).map(|stiffness| stiffness / width);
-        let both = [of(self.set.sun_mesh())?, of(self.set.ring_mesh())?];
-        Ok(self.set.torsional_stiffness(Member::Sun, self.module, both, [width; 2])?)
+impl Known<'_> {
+    /// Angle by which the output turns while the play of these meshes is taken up, least and greatest.
+    fn backlash(&self, torques: &[[f64; 2]]) -> Result<[f64; 2], Error> {
+        let at = |limit: fn(&Deviation) -> f64, deviation_m: f64| -> Result<f64, Error> {
+            let mut angle = 0.0;
+            for ((mesh, torques), gears) in self.toothed.meshes.iter().zip(torques).zip(&self.gears) {
+                let allowance =
+                    |gear: usize| self.allowed.as_ref().map_or(0.0, |all| limit(&all.thickness[gear]));
+                // By virtual work: what a mesh gives way, times the torque that it carries of one on the output.
+                let play = mesh.pair.deviating(gears.map(allowance), deviation_m / mesh.module)?.play();
+                angle += torques[0].abs() * play.rotation_rad[0];
+            }
+            Ok(angle)
+        };
+        let [near, far] = self.allowed.as_ref().map_or([0.0; 2], |all| all.centre_distance_m);
+        // Whether the sum of the plays rises or falls with the centre distance does not change with it.
+        let (upper, lower) = (|it: &Deviation| it.upper, |it: &Deviation| it.lower);
+        Ok([at(upper, near)?.min(at(upper, far)?), at(lower, near)?.max(at(lower, far)?)])
+    }
+
+    /// Angle of the output under a torque of 1 N·m on it; `None` without the planets or widths of a mesh that
+    /// carries torque.
+    fn compliance(&self, torques: &[[f64; 2]]) -> Result<Option<f64>, Error> {
+        let planets = if self.set.is_pair() { Some(1) } else { self.set.planet_count() };
+        let Some(planets) = planets.map(f64::from) else { return Ok(None) };
+        let mut all = 0.0;
+        for ((mesh, torques), width) in self.toothed.meshes.iter().zip(torques).zip(&self.face_widths) {
+            if torques[0].abs() < ROUNDED {
+                continue;
+            }
+            let Some(width) = width else { return Ok(None) };
+            let force = torques[0] / planets / (mesh.pair.gears()[0].base_diameter() / 2.0 * mesh.module);
+            all += planets * force * force / mesh_stiffness(&mesh.pair, *width)?.si();
+        }
+        Ok(Some(all))
     }
 }

@@ -91,6 +91,8 @@ pub struct Rated {
     pub mesh_speed_rad_s: f64,
     /// Tangential force of one mesh at the reference circle, `F_t`, in N.
     pub tangential_force_n: f64,
+    /// Axial force of one mesh `F_t·tan β`, in N; 0 for spur teeth.
+    pub axial_force_n: f64,
     /// Number of load cycles in the required life, `N_L`.
     pub cycles: f64,
     /// Contact stress `σ_H` in Pa; null for a flank in `not_rated`.
@@ -115,6 +117,8 @@ pub(crate) struct MeshAtPoint {
     /// Materials of the gears.
     pub(crate) materials: [String; 2],
     pub(crate) load: Load,
+    /// `tan β` at the reference cylinders.
+    pub(crate) tan_helix_angle: f64,
     pub(crate) rating: Box<MeshRating>,
 }
 
@@ -135,6 +139,7 @@ impl MeshAtPoint {
                 mesh_torque_n_m: self.load.torque.si(),
                 mesh_speed_rad_s: self.load.speed.si(),
                 tangential_force_n: self.rating.tangential_force.si(),
+                axial_force_n: self.rating.tangential_force.si() * self.tan_helix_angle,
                 cycles: own.cycles,
                 contact_stress_pa: flank.map(|flank| flank.stress.si()),
                 contact_limit_pa: flank.map(|flank| flank.limit.si()),

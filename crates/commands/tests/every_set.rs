@@ -1,0 +1,288 @@
+//! Teeth, data sheets and strength of every kind of set: what is one set in two descriptions has one answer, published
+//! stages have their figures, and no kind of set stops an answer.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+
+use epicyclic_commands::shared::gearbox::Gearbox;
+use epicyclic_commands::shared::load::Load;
+use epicyclic_commands::sheet::answer::records::{GearSheet, MeshSheet};
+use epicyclic_commands::{sheet, strength};
+use proptest::prelude::*;
+
+const STRENGTH: &str =
+    "shaper: { teeth: 30 }, factors: { K_A: 1.25, K_v: 1.05, K_H_beta: 1.2, K_H_alpha: 1, K_F_alpha: 1 }";
+
+/// Values of gears by name.
+fn by_gear(key: &str, values: &[(&str, &str)]) -> String {
+    let values: Vec<String> = values.iter().map(|(gear, value)| format!("{gear}: {value}")).collect();
+    format!("{key}: {{ {} }}", values.join(", "))
+}
+
+/// A gearbox of one set, with what its strength needs.
+fn file(list: &str, set: &str, gears: &[&str], more: &str) -> String {
+    let of_all = |key: &str, ring: &str, other: &str| {
+        let value = |gear: &&str| if gear.contains("ring") { ring.to_owned() } else { other.to_owned() };
+        let values: Vec<String> = gears.iter().map(value).collect();
+        by_gear(key, &gears.iter().copied().zip(values.iter().map(String::as_str)).collect::<Vec<_>>())
+    };
+    format!(
+        "gearbox: one\ninput: a\noutput: h\nlife: 10000 h\noil: {{ viscosity: 220 mm²/s }}\n{list}:\n  - {{ id: P, {set}, strength: {{ {}, {}, {}, {STRENGTH} }} }}\n{more}gears: [{{ name: only, engaged: [] }}]\n",
+        of_all("materials", "34CrNiMo6", "18CrNiMo7-6"),
+        of_all("flank_roughness", "8 µm", "4 µm"),
+        of_all("root_roughness", "20 µm", "16 µm"),
+    )
+}
+
+fn read(text: &str) -> Gearbox {
+    Gearbox::parse("box.yaml", text.as_bytes()).unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+fn rated(text: &str, torque: &str) -> strength::Strength {
+    let load = Load {
+        torque: Some(torque.parse().unwrap()),
+        speed: Some("1000 rpm".parse().unwrap()),
+        ..Load::default()
+    };
+    let request = strength::Request { load, ..strength::Request::default() };
+    request.answer(&read(text)).unwrap_or_else(|error| panic!("{error:?}\n{text}"))
+}
+
+fn near(one: f64, other: f64, tolerance: f64) -> bool {
+    (one - other).abs() <= tolerance * one.abs().max(other.abs())
+}
+
+/// The rows of a rating in an order that does not depend on names: by the number of cycles and stress.
+fn figures(strength: &strength::Strength) -> Vec<[f64; 8]> {
+    let row = |one: &strength::answer::records::Rated| {
+        [
+            one.cycles,
+            one.contact_stress_pa.unwrap(),
+            one.contact_limit_pa.unwrap(),
+            one.flank_safety.unwrap(),
+            one.root_stress_pa.unwrap(),
+            one.root_limit_pa.unwrap(),
+            one.root_safety.unwrap(),
+            one.tangential_force_n,
+        ]
+    };
+    let mut all: Vec<[f64; 8]> = strength.at_point.iter().map(row).collect();
+    all.sort_by(|one, other| one.partial_cmp(other).unwrap());
+    all
+}
+
+fn alike(one: &strength::Strength, other: &strength::Strength) {
+    let (one, other) = (figures(one), figures(other));
+    assert_eq!(one.len(), other.len());
+    for (one, other) in one.iter().flatten().zip(other.iter().flatten()) {
+        assert!(near(*one, *other, 1e-12), "{one} {other}");
+    }
+}
+
+const SHIFTS: [(&str, &str); 3] = [("sun", "0.389"), ("planet", "0.5039"), ("ring", "0.1171")];
+const TIPS: [(&str, &str); 3] = [("sun", "-0.0833"), ("planet", "-0.0833"), ("ring", "0")];
+
+fn simple(helix: &str) -> String {
+    let set = format!(
+        "sun: a, ring: ground, carrier: h, teeth: [18, 93], planet_teeth: [36], planets: 3, module: 4 mm, face_width: 60 mm, helix_angle: {helix}, profile_shifts: [0.389, 0.5039, 0.1171], tip_alterations: [-0.0833, -0.0833, 0]"
+    );
+    file("sets", &set, &["sun", "planet", "ring"], "")
+}
+
+fn compound(helix: &str) -> String {
+    // The members of a compound set are named as their links.
+    let name = |(gear, value): (&'static str, &'static str)| match gear {
+        "sun" => ("a", value),
+        "ring" => ("ring", value),
+        other => (other, value),
+    };
+    let set = format!(
+        "carrier: h, suns: {{ a: 18 }}, rings: {{ ring: 93 }}, planet_gears: {{ planet: [36] }}, meshes: [{{ gears: [a, planet] }}, {{ gears: [planet, ring] }}], planets: 3, module: 4 mm, face_width: 60 mm, helix_angle: {helix}, {}, {}",
+        by_gear("profile_shifts", &SHIFTS.map(name)),
+        by_gear("tip_alterations", &TIPS.map(name)),
+    );
+    file("compound_sets", &set, &["a", "planet", "ring"], "grounds: [ring]\n")
+}
+
+/// A simple set written gear by gear is the same set.
+#[test]
+fn a_simple_set_in_two_descriptions_has_one_answer() {
+    for helix in ["0 deg", "12 deg"] {
+        let [one, other] = [simple(helix), compound(helix)];
+        alike(&rated(&one, "500 N·m"), &rated(&other, "500 N·m"));
+        let sheets =
+            [&one, &other].map(|text| sheet::Request::default().answer(&read(text)).unwrap().sets.remove(0));
+        let gear = |sheet: &sheet::answer::records::SetSheet, teeth: u32| -> GearSheet {
+            sheet.gears.iter().find(|gear| gear.teeth == teeth).unwrap().clone()
+        };
+        for teeth in [18, 36, 93] {
+            let both = [0, 1].map(|place: usize| gear(&sheets[place], teeth));
+            let [one, other] = both.map(|gear| {
+                [
+                    gear.tip_diameter_m,
+                    gear.root_diameter_m,
+                    gear.span_m,
+                    gear.over_balls_m.unwrap(),
+                    gear.tip_thickness_m,
+                ]
+            });
+            assert!(one.iter().zip(other).all(|(one, other)| near(*one, other, 1e-12)), "{teeth}");
+        }
+        let mesh = |mesh: &MeshSheet| [mesh.contact_ratio, mesh.working_angle_rad, mesh.backlash_m];
+        for (one, other) in sheets[0].meshes.iter().zip(&sheets[1].meshes) {
+            assert!(mesh(one).iter().zip(mesh(other)).all(|(one, other)| (one - other).abs() < 1e-12));
+        }
+    }
+}
+
+/// Planets with two gears alike are planets with one, but for the way their teeth are bent: each gear is then
+/// loaded on one flank alone.
+#[test]
+fn a_step_of_one_diameter_is_a_planet_bent_one_way() {
+    let stepped = file(
+        "sets",
+        "kind: stepped_sun_ring, sun: a, ring: ground, carrier: h, teeth: [18, 93], planet_teeth: [36, 36], planets: 3, module: 4 mm, face_width: 60 mm, profile_shifts: [0.389, 0.5039, 0.5039, 0.1171], tip_alterations: [-0.0833, -0.0833, -0.0833, 0], modules: [4 mm, 4 mm]",
+        &["sun", "planet 1", "planet 2", "ring"],
+        "",
+    )
+    .replace(" module: 4 mm,", "");
+    let [plain, stepped] = [simple("0 deg"), stepped].map(|text| rated(&text, "500 N·m"));
+    for (one, other) in plain.at_point.iter().zip(&stepped.at_point) {
+        assert!(near(one.flank_safety.unwrap(), other.flank_safety.unwrap(), 1e-12));
+        let bent = if one.toothed_gear == "planet" { 0.7 } else { 1.0 };
+        assert!(
+            near(one.root_safety.unwrap(), bent * other.root_safety.unwrap(), 1e-12),
+            "{}",
+            one.toothed_gear
+        );
+    }
+}
+
+/// The mesh of sun and planet as a pair on fixed axes, with the torque of one planet: the same stresses; the sun
+/// has a third of the cycles, and no planet shares its load.
+#[test]
+fn a_mesh_is_rated_as_a_lone_pair() {
+    let in_set = rated(&simple("12 deg").replace("K_A: 1.25", "K_A: 1.25, K_gamma: 1"), "450 N·m");
+    let pair = file(
+        "sets",
+        "kind: external_pair, sun: a, ring: h, teeth: [18, 36], module: 4 mm, face_width: 60 mm, helix_angle: 12 deg, profile_shifts: [0.389, 0.5039], tip_alterations: [-0.0833, -0.0833]",
+        &["gear 1", "gear 2"],
+        "",
+    );
+    let alone = rated(&pair, "150 N·m");
+    for (one, other) in in_set.at_point.iter().zip(&alone.at_point) {
+        assert!(near(one.contact_stress_pa.unwrap(), other.contact_stress_pa.unwrap(), 1e-12));
+        assert!(near(one.root_stress_pa.unwrap(), other.root_stress_pa.unwrap(), 1e-12));
+    }
+    // The sun turns (1 − 18/(18 + 93)) times as fast under the carrier, and meets three planets.
+    let cycles = [&in_set, &alone].map(|rating| rating.at_point[0].cycles);
+    assert!(near(cycles[0], 3.0 * cycles[1] * 93.0 / 111.0, 1e-12));
+    assert!(alone.load_sharing.is_empty());
+}
+
+/// The parallel stage of a wind gearbox, behind two planetary ones in one file: forces, limits and safeties of a
+/// commercial calculation.
+#[test]
+fn a_published_parallel_stage_has_its_safeties() {
+    let text = std::fs::read_to_string("../../examples/wind-gearbox.yaml").unwrap();
+    let gearbox = Gearbox::parse("wind-gearbox.yaml", text.as_bytes()).unwrap();
+    let load = Load {
+        torque: Some("3946.0 kN·m".parse().unwrap()),
+        speed: Some("12.1 rpm".parse().unwrap()),
+        ..Load::default()
+    };
+    let request = strength::Request { load, ..strength::Request::default() };
+    let strength = request.answer(&gearbox).unwrap();
+    let third: Vec<_> = strength.at_point.iter().filter(|one| one.set == "third").collect();
+    for (one, [flank, root, limit]) in third.iter().zip([[1.81, 3.26, 1338.30e6], [1.88, 3.09, 1387.31e6]]) {
+        assert!(near(one.flank_safety.unwrap(), flank, 0.01) && near(one.root_safety.unwrap(), root, 0.01));
+        assert!(near(one.contact_limit_pa.unwrap(), limit, 1e-4));
+        assert!(near(one.tangential_force_n, 240_064.0, 0.001));
+    }
+    assert_eq!(strength.at_point.len(), 10);
+    assert!(strength.not_rated.is_empty());
+    let sheets = sheet::Request::default().answer(&gearbox).unwrap();
+    assert!(near(sheets.sets[2].centre_distance_m.unwrap(), 0.861, 1e-6));
+}
+
+/// Both sides of a published stepped planet lie on one centre distance with the sign of a ring's shift that ISO
+/// 21771 has; with the printed sign they do not.
+#[test]
+fn a_published_stepped_planet_closes_on_both_sides() {
+    let stage = |shift: &str| {
+        let set = format!(
+            "kind: stepped_sun_ring, sun: a, ring: ground, carrier: h, teeth: [57, 107], planet_teeth: [54, 18], planets: 3, profile_shifts: [0.4618, 0.45, 0.5038, {shift}], modules: [2.75 mm, 3.5 mm], face_width: 40 mm"
+        );
+        let text = file("sets", &set, &["sun", "planet 1", "planet 2", "ring"], "");
+        sheet::Request::default().answer(&read(&text)).unwrap().sets.remove(0)
+    };
+    let sheet = stage("-0.2935");
+    assert!(sheet.meshes.iter().all(|mesh| near(mesh.centre_distance_m, 0.155, 1e-5)));
+    assert!(sheet.meshes.iter().all(|mesh| mesh.backlash_m.abs() < 2e-6));
+    // 152.72 mm without backlash, so at 155 mm the flanks of the ring's mesh overlap or gape.
+    assert!(stage("0.2935").meshes[1].backlash_m.abs() > 1e-3);
+}
+
+/// Every set that a file can describe has an answer or a reason that names what it lacks.
+fn tried(text: &str) {
+    let Ok(gearbox) = Gearbox::parse("box.yaml", text.as_bytes()) else { return };
+    let load = Load {
+        torque: Some("100 N·m".parse().unwrap()),
+        speed: Some("1000 rpm".parse().unwrap()),
+        ..Load::default()
+    };
+    let request = strength::Request { load, factors: true, ..strength::Request::default() };
+    if let Ok(strength) = request.answer(&gearbox) {
+        for one in &strength.at_point {
+            // Both gears of a mesh push each other with one force.
+            let mate = strength.at_point.iter().find(|other| {
+                (&other.gear, &other.mesh) == (&one.gear, &one.mesh) && other.toothed_gear != one.toothed_gear
+            });
+            assert_eq!(mate.unwrap().tangential_force_n.to_bits(), one.tangential_force_n.to_bits());
+        }
+    }
+    if let Ok(sheets) = sheet::Request::default().answer(&gearbox) {
+        for set in &sheets.sets {
+            // Of a planet all meshes with central gears have one centre distance in mm.
+            let names = |mesh: &MeshSheet| mesh.mesh.gears.clone();
+            let central =
+                set.meshes.iter().filter(|mesh| names(mesh).iter().any(|gear| !gear.starts_with("planet")));
+            let distances: Vec<f64> = central.map(|mesh| mesh.centre_distance_m).collect();
+            if set.gears.len() < 5 && set.meshes.len() < 3 {
+                assert!(distances.iter().all(|one| near(*one, distances[0], 1e-9)), "{text}");
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(96))]
+
+    #[test]
+    fn no_kind_of_set_stops_an_answer(
+        kind in 0..8_usize, z1 in 15..40_u32, z2 in 12..40_u32, z3 in 12..40_u32, more in 0..30_u32,
+        x in proptest::array::uniform4(-0.4..0.6_f64), shifted: bool, helix in 0..20_u32,
+    ) {
+        let ring = z1 + 2 * z2 + more;
+        let (kind, gears, teeth, planets): (_, &[&str], _, _) = match kind {
+            0 => ("simple", &["sun", "planet", "ring"], [z1, z1 + 2 * z2], vec![z2]),
+            1 => ("double_planet", &["sun", "planet 1", "planet 2", "ring"], [z1, ring], vec![z2, z3]),
+            2 => ("stepped_sun_ring", &["sun", "planet 1", "planet 2", "ring"], [z1, ring], vec![z2, z3]),
+            3 => ("stepped_suns", &["sun 1", "planet 1", "planet 2", "sun 2"], [z1, z1 + more], vec![z2, z3]),
+            4 => ("stepped_rings", &["ring 1", "planet 1", "planet 2", "ring 2"], [ring, ring + 3], vec![z2, z3]),
+            5 => ("meshing_suns", &["sun 1", "planet 1", "planet 2", "sun 2"], [z1, z1 + more], vec![z2, z3]),
+            6 => ("external_pair", &["gear 1", "gear 2"], [z1, z2], vec![]),
+            _ => ("internal_pair", &["gear 1", "gear 2"], [z2, ring], vec![]),
+        };
+        let mut set = format!("kind: {kind}, sun: a, teeth: {teeth:?}, module: 3 mm, face_width: 30 mm, helix_angle: {helix} deg");
+        if planets.is_empty() {
+            set += ", ring: h";
+        } else {
+            set += &format!(", ring: ground, carrier: h, planet_teeth: {planets:?}, planets: 3");
+        }
+        if shifted {
+            let shifts: Vec<String> = x[..gears.len()].iter().map(|x| format!("{x:.3}")).collect();
+            set += &format!(", profile_shifts: [{}]", shifts.join(", "));
+        }
+        tried(&file("sets", &set, gears, ""));
+    }
+}
