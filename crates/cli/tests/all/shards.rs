@@ -110,24 +110,6 @@ fn parts_that_do_not_fit_together_are_refused() {
     }
 }
 
-#[test]
-fn shares_that_cannot_be_are_refused() {
-    let folder = tempfile::tempdir().unwrap();
-    for (share, message) in [
-        ("0/3", "\"0/3\" is no share: write 1/8 for the first of eight"),
-        ("4/3", "\"4/3\" is no share"),
-        ("1/0", "\"1/0\" is no share"),
-        ("third", "\"third\" is no share"),
-    ] {
-        let output = run(folder.path(), &FOUR_SPEED, &["--shard", share, "-o", "part.parquet"]);
-        assert_eq!(output.status.code(), Some(2));
-        assert!(told(&output).contains(message), "{}", told(&output));
-    }
-    let output = run(folder.path(), &FOUR_SPEED, &["--shard", "1/3"]);
-    assert!(told(&output).contains("--output <FILE>"), "{}", told(&output));
-    assert!(names(folder.path()).is_empty());
-}
-
 fn start(folder: &Path, file: &str) -> Child {
     let mut command = program(folder);
     command.args(SIX_SPEED).args(["--shard", "1/1", "-o", file]);
