@@ -5,9 +5,9 @@
 
 use crate::common;
 
-use common::{PROGRAM, SHAKEN, examples, here, output, program, text};
+use common::{PROGRAM, SHAKEN, examples, here, output, program, run, text};
 use std::fs::{self, File};
-use std::io::{BufRead, BufReader, Read};
+use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::time::Duration;
@@ -208,20 +208,30 @@ fn ctrl_c_ends_a_search() {
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
 }
 
-/// Output of the program on a terminal; `None` if there is no `script` to emulate one.
-fn on_a_terminal(args: &str, no_color: bool) -> Option<String> {
+/// What the program shows on a terminal until it has shown all of `expected`, then it is ended, or until its
+/// end; `None` if there is no `script` to emulate a terminal.
+fn on_a_terminal(args: &str, no_color: bool, expected: &[&str]) -> Option<String> {
     let folder = here();
     let log = folder.path().join("log");
     let mut script = Command::new("script");
-    script.args(["-qec", &format!("{PROGRAM} {args}")]).arg(&log).current_dir(Path::new("/"));
+    script.args(["-qefc", &format!("exec {PROGRAM} {args}")]).arg(&log).current_dir(Path::new("/"));
     script.env("TERM", "xterm").env_remove("NO_COLOR").env_remove("CLICOLOR").stdin(Stdio::null());
     if no_color {
         script.env("NO_COLOR", "1");
     }
-    script.stdout(Stdio::null()).stderr(Stdio::null()).status().ok()?;
-    let mut seen = String::new();
-    File::open(&log).ok()?.read_to_string(&mut seen).ok()?;
-    Some(seen)
+    let mut script = script.stdout(Stdio::null()).stderr(Stdio::null()).spawn().ok()?;
+    loop {
+        let is_over = script.try_wait().unwrap().is_some();
+        let seen = String::from_utf8_lossy(&fs::read(&log).unwrap_or_default()).into_owned();
+        let is_all = !expected.is_empty() && expected.iter().all(|text| seen.contains(text));
+        if is_over || is_all {
+            // Without its terminal the program ends, too.
+            let _ = script.kill();
+            let _ = script.wait();
+            return Some(seen);
+        }
+        std::thread::sleep(Duration::from_millis(10));
+    }
 }
 
 #[test]
@@ -230,43 +240,53 @@ fn colour_and_progress_are_for_terminals() {
         let piped = output(here().path(), args);
         assert!(!piped.stdout.contains(&0x1b) && !piped.stderr.contains(&0x1b), "{args:?}");
     }
-    let Some(coloured) = on_a_terminal("--help", false) else { return };
+    let Some(coloured) = on_a_terminal("--help", false, &[]) else { return };
     assert!(coloured.contains("\u{1b}["), "{coloured}");
-    assert!(!on_a_terminal("--help", true).unwrap().contains("\u{1b}["));
+    assert!(!on_a_terminal("--help", true, &[]).unwrap().contains("\u{1b}["));
     // Tables are plain everywhere.
-    assert!(!on_a_terminal("schemes", false).unwrap().contains('\u{1b}'));
-    let search = "select --ratios 1.5\\;2.5 --teeth --all-structures --tolerance 60% --ring ..110 --limit 1";
-    let seen = on_a_terminal(search, false).unwrap();
-    assert!(seen.contains("searching: "), "{seen}");
-    let teeth = "teeth --ratio 4 --sun 1..2000 --planet 1..2000 --ring 1..4000 --tolerance 9% --k 1.1..20";
-    let seen = on_a_terminal(teeth, false).unwrap();
-    assert!(seen.contains("searching: ") && seen.contains("sets of tooth numbers found"), "{seen}");
+    assert!(!on_a_terminal("schemes", false, &[]).unwrap().contains('\u{1b}'));
 }
+
+/// Searches, and what each shows of its size and progress.
+const LONG_SEARCHES: [(&str, &[&str]); 7] = [
+    (
+        "select --ratios 1.5\\;2.5 --teeth --all-structures --tolerance 60% --ring ..110 --limit 1",
+        &["searching: "],
+    ),
+    (
+        "teeth --ratio 4 --sun 1..2000 --planet 1..2000 --ring 1..4000 --tolerance 9% --k 1.1..20",
+        &["searching: ", "sets of tooth numbers found"],
+    ),
+    (WIDE, &["combinations of sun, planet and number of planets", "searching: "]),
+    (
+        "teeth --ratio -1.6 --double-planet --sun 1..3000 --ring 1..6000 --planet ..3000 --limit 1 --k 1.1..20",
+        &["combinations of sun, ring and pairs of planets"],
+    ),
+    (
+        "select --ratios 3.9 --teeth --sun 1..6000 --planet 1..6000 --ring 1..9000 --tolerance 0.1% --limit 1",
+        &[" combinations of sun, planet"],
+    ),
+    (
+        "select --ratios 1.5\\;2.5 --teeth --all-structures --tolerance 60% --limit 1",
+        &[" designs: 7943 combinations of tooth numbers a set, "],
+    ),
+    ("motor search --displacement 250cm3/rev --z3 40..60 --places 80", &[" sets of lobes and teeth, "]),
+];
+
+const WIDE: &str = "teeth --ratio 4 --sun 1..6000 --planet 1..6000 --ring 1..9000 --tolerance 0.1% --limit 1";
 
 /// A long search prints its size, then its progress; a short one prints neither, and without a terminal
 /// nothing is printed.
 #[test]
 fn a_long_search_tells_its_size_on_a_terminal() {
-    let wide = "--sun 1..6000 --planet 1..6000 --ring 1..9000 --tolerance 0.1%";
-    let teeth = format!("teeth --ratio 4 {wide} --limit 1");
-    let Some(seen) = on_a_terminal(&teeth, false) else { return };
-    let size = seen.find("combinations of sun, planet and number of planets");
-    let share = seen.find("searching: ");
-    assert!(size.is_some() && size < share, "{seen}");
-    let double = "teeth --ratio -1.6 --double-planet --sun 1..3000 --ring 1..6000 --planet ..3000 --limit 1 --k 1.1..20";
-    let seen = on_a_terminal(double, false).unwrap();
-    assert!(seen.contains("combinations of sun, ring and pairs of planets"), "{seen}");
-    let seen = on_a_terminal(&format!("select --ratios 3.9 --teeth {wide} --limit 1"), false).unwrap();
-    assert!(seen.contains(" combinations of sun, planet"), "{seen}");
-    let pairs = "select --ratios 1.5\\;2.5 --teeth --all-structures --tolerance 60% --limit 1";
-    let seen = on_a_terminal(pairs, false).unwrap();
-    assert!(seen.contains(" designs: 7943 combinations of tooth numbers a set, "), "{seen}");
-    let motors = "motor search --displacement 250cm3/rev --z3 40..60 --places 80";
-    let seen = on_a_terminal(motors, false).unwrap();
-    assert!(seen.contains(" sets of lobes and teeth, "), "{seen}");
-    let short = on_a_terminal("teeth --ratio 6", false).unwrap();
+    for (search, expected) in LONG_SEARCHES {
+        let Some(seen) = on_a_terminal(search, false, expected) else { return };
+        let places: Vec<Option<usize>> = expected.iter().map(|text| seen.find(text)).collect();
+        assert!(places.iter().all(Option::is_some) && places.is_sorted(), "{search}: {expected:?} in {seen}");
+    }
+    let short = on_a_terminal("teeth --ratio 6", false, &[]).unwrap();
     assert!(!short.contains("searching"), "{short}");
-    let piped = output(here().path(), &teeth.split(' ').collect::<Vec<_>>());
+    let piped = run(here().path(), WIDE);
     assert!(piped.status.success() && piped.stderr.is_empty(), "{piped:?}");
 }
 

@@ -11,12 +11,12 @@
 //! In the texts `\n` is a line break and `\s` a space at an end.
 
 use super::common::console::words;
-use super::common::{change, examples, here, output, replaced, text};
+use super::common::{change, examples, replaced, text};
 use super::schema;
+use epicyclic::{Memory, call};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::Path;
 
 type Changes = Vec<(String, String)>;
 
@@ -72,17 +72,24 @@ fn rows(table: &str) -> Vec<Row<'_>> {
     rows
 }
 
-/// Answer of a command in JSON, or the reason why it refuses.
-fn answered(folder: &Path, command: &str) -> Result<String, String> {
+/// Names and texts of the files that a command may read.
+type Files = Vec<(&'static str, String)>;
+
+/// Answer of a command in JSON, or the reason why it refuses. The call is one in memory, which answers as the
+/// program does.
+fn answered(files: Files, command: &str) -> Result<String, String> {
     let mut line = words(command);
     if !command.contains("--format") {
         line.extend(["--format", "json"].map(str::to_owned));
     }
-    let done = output(folder, &line.iter().map(String::as_str).collect::<Vec<_>>());
-    if !done.status.success() {
-        return Err(text(&done.stderr));
+    let files = files.into_iter().map(|(name, text)| (name.into(), text.into_bytes()));
+    let desk = Memory::new(files.collect(), None);
+    let code = call(line, &desk);
+    let told = desk.into_kept();
+    if code != 0 {
+        return Err(told.messages.join("\n"));
     }
-    let answer = text(&done.stdout);
+    let answer = text(&told.answer);
     if !command.starts_with("report") {
         return Ok(answer);
     }
@@ -93,22 +100,18 @@ fn answered(folder: &Path, command: &str) -> Result<String, String> {
 }
 
 /// Checks the rows of a table, and that it has every key of the schema but those that another table has.
-/// `write` puts a file where its commands read it.
-fn check(of: &str, table: &str, file: &str, elsewhere: &str, write: impl Fn(&Path, &str)) {
-    let folder = here();
+/// `files` are those of its commands, with the text of the changed one.
+fn check(of: &str, table: &str, file: &str, elsewhere: &str, files: impl Fn(&str) -> Files) {
     let (mut before, mut faults, mut keys) = (BTreeMap::new(), vec![], BTreeSet::new());
-    let seen = |file: &str, command: &str| {
-        write(folder.path(), file);
-        answered(folder.path(), command)
-    };
     for Row { line, key, outcome, commands, changes } in rows(table) {
         keys.insert(key.to_owned());
         let (last, first) = changes.split_last().unwrap();
         let plain = first.iter().cloned().fold(file.to_owned(), replaced);
         let changed = replaced(plain.clone(), last.clone());
         for command in commands {
-            let after = seen(&changed, command);
-            let before = before.entry((plain.clone(), command)).or_insert_with(|| seen(&plain, command));
+            let after = answered(files(&changed), command);
+            let before =
+                before.entry((plain.clone(), command)).or_insert_with(|| answered(files(&plain), command));
             let fault = match (outcome, before, after) {
                 (Outcome::Changed, Ok(before), Ok(after)) if *before == after => "changes nothing".to_owned(),
                 (Outcome::Same, Ok(before), Ok(after)) if *before != after => "changes the answer".to_owned(),
@@ -138,8 +141,8 @@ fn example(name: &str) -> String {
 
 #[test]
 fn every_key_of_a_drive_changes_its_answer() {
-    let write = |folder: &Path, file: &str| fs::write(folder.join("drive.yaml"), file).unwrap();
-    check("drive", include_str!("keys/drive.txt"), &example("every-drive-key.yaml"), "", write);
+    let files = |file: &str| vec![("drive.yaml", file.to_owned())];
+    check("drive", include_str!("keys/drive.txt"), &example("every-drive-key.yaml"), "", files);
 }
 
 /// A set given in full keeps what was asked of its spacing and its gap.
@@ -152,58 +155,48 @@ fn every_key_of_teeth_given_in_full_changes_the_answer() {
         ("planets: 3..8", "planets: 4"),
     ];
     let before = given.into_iter().fold(example("every-drive-key.yaml"), replaced);
-    let folder = here();
-    let drive = |file: &str| {
-        fs::write(folder.path().join("drive.yaml"), file).unwrap();
-        answered(folder.path(), "drive drive.yaml").unwrap()
-    };
-    let plain = drive(&before);
+    let drive = |file: String| answered(vec![("drive.yaml", file)], "drive drive.yaml").unwrap();
+    let plain = drive(before.clone());
     for (from, to) in [("spacing: equal", "spacing: least-unequal"), ("tip_gap: 0", "tip_gap: 2")] {
-        assert!(plain != drive(&replaced(before.clone(), (from, to))), "{to} changes nothing");
+        assert!(plain != drive(replaced(before.clone(), (from, to))), "{to} changes nothing");
     }
 }
 
 #[test]
 fn every_key_of_a_motor_changes_its_answer() {
-    let write = |folder: &Path, file: &str| fs::write(folder.join("motor.yaml"), file).unwrap();
-    check("motor", include_str!("keys/motor.txt"), &example("every-motor-key.yaml"), "", write);
+    let files = |file: &str| vec![("motor.yaml", file.to_owned())];
+    check("motor", include_str!("keys/motor.txt"), &example("every-motor-key.yaml"), "", files);
 }
 
 #[test]
 fn every_key_of_a_gearbox_changes_its_answer() {
-    let write = |folder: &Path, file: &str| {
-        fs::write(folder.join("box.yaml"), file).unwrap();
+    let files = |file: &str| {
         // What the file says of its whole gearbox is seen of two simple sets.
         let (_, vibration) = file.split_once("\nvibration:").unwrap();
         let (vibration, _) = vibration.split_once("\n\n").unwrap();
         let train = format!("{}vibration:{vibration}\n", include_str!("keys/train.yaml"));
-        fs::write(folder.join("train.yaml"), train).unwrap();
+        vec![("box.yaml", file.to_owned()), ("train.yaml", train)]
     };
-    check("gearbox", include_str!("keys/gearbox.txt"), &example("every-gearbox-key.yaml"), "", write);
+    check("gearbox", include_str!("keys/gearbox.txt"), &example("every-gearbox-key.yaml"), "", files);
 }
 
 #[test]
 fn every_key_of_a_list_of_transmissions_changes_its_answer() {
-    let write = |folder: &Path, file: &str| fs::write(folder.join("box.yaml"), file).unwrap();
+    let files = |file: &str| vec![("box.yaml", file.to_owned())];
     let table = include_str!("keys/transmissions.txt");
-    check("transmissions", table, include_str!("keys/list.yaml"), "", write);
+    check("transmissions", table, include_str!("keys/list.yaml"), "", files);
 }
 
 #[test]
 fn every_key_of_a_scenario_changes_its_answer() {
     let file = example("every-scenario-key.yaml");
-    let write = |folder: &Path, changed: &str| {
-        for (name, text) in beside(&file) {
-            fs::write(folder.join(name), text).unwrap();
-        }
-        fs::write(folder.join("scenario.yaml"), uncommented(changed)).unwrap();
-    };
+    let files = |changed: &str| [beside(&file), vec![("scenario.yaml", uncommented(changed))]].concat();
     // The keys of the gearbox are those of its own file.
-    check("scenario", include_str!("keys/scenario.txt"), &file, "gearbox.", write);
+    check("scenario", include_str!("keys/scenario.txt"), &file, "gearbox.", files);
 }
 
 /// Files that a scenario names: its gearbox as a file, and with other teeth, in a list, and tables.
-fn beside(scenario: &str) -> Vec<(&'static str, String)> {
+fn beside(scenario: &str) -> Files {
     let start = scenario.find("gearbox: #").unwrap();
     let inline = &scenario[start..scenario.find("efficiency: 97").unwrap()];
     let own: String =

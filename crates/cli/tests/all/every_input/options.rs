@@ -1,10 +1,13 @@
 //! Every option of every command, by the program's own list of them.
 
 use super::common::console::words;
-use super::common::{examples, output, text};
+use super::common::{examples, text};
+use epicyclic::{Memory, call};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+use std::time::Instant;
 
 /// Command lines in which options have an effect, each with the options to add below it. An added option
 /// replaces that of the line.
@@ -47,27 +50,23 @@ fn tried() -> Vec<Line> {
     all
 }
 
-/// Results of a call: its exit code, its answer, the files it wrote.
-type Left = (Option<i32>, String, BTreeMap<String, Vec<u8>>);
+/// Results of a call: its exit code, its answer, its files.
+type Left = (u8, String, BTreeMap<PathBuf, Vec<u8>>);
 
+/// Results of a call and its messages. The call is one in memory, which answers as the program does.
 fn left(command: &str, args: &[String]) -> (Left, String) {
-    let folder = tempfile::tempdir().unwrap();
-    for name in args.iter().filter(|arg| arg.ends_with(".yaml")) {
-        let example = examples().join(name);
-        if example.exists() {
-            fs::copy(example, folder.path().join(name)).unwrap();
-        }
-    }
+    let folder = examples();
+    let named = args.iter().filter(|arg| arg.ends_with(".yaml") && folder.join(arg).exists());
+    let read = |name: &String| (name.into(), fs::read(folder.join(name)).unwrap());
+    let mut files: BTreeMap<PathBuf, Vec<u8>> = named.map(read).collect();
     if args.iter().any(|arg| arg == "mine.csv") {
-        fs::write(folder.path().join("mine.csv"), MINE).unwrap();
+        files.insert("mine.csv".into(), MINE.into());
     }
-    let line: Vec<&str> = command.split(' ').chain(args.iter().map(String::as_str)).collect();
-    let done = output(folder.path(), &line);
-    let read = |path: &Path| fs::read(path).unwrap();
-    let files = fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().path());
-    let files =
-        files.map(|path| (path.file_name().unwrap().to_string_lossy().into_owned(), read(&path))).collect();
-    ((done.status.code(), text(&done.stdout), files), text(&done.stderr))
+    static BEGUN: LazyLock<Instant> = LazyLock::new(Instant::now);
+    let desk = Memory::new(files, Some(|| BEGUN.elapsed().as_secs_f64()));
+    let code = call(command.split(' ').chain(args.iter().map(String::as_str)), &desk);
+    let told = desk.into_kept();
+    ((code, text(&told.answer), told.files), told.messages.join("\n"))
 }
 
 /// A line with other options in place of its own.
@@ -122,8 +121,8 @@ fn check(commands: &[&str]) {
             // `--longest` refuses.
             if before == after {
                 faults.push(format!("{command} {words:?}: {more:?} changes nothing: {told}"));
-            } else if after.0 > Some(1) && !["--z1", "--merge", "--longest"].contains(&more[0].as_str()) {
-                faults.push(format!("{command} {words:?}: {more:?} ends with {:?}: {told}", after.0));
+            } else if after.0 > 1 && !["--z1", "--merge", "--longest"].contains(&more[0].as_str()) {
+                faults.push(format!("{command} {words:?}: {more:?} ends with {}: {told}", after.0));
             }
         }
     }
@@ -192,8 +191,8 @@ fn an_option_that_would_change_nothing_says_what_it_needs() {
         let Line { command, words, .. } = Line::new(line);
         let ((code, answer, files), told) = left(command, &words);
         let is_refused = answer.is_empty() || answer.contains("\"answer\": \"error\"");
-        assert!(code == Some(2) && is_refused && told.contains(wanted), "{row}: {code:?} {told}");
-        let is_given = |file: &String| file == "mine.csv" || examples().join(file).exists();
+        assert!(code == 2 && is_refused && told.contains(wanted), "{row}: {code} {told}");
+        let is_given = |file: &PathBuf| file == Path::new("mine.csv") || examples().join(file).exists();
         assert!(files.keys().all(is_given), "{row} writes one of {:?}", files.keys());
     }
 }
