@@ -247,22 +247,11 @@ impl Desk for Impatient {
 /// another.
 #[test]
 fn a_synthesis_that_is_ended_tells_what_it_found() {
-    let words = [
-        "synthesize",
-        "--ratios",
-        "3.059,1.625,1,0.696,-2.294",
-        "--class",
-        "all-sparse",
-        "--sets",
-        "2",
-        "--elements",
-        "5",
-    ];
-    let words = [&words[..], &["--engaged", "2", "--format", "json"]].concat();
+    let words = "synthesize --ratios 3.059,1.625,1,0.696,-2.294 --class all-sparse --sets 2 --elements 5 --engaged 2 --format json";
     let (mut some, mut none) = (0, 0);
     for after in [0, 1, 2, 5, 10, 20, 40, 60, 80, 100, 150, 200] {
         let desk = Impatient::new(after, 1.0);
-        let code = call(words.clone(), &desk);
+        let code = call(words.split(' '), &desk);
         let told = desk.disk.into_told();
         let answer: serde_json::Value = serde_json::from_slice(&told.answer).unwrap();
         if code == 0 {

@@ -4,7 +4,7 @@
 
 use crate::common;
 
-use common::{examples, here, output, session, text};
+use common::{examples, here, output, run, session, text};
 use std::fs;
 
 #[test]
@@ -692,25 +692,19 @@ fn a_saved_choice_has_its_ratios_and_its_direct_drive_clutch() {
 #[test]
 fn a_saved_solution_has_its_ratios_and_is_drawn_reported_and_found_again() {
     let folder = here();
-    let list = [
-        "synthesize",
-        "--ratios",
-        "3.059, 1.625, 1, 0.696, -2.294",
-        "--sets",
-        "2",
-        "--elements",
-        "5",
-        "--engaged",
-        "2",
-    ];
-    let run = |more: &[&str]| {
-        let done = output(folder.path(), &[&list[..], &["--class", "all-sparse"], more].concat());
+    let search = |more: &str| {
+        let ratios = "--ratios '3.059, 1.625, 1, 0.696, -2.294'";
+        let class = "--sets 2 --elements 5 --engaged 2 --class all-sparse";
+        run(folder.path(), &format!("synthesize {ratios} {class} {more}"))
+    };
+    let found = |more: &str| {
+        let done = search(more);
         assert!(done.status.success(), "{done:?}");
-        String::from_utf8(done.stdout).unwrap()
+        text(&done.stdout)
     };
     let wanted = [("1", 3.059), ("2", 1.625), ("3", 1.0), ("4", 0.696), ("R", -2.294)];
-    for (file, more) in [("k.yaml", &["--nth", "2"][..]), ("teeth.yaml", &["--teeth", "--limit", "1"])] {
-        run(&[&["--save", file], more].concat());
+    for (file, more) in [("k.yaml", "--nth 2"), ("teeth.yaml", "--teeth --limit 1")] {
+        found(&format!("--save {file} {more}"));
         for ((gear, ratio), (name, wanted)) in analyzed(folder.path(), file).iter().zip(wanted) {
             assert_eq!(gear, name, "{file}");
             assert!((ratio / wanted - 1.0).abs() <= 0.01, "{file}: {gear} {ratio}");
@@ -721,21 +715,18 @@ fn a_saved_solution_has_its_ratios_and_is_drawn_reported_and_found_again() {
         assert!(done.status.success(), "{line:?}: {done:?}");
     }
     // The saved gearbox is the second of the search, by its structure and shift elements.
-    let told = run(&["--explain", "k.yaml", "--limit", "1"]);
+    let told = found("--explain k.yaml --limit 1");
     assert!(told.contains("it is gearbox 2 of the search"), "{told}");
     // A page has the best of each of the three families, or the first ten of all; the last families and
     // gearboxes are not drawable. The best stands at the head of the page once more.
-    for (more, drawn) in [(&[][..], 3), (&["--all-gearboxes"], 7)] {
-        let page = run(&[&["-o", "search.html"], more].concat());
+    for (more, drawn) in [("", 3), ("--all-gearboxes", 7)] {
+        let page = found(&format!("-o search.html {more}"));
         assert!(page.is_empty());
         let page = std::fs::read_to_string(folder.path().join("search.html")).unwrap();
         assert!(page.starts_with("<!DOCTYPE html>"), "{}", page.len());
         assert_eq!(page.matches("<svg").count(), drawn, "{more:?}");
     }
-    let refused = output(
-        folder.path(),
-        &[&list[..], &["--class", "all-sparse", "--save", "no.yaml", "--nth", "15"]].concat(),
-    );
+    let refused = search("--save no.yaml --nth 15");
     assert!(!refused.status.success() && !folder.path().join("no.yaml").exists());
     assert!(String::from_utf8_lossy(&refused.stderr).contains("--nth"), "{refused:?}");
 }
@@ -743,23 +734,9 @@ fn a_saved_solution_has_its_ratios_and_is_drawn_reported_and_found_again() {
 #[test]
 fn what_leaves_all_of_a_class_out_is_told_before_a_larger_one_is_searched() {
     let folder = here();
-    let ratios = "3.059, 1.625, 1, 0.696, -2.294";
-    let line = [
-        "synthesize",
-        "--ratios",
-        ratios,
-        "--class",
-        "all-sparse",
-        "--sets",
-        "2",
-        "--engaged",
-        "2",
-        "--slip",
-        "1.4",
-    ];
     let told = |elements: &str| {
-        let done = output(folder.path(), &[&line[..], &["--elements", elements]].concat());
-        String::from_utf8_lossy(&done.stderr).into_owned()
+        let search = "synthesize --ratios '3.059, 1.625, 1, 0.696, -2.294' --class all-sparse --sets 2 --engaged 2 --slip 1.4";
+        text(&run(folder.path(), &format!("{search} --elements {elements}")).stderr)
     };
     let note = "note: up to 2 sets with 5 shift elements nothing is left; left out 14 with a faster slip of an open shift element\n";
     assert!(told("5..6").contains(note), "{}", told("5..6"));

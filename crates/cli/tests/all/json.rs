@@ -9,7 +9,7 @@
 use crate::common;
 
 use boon::{Compiler, SchemaIndex, Schemas};
-use common::{examples, output};
+use common::{examples, output, run};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -319,39 +319,22 @@ fn the_names_of_warnings_stand_in_the_book() {
 #[test]
 fn there_is_always_one_object() {
     let folder = folder();
-    for (args, code, name) in [
-        (&["teeth", "--ratio", "24"][..], 1, "no-tooth-numbers"),
-        (&["teeth", "--ratio", "6", "--planets", "9"], 2, "planet-number"),
+    for (line, code, name) in [
+        ("teeth --ratio 24", 1, "no-tooth-numbers"),
+        ("teeth --ratio 6 --planets 9", 2, "planet-number"),
+        ("synthesize --ratios '2.56, 1.465' --sets 1 --elements 2 --engaged 1", 1, "nothing-found"),
         (
-            &["synthesize", "--ratios", "2.56, 1.465", "--sets", "1", "--elements", "2", "--engaged", "1"],
-            1,
-            "nothing-found",
-        ),
-        (
-            &[
-                "motor",
-                "search",
-                "--torque",
-                "600 N·m",
-                "--pressure",
-                "20 MPa",
-                "--stator",
-                "5..6",
-                "--z3",
-                "55..66",
-                "--outer-diameter",
-                "10 mm",
-            ],
+            "motor search --torque '600 N·m' --pressure '20 MPa' --stator 5..6 --z3 55..66 --outer-diameter '10 mm'",
             1,
             "no-motor",
         ),
-        (&["analyze", "missing.yaml"], 3, "cannot-be-read"),
-        (&["analyze", "ravigneaux.yaml", "--gear", "9"], 2, "no-gear"),
+        ("analyze missing.yaml", 3, "cannot-be-read"),
+        ("analyze ravigneaux.yaml --gear 9", 2, "no-gear"),
     ] {
-        let done = output(folder.path(), &[args, &["--format", "json"]].concat());
-        assert_eq!(done.status.code(), Some(code), "{args:?} {done:?}");
+        let done = run(folder.path(), &format!("{line} --format json"));
+        assert_eq!(done.status.code(), Some(code), "{line} {done:?}");
         let json: Value =
-            serde_json::from_slice(&done.stdout).unwrap_or_else(|error| panic!("{args:?}: {error}"));
+            serde_json::from_slice(&done.stdout).unwrap_or_else(|error| panic!("{line}: {error}"));
         if json["answer"] == "error" {
             assert_eq!((json["name"].as_str(), json["exit_code"].as_i64()), (Some(name), Some(code.into())));
         }

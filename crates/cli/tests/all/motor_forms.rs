@@ -13,34 +13,13 @@ use common::{here, output, text};
 use serde_json::Value;
 
 /// Few motors and forms.
-const SMALL: [&str; 20] = [
-    "motor",
-    "forms",
-    "--torque",
-    "600 N·m",
-    "--pressure",
-    "20 MPa",
-    "--stator",
-    "6",
-    "--z3",
-    "66",
-    "--zs",
-    "10",
-    "--module",
-    "2 mm",
-    "--places",
-    "4",
-    "--pressure-angle",
-    "25deg",
-    "--addendum",
-    "0.8..0.85/2",
-];
+const SMALL: &str = "motor forms --torque 600N·m --pressure 20MPa --stator 6 --z3 66 --zs 10 --module 2mm --places 4 --pressure-angle 25deg --addendum 0.8..0.85/2";
 
 /// Steels with limits, so that the allowed pressure follows.
 const STEEL: [&str; 4] = ["--contact-limit", "1500 MPa", "--root-limit", "400 MPa"];
 
 fn with<'a>(more: &[&'a str]) -> Vec<&'a str> {
-    [&SMALL[..], more].concat()
+    SMALL.split(' ').chain(more.iter().copied()).collect()
 }
 
 fn json(more: &[&str]) -> Value {

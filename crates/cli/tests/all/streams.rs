@@ -295,32 +295,21 @@ fn a_long_search_tells_its_size_on_a_terminal() {
 fn a_whole_front_is_written_as_it_comes() {
     let folder = here();
     let search = ["select", "--ratios", "1.465, 2.56", "--teeth", "--ring", "..44", "--limit", "1000000"];
-    let run = |more: &[&str]| {
+    let front = |more: &[&str]| {
         let done = output(folder.path(), &[&search, more].concat());
         assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
         text(&done.stdout)
     };
-    let (csv, json) = (run(&["--format", "csv"]), run(&["--format", "json"]));
-    assert!(run(&["--format", "csv", "-o", "front.csv"]).is_empty());
+    let (csv, json) = (front(&["--format", "csv"]), front(&["--format", "json"]));
+    assert!(front(&["--format", "csv", "-o", "front.csv"]).is_empty());
     assert_eq!(fs::read_to_string(folder.path().join("front.csv")).unwrap(), csv);
     let found: serde_json::Value = serde_json::from_str(&json).unwrap();
     let designs = found["designs"].as_array().unwrap();
     assert!(designs.len() > 20 && found["shown"] == designs.len(), "{}", designs.len());
     assert_eq!(csv.lines().count(), designs.len() + 1);
     // The first of them alone are the same.
-    let few = [
-        "select",
-        "--ratios",
-        "1.465, 2.56",
-        "--teeth",
-        "--ring",
-        "..44",
-        "--limit",
-        "20",
-        "--format",
-        "csv",
-    ];
-    let few = text(&output(folder.path(), &few).stdout);
+    let few = "select --ratios '1.465, 2.56' --teeth --ring ..44 --limit 20 --format csv";
+    let few = text(&run(folder.path(), few).stdout);
     assert_eq!(few.lines().collect::<Vec<_>>(), csv.lines().take(21).collect::<Vec<_>>());
     // A table is for people.
     let table = output(folder.path(), &search);
