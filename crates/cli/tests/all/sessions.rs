@@ -48,7 +48,8 @@ fn all_printed(lines: &str) -> String {
             let (name, of, command) = changed;
             let numbered = |text: &str| text.replace("N.yaml", &format!("{number}.yaml"));
             let example = fs::read_to_string(examples().join(of)).unwrap();
-            let text = row.split(" | ").map(|text| change(text).unwrap()).fold(example, replaced);
+            let text = row.split(" | ").map(|text| change(text).unwrap());
+            let text = text.fold(example, |file, (from, to)| replaced(&file, &from, &to));
             fs::write(folder.path().join(numbered(name)), text).unwrap();
             seen.push(printed(folder.path(), &numbered(command)));
             number += 1;

@@ -70,8 +70,7 @@ pub(crate) fn change(written: &str) -> Option<(String, String)> {
 }
 
 /// File with a text, which it must have, replaced by another.
-pub(crate) fn replaced(file: String, (from, to): (impl AsRef<str>, impl AsRef<str>)) -> String {
-    let (from, to) = (from.as_ref(), to.as_ref());
+pub(crate) fn replaced(file: &str, from: &str, to: &str) -> String {
     assert!(file.contains(from), "{from}");
     file.replacen(from, to, 1)
 }

@@ -105,9 +105,9 @@ fn check(of: &str, table: &str, file: &str, elsewhere: &str, files: impl Fn(&str
     let (mut before, mut faults, mut keys) = (BTreeMap::new(), vec![], BTreeSet::new());
     for Row { line, key, outcome, commands, changes } in rows(table) {
         keys.insert(key.to_owned());
-        let (last, first) = changes.split_last().unwrap();
-        let plain = first.iter().cloned().fold(file.to_owned(), replaced);
-        let changed = replaced(plain.clone(), last.clone());
+        let ((from, to), first) = changes.split_last().unwrap();
+        let plain = first.iter().fold(file.to_owned(), |file, (from, to)| replaced(&file, from, to));
+        let changed = replaced(&plain, from, to);
         for command in commands {
             let after = answered(files(&changed), command);
             let before =
@@ -154,11 +154,12 @@ fn every_key_of_teeth_given_in_full_changes_the_answer() {
         ("ring: 12..200", "ring: 103"),
         ("planets: 3..8", "planets: 4"),
     ];
-    let before = given.into_iter().fold(example("every-drive-key.yaml"), replaced);
+    let before =
+        given.into_iter().fold(example("every-drive-key.yaml"), |file, (from, to)| replaced(&file, from, to));
     let drive = |file: String| answered(vec![("drive.yaml", file)], "drive drive.yaml").unwrap();
     let plain = drive(before.clone());
     for (from, to) in [("spacing: equal", "spacing: least-unequal"), ("tip_gap: 0", "tip_gap: 2")] {
-        assert!(plain != drive(replaced(before.clone(), (from, to))), "{to} changes nothing");
+        assert!(plain != drive(replaced(&before, from, to)), "{to} changes nothing");
     }
 }
 
@@ -204,7 +205,7 @@ fn beside(scenario: &str) -> Files {
     let small = include_str!("keys/small.yaml");
     let large = small.replace("name: small", "name: large").replace("z_r: 70", "z_r: 76");
     let mut files = vec![
-        ("other.yaml", replaced(own.clone(), ("[20, 70]", "[22, 72]"))),
+        ("other.yaml", replaced(&own, "[20, 70]", "[22, 72]")),
         ("box.yaml", own),
         ("list.yaml", format!("transmissions:\n{small}{large}")),
     ];
