@@ -50,7 +50,7 @@ fn commands(text: &str) -> &'static [&'static str] {
 #[test]
 fn calls_in_memory_answer_as_the_program_does() {
     let files = all_examples();
-    let mut answered = 0;
+    let (mut answered, mut tables) = (0, BTreeMap::<&str, u32>::new());
     for (name, bytes) in &files {
         let name = name.to_str().unwrap();
         if !name.ends_with(".yaml") {
@@ -58,7 +58,9 @@ fn calls_in_memory_answer_as_the_program_does() {
         }
         for command in commands(std::str::from_utf8(bytes).unwrap()) {
             for format in [&["--format", "json"][..], &[]] {
-                if format.is_empty() && *command == "report" {
+                // A desk takes a table as it takes JSON: of each command some are enough.
+                let shown = tables.entry(*command).or_default();
+                if format.is_empty() && (*command == "report" || *shown == 8) {
                     continue;
                 }
                 let words = [&[*command, name], format].concat();
@@ -73,6 +75,7 @@ fn calls_in_memory_answer_as_the_program_does() {
                 let told: String = kept.messages.iter().map(|message| format!("{message}\n")).collect();
                 assert_eq!(String::from_utf8_lossy(&program.stderr), told, "{words:?}");
                 answered += u32::from(code == 0);
+                *shown += u32::from(code == 0 && format.is_empty());
             }
         }
     }

@@ -10,51 +10,6 @@ use std::fs;
 const BOXES: &str = "real-transmissions.yaml";
 
 #[test]
-fn drawings_that_are_refused() {
-    let folder = here();
-    for file in ["scheme-ii-3.yaml", BOXES] {
-        fs::copy(examples().join(file), folder.path().join(file)).unwrap();
-    }
-    let shut_in = "\
-gearbox: two alike
-input: D
-output: B
-sets:
-  - { id: '1', sun: D, ring: B, carrier: T1, k: 2.5 }
-  - { id: '2', sun: D, ring: B, carrier: T2, k: 2.9 }
-brakes:
-  - { id: K1, link: T1 }
-  - { id: K2, link: T2 }
-gears:
-  - { name: one, engaged: [K1] }
-  - { name: neutral, engaged: [] }
-";
-    fs::write(folder.path().join("alike.yaml"), shut_in).unwrap();
-    insta::assert_snapshot!(sessions(
-        folder.path(),
-        &[
-            &["draw", "alike.yaml"][..],
-            &["draw", "alike.yaml", "--view", "levers", "--gear", "one", "-o", "levers.svg"],
-            &["draw", "alike.yaml", "--view", "speeds", "--gear", "neutral"],
-            &["draw", "IV"],
-            &["draw", "nothing.yaml"],
-            &["draw", "II-3", "--gear", "2"],
-            &["draw", "II-3", "--view", "ladder"],
-            &["draw", "II-3", "--k1", "2"],
-            &["draw", "II-3", "--view", "speeds"],
-            &["draw", "II-3", "--view", "levers", "--whole"],
-            &["draw", "II-3", "--view", "ladder", "--gear", "2"],
-            &["draw", "II-3", "--power"],
-            &["draw", "II-3", "--transmission", "8HP"],
-            &["draw", "scheme-ii-3.yaml", "--k1", "2"],
-            &["draw", "scheme-ii-3.yaml", "--gear", "third"],
-            &["draw", BOXES],
-            &["draw", "II-3", "-o", "no-folder/ii-3.svg"],
-        ]
-    ));
-}
-
-#[test]
 fn drawings_are_files_that_say_their_size() {
     let folder = here();
     fs::copy(examples().join(BOXES), folder.path().join(BOXES)).unwrap();
@@ -101,24 +56,6 @@ fn drawings_are_files_that_say_their_size() {
     assert_eq!(printed.trim_end(), read("ii-3.svg").trim_end());
 }
 
-#[test]
-fn a_structure_is_drawn_by_the_name_that_select_gives_it() {
-    let name = "D.T1.B+T2.B.T1";
-    let ratios = ["--ratio1", "2.618", "--ratio2", "1.4623"];
-    insta::assert_snapshot!(sessions(
-        here().path(),
-        &[
-            &["draw", name, "-o", "scheme.svg"],
-            &[&["draw", name, "--gear", "2", "--power", "-o", "flow.dxf"], &ratios[..]].concat(),
-            &[&["draw", name, "--view", "ladder", "-o", "ladder.svg"], &ratios[..]].concat(),
-            &["draw", name, "--gear", "1", "-o", "flow.svg"],
-            &["draw", name, "--k1", "2", "-o", "flow.svg"],
-            &["draw", name, "--k1", "0.5", "--k2", "2", "-o", "flow.svg"],
-            &["draw", name, "-o", "scheme.jpg"],
-        ]
-    ));
-}
-
 /// Either set first, either brake as T1: the same gearbox, its links, sets and gears as they were named.
 #[test]
 fn a_structure_is_drawn_by_any_spelling_of_its_name() {
@@ -146,22 +83,6 @@ fn a_structure_is_drawn_by_any_spelling_of_its_name() {
     let unknown = refused("D.T1.B+D.T1.T3");
     assert!(unknown.contains("did you mean `D.T1.B+D.T1.T2`?"), "{unknown}");
     assert!(refused("D.T1.B+D.B.T1").contains("no structure"));
-}
-
-#[test]
-fn a_motor_is_drawn_from_its_file() {
-    let folder = here();
-    fs::copy(examples().join("motor-5x3.yaml"), folder.path().join("motor.yaml")).unwrap();
-    insta::assert_snapshot!(sessions(
-        folder.path(),
-        &[
-            &["draw", "motor.yaml", "-o", "motor.svg"],
-            &["draw", "motor.yaml", "--view", "teeth", "-o", "teeth.dxf"],
-            &["draw", "motor.yaml", "--view", "levers", "-o", "levers.svg"],
-            &["draw", "motor.yaml", "--gear", "1", "-o", "motor.svg"],
-            &["draw", "II-3", "--view", "chambers", "-o", "chambers.svg"],
-        ]
-    ));
 }
 
 #[test]

@@ -138,7 +138,7 @@ fn every_command_ends_soon_after_a_signal() {
     for (line, written) in commands() {
         for signal in ["-INT", "-TERM"] {
             for _ in 0..moments() {
-                let delay = Duration::from_millis(20 + next() % 900);
+                let delay = Duration::from_millis(20 + next() % 600);
                 let folder = here();
                 let words = words(folder.path(), &line);
                 let words: Vec<&str> = words.iter().map(String::as_str).collect();
@@ -200,6 +200,14 @@ struct Impatient {
     disk: Captured,
     asked: AtomicUsize,
     after: usize,
+    /// How much faster its clock is.
+    haste: f64,
+}
+
+impl Impatient {
+    fn new(after: usize, haste: f64) -> Self {
+        Self { disk: Captured::default(), asked: AtomicUsize::new(0), after, haste }
+    }
 }
 
 impl Desk for Impatient {
@@ -231,7 +239,7 @@ impl Desk for Impatient {
         (self.asked.fetch_add(1, Ordering::Relaxed) >= self.after).then_some(f64::INFINITY)
     }
     fn seconds(&self) -> f64 {
-        self.disk.seconds()
+        self.haste * self.disk.seconds()
     }
 }
 
@@ -239,22 +247,11 @@ impl Desk for Impatient {
 /// another.
 #[test]
 fn a_synthesis_that_is_ended_tells_what_it_found() {
-    let words = [
-        "synthesize",
-        "--ratios",
-        "3.059,1.625,1,0.696,-2.294",
-        "--class",
-        "all-sparse",
-        "--sets",
-        "2",
-        "--elements",
-        "5",
-    ];
-    let words = [&words[..], &["--engaged", "2", "--format", "json"]].concat();
+    let words = "synthesize --ratios 3.059,1.625,1,0.696,-2.294 --class all-sparse --sets 2 --elements 5 --engaged 2 --format json";
     let (mut some, mut none) = (0, 0);
     for after in [0, 1, 2, 5, 10, 20, 40, 60, 80, 100, 150, 200] {
-        let desk = Impatient { disk: Captured::default(), asked: AtomicUsize::new(0), after };
-        let code = call(words.clone(), &desk);
+        let desk = Impatient::new(after, 1.0);
+        let code = call(words.split(' '), &desk);
         let told = desk.disk.into_told();
         let answer: serde_json::Value = serde_json::from_slice(&told.answer).unwrap();
         if code == 0 {
@@ -277,8 +274,9 @@ fn a_synthesis_that_is_ended_tells_what_it_found() {
 /// The size is printed before anything else, also for classes that take long to count.
 #[test]
 fn the_size_of_a_large_synthesis_is_told_first() {
+    // Counting and sampling take 20 s of the clock.
     for sets in ["5", "6"] {
-        let desk = Impatient { disk: Captured::default(), asked: AtomicUsize::new(0), after: usize::MAX };
+        let desk = Impatient::new(usize::MAX, 15.0);
         let words =
             ["synthesize", "--ratios", "4.7,3.1", "--elements", "6", "--engaged", "3", "--sets", sets];
         let begun = Instant::now();
@@ -295,7 +293,7 @@ fn the_size_of_a_large_synthesis_is_told_first() {
 #[test]
 fn numbers_beyond_the_limits_of_a_synthesis_are_refused() {
     let run = |words: &[&str]| {
-        let desk = Impatient { disk: Captured::default(), asked: AtomicUsize::new(0), after: usize::MAX };
+        let desk = Impatient::new(usize::MAX, 1.0);
         let code = call([&["synthesize", "--ratios", "4.7,3.1"][..], words].concat(), &desk);
         (code, desk.disk.into_told())
     };

@@ -8,8 +8,8 @@
 
 use crate::common;
 
-use boon::{Compiler, Schemas};
-use common::{examples, output};
+use boon::{Compiler, SchemaIndex, Schemas};
+use common::{examples, output, run};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -268,18 +268,18 @@ fn keys_with_values(schema: &BTreeSet<String>, value: &Value, path: &str, found:
 
 #[test]
 fn every_answer_is_one_by_its_schema_and_every_key_is_written() {
-    let mut written: BTreeMap<String, (Value, BTreeSet<String>, BTreeSet<String>)> = BTreeMap::new();
+    let (mut schemas, mut compiler) = (Schemas::new(), Compiler::new());
+    let mut written: BTreeMap<String, (SchemaIndex, BTreeSet<String>, BTreeSet<String>)> = BTreeMap::new();
     for (section, json) in &*ANSWERS {
         let name = json["answer"].as_str().unwrap();
-        let (schema, keys, found) = written.entry(name.to_owned()).or_insert_with(|| {
+        let (index, keys, found) = written.entry(name.to_owned()).or_insert_with(|| {
             let (schema, mut keys) = (schema(name), BTreeSet::new());
             keys_of(&schema, &schema, "", &mut keys);
-            (schema, keys, BTreeSet::new())
+            let place = format!("{name}.json");
+            compiler.add_resource(&place, schema).unwrap();
+            (compiler.compile(&place, &mut schemas).unwrap(), keys, BTreeSet::new())
         });
-        let (mut schemas, mut compiler) = (Schemas::new(), Compiler::new());
-        compiler.add_resource("answer.json", schema.clone()).unwrap();
-        let index = compiler.compile("answer.json", &mut schemas).unwrap();
-        if let Err(error) = schemas.validate(json, index) {
+        if let Err(error) = schemas.validate(json, *index) {
             panic!("{section}: {error:#}");
         }
         keys_with_values(keys, json, "", found);
@@ -319,39 +319,22 @@ fn the_names_of_warnings_stand_in_the_book() {
 #[test]
 fn there_is_always_one_object() {
     let folder = folder();
-    for (args, code, name) in [
-        (&["teeth", "--ratio", "24"][..], 1, "no-tooth-numbers"),
-        (&["teeth", "--ratio", "6", "--planets", "9"], 2, "planet-number"),
+    for (line, code, name) in [
+        ("teeth --ratio 24", 1, "no-tooth-numbers"),
+        ("teeth --ratio 6 --planets 9", 2, "planet-number"),
+        ("synthesize --ratios '2.56, 1.465' --sets 1 --elements 2 --engaged 1", 1, "nothing-found"),
         (
-            &["synthesize", "--ratios", "2.56, 1.465", "--sets", "1", "--elements", "2", "--engaged", "1"],
-            1,
-            "nothing-found",
-        ),
-        (
-            &[
-                "motor",
-                "search",
-                "--torque",
-                "600 N·m",
-                "--pressure",
-                "20 MPa",
-                "--stator",
-                "5..6",
-                "--z3",
-                "55..66",
-                "--outer-diameter",
-                "10 mm",
-            ],
+            "motor search --torque '600 N·m' --pressure '20 MPa' --stator 5..6 --z3 55..66 --outer-diameter '10 mm'",
             1,
             "no-motor",
         ),
-        (&["analyze", "missing.yaml"], 3, "cannot-be-read"),
-        (&["analyze", "ravigneaux.yaml", "--gear", "9"], 2, "no-gear"),
+        ("analyze missing.yaml", 3, "cannot-be-read"),
+        ("analyze ravigneaux.yaml --gear 9", 2, "no-gear"),
     ] {
-        let done = output(folder.path(), &[args, &["--format", "json"]].concat());
-        assert_eq!(done.status.code(), Some(code), "{args:?} {done:?}");
+        let done = run(folder.path(), &format!("{line} --format json"));
+        assert_eq!(done.status.code(), Some(code), "{line} {done:?}");
         let json: Value =
-            serde_json::from_slice(&done.stdout).unwrap_or_else(|error| panic!("{args:?}: {error}"));
+            serde_json::from_slice(&done.stdout).unwrap_or_else(|error| panic!("{line}: {error}"));
         if json["answer"] == "error" {
             assert_eq!((json["name"].as_str(), json["exit_code"].as_i64()), (Some(name), Some(code.into())));
         }

@@ -22,6 +22,7 @@ mod readme;
 mod refusals;
 mod report;
 mod serve;
+mod sessions;
 mod shards;
 mod shells;
 mod simulate;

@@ -8,7 +8,7 @@
 
 use crate::common;
 
-use common::{examples, here, output, session, sessions, text};
+use common::{examples, here, output, session, text};
 use dxf::Drawing;
 use dxf::entities::EntityType;
 use dxf::enums::Units;
@@ -40,18 +40,6 @@ fn a_motor_of_a_file_is_that_of_its_options() {
     assert_eq!(of(&file, &[]), of(&options, &[]));
     assert_eq!(of(&file, &turned), of(&options, &turned));
     assert_ne!(of(&file, &turned), of(&file, &[]));
-    insta::assert_snapshot!(sessions(
-        &folder,
-        &[
-            &["motor", "motor-5x3.yaml", "--stator", "6"][..],
-            &["motor", "motor-5x3.yaml", "--shift", "0.3"],
-            &["motor", "motor-5x3.yaml", "--friction", "0.1"],
-            &["motor", "motor-5x3.yaml", "--l", "81 mm"],
-            &["motor", "scheme-ii-3.yaml"],
-            &["motor", "none.yaml"],
-            &["motor", "--rotor", "3"],
-        ]
-    ));
 }
 
 /// Answers for programs with numbers to nine digits, without the places where limits of the teeth are
@@ -79,13 +67,6 @@ fn seen_by_programs(args: &[&str]) -> String {
 }
 
 #[test]
-fn a_motor_as_tables() {
-    let loads = ["--l", "80 mm", "--width", "50 mm", "--pressure", "20 MPa", "--speed", "60 rpm"];
-    insta::assert_snapshot!(said(&[&FIVE_THREE[..], &loads[..], &["--angle", "20 deg"]].concat()));
-    insta::assert_snapshot!("six_by_four", said(&SIX_FOUR));
-}
-
-#[test]
 fn a_motor_for_programs() {
     let loads = ["--a", "30.6126 mm", "--width", "50 mm", "--pressure", "200 bar", "--format", "json"];
     insta::assert_snapshot!(seen_by_programs(&with(&FIVE_THREE, &loads)));
@@ -93,71 +74,6 @@ fn a_motor_for_programs() {
         "csv",
         seen_by_programs(&with(&FIVE_THREE, &["--part", "0.4", "--format", "csv"]))
     );
-}
-
-#[test]
-fn a_cosine_law_rotor_and_teeth_that_fail() {
-    let cosine = ["motor", "--stator", "7", "--rotor", "5", "--z3", "84", "--zs", "11", "--module", "1 mm"];
-    insta::assert_snapshot!(said(&with(&cosine, &["--cosine"])));
-    let full_depth = ["--pressure-angle", "20 deg", "--addendum", "1", "--shift", "0", "--fillet", "0.15"];
-    insta::assert_snapshot!("full_depth", said(&with(&FIVE_THREE, &full_depth)));
-    insta::assert_snapshot!("no_teeth", said(&with(&FIVE_THREE, &["--fillet", "0.9"])));
-}
-
-#[test]
-fn every_bad_input_names_its_option_and_what_is_allowed() {
-    let motor = |stator, rotor, z3, zs, module| {
-        vec!["motor", "--stator", stator, "--rotor", rotor, "--z3", z3, "--zs", zs, "--module", module]
-    };
-    let mut all = vec![
-        motor("3", "5", "55", "10", "2 mm"),
-        motor("5", "5", "55", "10", "2 mm"),
-        motor("9", "5", "90", "10", "2 mm"),
-        motor("5", "0", "55", "10", "2 mm"),
-        motor("5", "3", "56", "10", "2 mm"),
-        motor("5", "3", "0", "10", "2 mm"),
-        motor("5", "3", "55", "11", "2 mm"),
-        motor("5", "3", "55", "0", "2 mm"),
-        motor("5", "3", "55", "10", "0 mm"),
-        motor("5", "3", "55", "10", "-2 mm"),
-        motor("5", "3", "55", "10", "2"),
-        motor("5", "3", "55", "10", "2 kg"),
-        motor("5", "3", "20000", "10", "2 mm"),
-        motor("5", "3", "55", "1", "2 mm"),
-    ];
-    let more: [&[&str]; 24] = [
-        &["--z1", "34"],
-        &["--z1", "36"],
-        &["--l", "20 mm"],
-        &["--l", "40 cm"],
-        &["--l", "-80 mm"],
-        &["--a", "1 mm"],
-        &["--a", "0 mm"],
-        &["--part", "0"],
-        &["--part", "1.5"],
-        &["--cosine"],
-        &["--part", "0.5", "--a", "30 mm"],
-        &["--pressure", "20 MPa"],
-        &["--width", "0 mm"],
-        &["--width", "50 mm", "--pressure", "20 m"],
-        &["--angle", "30"],
-        &["--pressure-angle", "5 deg"],
-        &["--addendum", "0"],
-        &["--shift", "3"],
-        &["--backlash", "0.7"],
-        &["--view", "profile"],
-        &["--csv", "c.csv", "--points", "0"],
-        &["--svg", "there/is/none.svg"],
-        &["--view", "teeth", "--svg", "teeth.svg", "--fillet", "0.9"],
-        &["--module", "2 mm"],
-    ];
-    all.extend(more.iter().map(|more| with(&FIVE_THREE, more)));
-    all.push(vec!["motor"]);
-    all.push([motor("5", "3", "55", "10", "1 km"), vec!["--svg", "large.svg"]].concat());
-    let folder = here();
-    let all: Vec<&[&str]> = all.iter().map(Vec::as_slice).collect();
-    insta::assert_snapshot!(sessions(folder.path(), &all));
-    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0, "a refusal writes nothing");
 }
 
 /// Runs a motor that writes its files into a folder.
@@ -245,46 +161,6 @@ fn a_file_that_cannot_be_written_leaves_the_answer_unsaid() {
 const WITHOUT_SATELLITES: [&str; 9] =
     ["motor", "--stator", "5", "--rotor", "3", "--z3", "55", "--module", "2 mm"];
 
-#[test]
-fn satellites_to_choose_from() {
-    insta::assert_snapshot!("satellites", said(&WITHOUT_SATELLITES));
-    let large = ["motor", "--stator", "4", "--rotor", "1", "--z3", "40", "--module", "1 mm"];
-    insta::assert_snapshot!(
-        "satellites_without_teeth",
-        sessions(
-            here().path(),
-            &[
-                &large[..],
-                &with(&large, &["--format", "csv"]),
-                &with(&large[..6], &["24", "--module", "1 mm"])
-            ]
-        )
-    );
-    let of_one = [
-        &["--l", "80 mm"][..],
-        &["--a", "80 mm"],
-        &["--part", "0.5"],
-        &["--cosine"],
-        &["--construction"],
-        &["--width", "40 mm"],
-        &["--angle", "3 deg"],
-        &["--friction", "0.1"],
-        &["--view", "teeth", "--svg", "teeth.svg"],
-        &["--csv", "points.csv"],
-        &["-o", "teeth.svg"],
-        &["-o", "motor.html"],
-        &["--z1", "34"],
-        &["--addendum", "99"],
-        &["--z3", "55"],
-    ];
-    let mut all: Vec<Vec<&str>> = of_one.iter().map(|more| with(&WITHOUT_SATELLITES, more)).collect();
-    all.push(vec!["motor", "--stator", "5", "--rotor", "3", "--z3", "245", "--module", "2 mm"]);
-    let folder = here();
-    let all: Vec<&[&str]> = all.iter().map(Vec::as_slice).collect();
-    insta::assert_snapshot!("satellites_refused", sessions(folder.path(), &all));
-    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0, "a refusal writes nothing");
-}
-
 /// The list has the motors that `motor --zs` has, with its figures, and no other satellite has one.
 #[test]
 fn the_satellites_listed_are_those_that_have_a_motor() {
@@ -322,39 +198,11 @@ fn the_satellites_listed_are_those_that_have_a_motor() {
 }
 
 #[test]
-fn a_construction_as_tables() {
-    let open = ["--l", "80 mm", "--a", "31 mm"];
-    insta::assert_snapshot!("construction_open", said(&with(&FIVE_THREE, &open)));
+fn a_construction_as_csv() {
     insta::assert_snapshot!(
         "construction_closed",
         seen_by_programs(&with(&FIVE_THREE, &["--l", "80 mm", "--construction", "--format", "csv"]))
     );
-    let [l, a] = [["--l", "80 mm"], ["--a", "31 mm"]];
-    let both = |more: &[&'static str]| [&FIVE_THREE[..], &l, &a, more].concat();
-    let more: [&[&str]; 8] = [
-        &["--width", "40 mm"],
-        &["--angle", "3 deg"],
-        &["--ports", "part: 0.9"],
-        &["--csv", "points.csv"],
-        &["--crest", "tooth"],
-        &["--view", "teeth", "--svg", "teeth.svg"],
-        &["-o", "motor.html"],
-        &["--cosine"],
-    ];
-    let mut all: Vec<Vec<&str>> = more.iter().map(|more| both(more)).collect();
-    for distances in [["80 mm", "3 m"], ["80 mm", "0 mm"], ["30 mm", "3 mm"], ["300 mm", "3 mm"]] {
-        all.push(with(&FIVE_THREE, &["--l", distances[0], "--a", distances[1]]));
-    }
-    all.push(with(&FIVE_THREE, &["--l", "20 mm", "--construction"]));
-    all.push(with(&FIVE_THREE, &["--cosine", "--construction"]));
-    all.push(vec!["motor", "cosine.yaml", "--construction"]);
-    all.push(vec!["draw", "cosine.yaml", "--view", "construction"]);
-    let folder = here();
-    let cosine = "stator: 7\nrotor: 5\nz3: 84\nzs: 11\nmodule: 1 mm\nlaw: cosine\n";
-    fs::write(folder.path().join("cosine.yaml"), cosine).unwrap();
-    let all: Vec<&[&str]> = all.iter().map(Vec::as_slice).collect();
-    insta::assert_snapshot!("construction_refused", sessions(folder.path(), &all));
-    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "a refusal writes nothing");
 }
 
 /// The restored vector and points of the document at module 1 mm, as its cases have them.
@@ -433,14 +281,6 @@ const SEARCH: [&str; 10] =
     ["motor", "search", "--torque", "600 N·m", "--pressure", "20 MPa", "--stator", "5..6", "--z3", "55..66"];
 
 #[test]
-fn a_search_as_tables() {
-    let wanted = ["--module", "2 mm", "--ripple", "10 %", "--zs", "10", "--speed", "60 rpm"];
-    insta::assert_snapshot!(said(&with(&SEARCH, &wanted)));
-    let modules = ["--divisor", "common", "--by", "ripple", "--limit", "2", "--every"];
-    insta::assert_snapshot!("several_modules", said(&with(&SEARCH, &modules)));
-}
-
-#[test]
 fn a_search_for_programs() {
     let wanted =
         ["motor", "search", "--displacement", "250 cm3/rev", "--stator", "5", "--z3", "55", "--zs", "10"];
@@ -448,38 +288,6 @@ fn a_search_for_programs() {
     insta::assert_snapshot!(seen_by_programs(&with(&wanted, &json)));
     let csv = ["--module", "2 mm", "--width", "45 mm", "--tolerance", "5 %", "--format", "csv"];
     insta::assert_snapshot!("search_csv", seen_by_programs(&with(&wanted, &csv)));
-}
-
-#[test]
-fn searches_that_find_nothing_or_make_no_sense() {
-    let more: [&[&str]; 17] = [
-        &["--ripple", "0.1 %"],
-        &["--zs", "8"],
-        &["--outer-diameter", "10 mm"],
-        &["--ripple", "-1 %"],
-        &["--ripple", "0"],
-        &["--outer-diameter", "0 mm"],
-        &["--module", "0 mm"],
-        &["--module", "2"],
-        &["--width", "-3 mm"],
-        &["--module", "2 mm", "--width", "50 mm", "--tolerance", "0"],
-        &["--module", "2 mm", "--width-over-diameter", "0.5"],
-        &["--places", "2"],
-        &["--resolution", "0"],
-        &["--displacement", "250 cm3"],
-        &["--zs", "70..80"],
-        &["--stator", "6..5"],
-        &["--design", "5000", "--csv", "best.csv"],
-    ];
-    let mut all: Vec<Vec<&str>> = more.iter().map(|more| with(&SEARCH, more)).collect();
-    all.push(vec!["motor", "search"]);
-    all.push(vec!["motor", "search", "--torque", "600 N·m"]);
-    all.push(vec!["motor", "search", "--torque", "0 N·m", "--pressure", "20 MPa"]);
-    all.push(vec!["motor", "search", "--displacement", "250 mm"]);
-    all.push(vec!["motor", "search", "--displacement", "-250 cm3/rev"]);
-    let folder = here();
-    let all: Vec<&[&str]> = all.iter().map(Vec::as_slice).collect();
-    insta::assert_snapshot!(sessions(folder.path(), &all));
 }
 
 #[test]

@@ -9,38 +9,17 @@
 
 use crate::common;
 
-use common::{here, output, session, sessions, text};
+use common::{here, output, text};
 use serde_json::Value;
 
 /// Few motors and forms.
-const SMALL: [&str; 20] = [
-    "motor",
-    "forms",
-    "--torque",
-    "600 N·m",
-    "--pressure",
-    "20 MPa",
-    "--stator",
-    "6",
-    "--z3",
-    "66",
-    "--zs",
-    "10",
-    "--module",
-    "2 mm",
-    "--places",
-    "4",
-    "--pressure-angle",
-    "25deg",
-    "--addendum",
-    "0.8..0.85/2",
-];
+const SMALL: &str = "motor forms --torque 600N·m --pressure 20MPa --stator 6 --z3 66 --zs 10 --module 2mm --places 4 --pressure-angle 25deg --addendum 0.8..0.85/2";
 
 /// Steels with limits, so that the allowed pressure follows.
 const STEEL: [&str; 4] = ["--contact-limit", "1500 MPa", "--root-limit", "400 MPa"];
 
 fn with<'a>(more: &[&'a str]) -> Vec<&'a str> {
-    [&SMALL[..], more].concat()
+    SMALL.split(' ').chain(more.iter().copied()).collect()
 }
 
 fn json(more: &[&str]) -> Value {
@@ -51,22 +30,6 @@ fn json(more: &[&str]) -> Value {
 
 fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
-}
-
-#[test]
-fn a_search_as_tables() {
-    let folder = here();
-    insta::assert_snapshot!(session(folder.path(), &with(&["--shift", "0.2", "--limit", "3"])));
-    let asked = ["--shift", "0.1..0.3/3", "--exact", "--every", "--limit", "4", "--by", "allowed-pressure"];
-    let asked = [&asked[..], &STEEL, &["--objectives", "volume, allowed-pressure"]].concat();
-    insta::assert_snapshot!("flanks", session(folder.path(), &with(&asked)));
-}
-
-#[test]
-fn a_search_for_programs() {
-    let folder = here();
-    let more = ["--shift", "0.2", "--limit", "2", "--speed", "60 rpm", "--format", "csv"];
-    insta::assert_snapshot!(session(folder.path(), &with(&more)));
 }
 
 /// Motors times forms are the points of refused motors, those refused, left out and admissible.
@@ -259,68 +222,4 @@ fn saved_as_told(folder: &std::path::Path, line: &[&str], design: &str) {
         let figures = contacts.iter().flat_map(|one| keys.iter().filter_map(|key| one[key].as_f64()));
         near(&Value::from(figures.fold(0.0, f64::max)), &own["contact_on_path_pa"]);
     }
-}
-
-#[test]
-fn searches_that_find_nothing_or_make_no_sense() {
-    let more: [&[&str]; 34] = [
-        &["--ripple", "0.1 %"],
-        &["--contact-ratio", "3"],
-        &["--outer-diameter", "10 mm"],
-        &["--ripple", "0"],
-        &["--families", "arc"],
-        &["--families", "arcs, arcs"],
-        &["--crests", "both"],
-        &["--objectives", "volume, speed"],
-        &["--objectives", "allowed-pressure"],
-        &["--by", "allowed-pressure"],
-        &["--by", "size"],
-        &["--exact", "--resolution", "1 %"],
-        &["--resolution", "0"],
-        &["--places", "2"],
-        &["--pressure-angle", "20..30/5"],
-        &["--pressure-angle", "20deg..30deg"],
-        &["--pressure-angle", "5deg"],
-        &["--addendum", "0.9..0.7/3"],
-        &["--addendum", "0.7..1/1"],
-        &["--addendum", "3"],
-        &["--shift", "-3..0/4"],
-        &["--clearance", "2"],
-        &["--fillet", "-0.1"],
-        &["--backlash", "0.6"],
-        &["--addendum", "0.7..1/200", "--shift", "0..0.4/200"],
-        &["--contact-ratio", "-1"],
-        &["--contact-limit", "1500 MPa"],
-        &["--contact-limit", "0 MPa", "--root-limit", "400 MPa"],
-        &["--youngs-modulus", "0 GPa"],
-        &["--poissons-ratio", "0.7"],
-        &["--flank-ripple", "0 %"],
-        &["--least-torque", "120 %"],
-        &["--contact-stress", "-5 MPa"],
-        &["--allowed-pressure", "20 MPa"],
-    ];
-    let replaced = |more: &[&'static str]| {
-        let mut line: Vec<&str> = vec![];
-        let mut words = SMALL.iter();
-        while let Some(word) = words.next() {
-            if word.starts_with("--") && more.contains(word) {
-                words.next();
-            } else {
-                line.push(word);
-            }
-        }
-        [&line[..], more].concat()
-    };
-    let mut all: Vec<Vec<&str>> = more.iter().map(|more| replaced(more)).collect();
-    all.push(vec!["motor", "forms"]);
-    all.push(vec!["motor", "forms", "--torque", "600 N·m"]);
-    let of_displacement = ["motor", "forms", "--displacement", "250 cm3/rev", "--z3", "66"];
-    all.push([&of_displacement[..], &["--contact-stress", "900 MPa"]].concat());
-    all.push([&of_displacement[..], &["--objectives", "root-stress"]].concat());
-    all.push([&of_displacement[..], &["--design", "2"]].concat());
-    all.push(with(&["--shift", "0.2", "--save", "no.yaml", "--design", "99"]));
-    let folder = here();
-    let all: Vec<&[&str]> = all.iter().map(Vec::as_slice).collect();
-    insta::assert_snapshot!(sessions(folder.path(), &all));
-    assert!(!folder.path().join("no.yaml").exists());
 }

@@ -1,4 +1,4 @@
-//! The book's pictures are what the program draws. `UPDATE_BOOK=1 cargo test -p epicyclic --test pictures`
+//! The book's pictures are what the program draws. `UPDATE_BOOK=1 cargo test -p epicyclic --test all pictures`
 //! renews them.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
@@ -134,7 +134,8 @@ fn the_books_pictures_are_what_the_program_draws() {
             stale.push(*name);
         }
     }
-    let renew = "renew them with `UPDATE_BOOK=1 cargo test -p epicyclic --test pictures` and look at them";
+    let renew =
+        "renew them with `UPDATE_BOOK=1 cargo test -p epicyclic --test all pictures` and look at them";
     assert!(stale.is_empty(), "{stale:?} are drawn otherwise now: {renew}");
     let kept: BTreeSet<String> = fs::read_dir(folder)
         .unwrap()

@@ -109,15 +109,7 @@ fn holds(shown: &str, printed: &str) -> bool {
     }
 }
 
-/// A command as a shell parts it: at spaces that are not between single quotes.
+/// A command as a shell parts it.
 pub(crate) fn words(command: &str) -> Vec<String> {
-    let mut words = vec![];
-    for (place, part) in command.split('\'').enumerate() {
-        if place % 2 == 1 {
-            words.push(part.to_owned());
-        } else {
-            words.extend(part.split_whitespace().map(str::to_owned));
-        }
-    }
-    words
+    shlex::split(command).unwrap()
 }

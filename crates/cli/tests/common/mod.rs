@@ -25,6 +25,12 @@ pub(crate) fn output(folder: &Path, args: &[&str]) -> Output {
     program(folder, args).output().unwrap()
 }
 
+/// Output of a command line, parted as a shell does.
+pub(crate) fn run(folder: &Path, line: &str) -> Output {
+    let words = console::words(line);
+    output(folder, &words.iter().map(String::as_str).collect::<Vec<_>>())
+}
+
 pub(crate) fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
 }
@@ -44,6 +50,29 @@ pub(crate) fn session(folder: &Path, args: &[&str]) -> String {
 /// Several sessions of one folder.
 pub(crate) fn sessions(folder: &Path, all: &[&[&str]]) -> String {
     all.iter().map(|args| session(folder, args)).collect::<Vec<_>>().join("\n")
+}
+
+/// Names of the files of a folder, sorted.
+pub(crate) fn names(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> =
+        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+/// A change of a text as tables of cases have it: `old → new`, with `\\n` for a line break and `\\s` for a space
+/// at an end.
+pub(crate) fn change(written: &str) -> Option<(String, String)> {
+    let (from, to) = written.split_once(" →")?;
+    let plain = |text: &str| text.replace("\\n", "\n").replace("\\s", " ");
+    Some((plain(from), plain(to.strip_prefix(' ').unwrap_or(to))))
+}
+
+/// File with a text, which it must have, replaced by another.
+pub(crate) fn replaced(file: &str, from: &str, to: &str) -> String {
+    assert!(file.contains(from), "{from}");
+    file.replacen(from, to, 1)
 }
 
 pub(crate) fn here() -> tempfile::TempDir {
