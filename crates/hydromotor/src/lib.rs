@@ -28,6 +28,7 @@
 //! | [`profile`] | teeth of all wheels, their limits, how near they come |
 //! | [`flanks`] | the flanks under load: forces, bearing, sealing, third contact, stresses, pressure limit |
 //! | [`checks`] | curvatures and distances against the satellite and its teeth, size |
+//! | [`ranges`] | the values that a quantity of any motor can have |
 //! | [`search`] | Pareto front for a displacement or torque, over all numbers and motors of two arcs |
 //! | [`search::forms`] | the same over three families and with the tooth form free |
 //!
@@ -81,7 +82,7 @@ pub mod numbers;
 pub mod ports;
 pub mod profile;
 pub mod quantity;
-mod ranges;
+pub mod ranges;
 mod real;
 pub mod satellites;
 pub mod search;

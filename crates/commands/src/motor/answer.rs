@@ -3,6 +3,7 @@
 pub(crate) mod bodies;
 pub(crate) mod centrodes;
 pub(crate) mod design;
+pub(crate) mod faults;
 pub(crate) mod flanks;
 pub(crate) mod made;
 pub(crate) mod moving;
@@ -22,7 +23,7 @@ pub use flanks::{
 pub use made::losses::{Efficiency, EfficiencyMap, Friction, Gap, Leakage, Losses};
 pub use made::ports::{ChamberExtreme, ClosedStretch, MadePorts, OpenTo, Port, PortState, Throttling};
 pub use made::{Groups, Made};
-pub(crate) use made::{Point, steel};
+pub(crate) use made::{Inputs, Point, steel};
 pub use moving::{Moving, MovingChamber, MovingFrame, MovingSatellite, moving};
 pub use over_angle::{OverAngle, OverCycle, over_angle, over_cycle};
 pub use shape::{Arcs, CosineLaw, HarmonicRange, Interval, Rotor};

@@ -1,9 +1,10 @@
 //! Choice of a motor from its family.
 
-use super::made::{Groups, Made, Point};
+use super::faults::Faults;
+use super::made::{Groups, Inputs, Made, Point};
 use crate::error::Error;
-use crate::shared::fault::Fault as _;
-use epicyclic_formats::{Document, Path, motor as file};
+use epicyclic_formats::motor::MotorFile;
+use epicyclic_formats::{Document, Path};
 use epicyclic_hydromotor::arcs::StatorArcs;
 use epicyclic_hydromotor::closure::Family;
 use epicyclic_hydromotor::profile::{Profile, ToothForm};
@@ -102,9 +103,10 @@ pub fn design(question: &Question) -> Result<Designed, Error> {
         (_, None) => (Motor::of_cosine_law(numbers, module)?, None),
     };
     let chosen = if place == Place::Middle { Chosen::Middle } else { Chosen::Given };
-    check(pressure, speed)?;
+    let point = Point { form, width, pressure, speed };
+    let inputs = Inputs::of(made, point)?;
     let profile = profile(&motor, form)?;
-    let made = Made::of(&motor, made, Point { form, width, pressure, speed })?;
+    let made = Made::of(&motor, inputs, point)?;
     Ok(Designed { motor, family, chosen, form, profile, width, pressure, speed, angle, made })
 }
 
@@ -127,16 +129,6 @@ pub(crate) fn closed_arcs(
     Ok(Some((family, arcs)))
 }
 
-fn check(pressure: Option<Pressure>, speed: Option<AngularVelocity>) -> Result<(), Error> {
-    if pressure.is_some_and(|pressure| pressure.value <= 0.0) {
-        return Err(Error::PressureDrop);
-    }
-    if speed.is_some_and(|speed| speed.value <= 0.0) {
-        return Err(Error::RotorSpeed);
-    }
-    Ok(())
-}
-
 /// Tooth profile, or the reason why this motor has none; a number that is impossible for any motor is an
 /// error.
 pub(crate) fn profile(motor: &Motor, form: ToothForm) -> Result<Result<Profile, MotorError>, MotorError> {
@@ -153,45 +145,34 @@ pub(crate) fn profile(motor: &Motor, form: ToothForm) -> Result<Result<Profile, 
 /// Reads title and motor from a file.
 ///
 /// # Errors
-/// [`Error::Document`] with the place of a fault; [`Error::Placed`] with the place of the key that caused a
-/// refusal.
+/// [`Error::Document`] with all independent faults at the keys that they are about.
 pub fn of_file(document: &Document) -> Result<(Option<String>, Designed), Error> {
-    let (file, motor, family) = file::read(document)?;
-    let (pressure, speed) = (file.pressure.map(|drop| drop.0), file.speed.map(|speed| speed.0));
-    check(pressure, speed).map_err(|error| {
-        let key = if matches!(error, Error::PressureDrop) { "pressure" } else { "speed" };
-        placed(document, &Path::root().key(key), error)
-    })?;
+    let file = MotorFile::of(document)?;
     let form = file.teeth.clone().unwrap_or_default().form();
-    let profile =
-        profile(&motor, form).map_err(|error| placed(document, &file::place(&error), error.into()))?;
-    let chosen = if family.is_some() && !file.places() { Chosen::Middle } else { Chosen::Given };
     let width = file.width.map(|width| width.0);
+    let (pressure, speed) = (file.pressure.map(|drop| drop.0), file.speed.map(|speed| speed.0));
     let point = Point { form, width, pressure, speed };
-    let made = Made::of(&motor, &file.made(), point).map_err(|why| {
-        let path = match &why {
-            Error::Motor(error) => file::place(error),
-            Error::MotorKey { key, .. } => key.split('.').fold(Path::root(), Path::key),
-            _ => Path::root(),
-        };
-        placed(document, &path, why)
-    })?;
-    let designed = Designed {
-        made,
-        motor,
-        family,
-        chosen,
-        form,
-        profile,
-        width,
-        pressure,
-        speed,
-        angle: file.angle.map_or_else(Angle::default, |angle| angle.0),
+    let ((motor, family), inputs) = match (file.motor(), Inputs::of(&file.made(), point)) {
+        (Ok(motor), Ok(inputs)) => (motor, inputs),
+        (motor, inputs) => return Err(placed(document, motor.err(), inputs.err())),
     };
+    let mut faults = Faults::default();
+    let profile = faults.keep(profile(&motor, form));
+    let made = Made::of(&motor, inputs, point).map_err(|found| faults.extend(found)).ok();
+    let (Some(profile), Some(made)) = (profile, made) else {
+        return Err(placed(document, None, Some(faults)));
+    };
+    let chosen = if family.is_some() && !file.places() { Chosen::Middle } else { Chosen::Given };
+    let angle = file.angle.map_or_else(Angle::default, |angle| angle.0);
+    let designed = Designed { motor, family, chosen, form, profile, width, pressure, speed, angle, made };
     Ok((file.title, designed))
 }
 
-fn placed(document: &Document, path: &Path, why: Error) -> Error {
-    let at = document.error(path, why.problem());
-    Error::Placed { at: Box::new(at), why: Box::new(why) }
+/// Faults of the file and of its values, at their places.
+fn placed(document: &Document, of_file: Option<epicyclic_formats::Faults>, others: Option<Faults>) -> Error {
+    let mut all = of_file.unwrap_or_default();
+    if let Some(others) = others {
+        others.put_into(&mut all);
+    }
+    Error::Document(all.placed(document, &Path::root()))
 }

@@ -1,7 +1,7 @@
 //! Common parts of both searches for hydromotors: listed designs, and a design as a motor of a given size.
 
 use crate::error::Error;
-use crate::motor::answer::{Chosen, Designed, Groups, Made, Point, saved};
+use crate::motor::answer::{Chosen, Designed, Groups, Inputs, Made, Point, saved};
 use crate::shared::number::si;
 use epicyclic_formats::motor::MaterialGroup;
 use epicyclic_hydromotor::closure::Family;
@@ -113,9 +113,10 @@ impl Drawn<'_> {
     pub(crate) fn designed(self, requirements: &Requirements) -> Result<Designed, Error> {
         let Self { motor, form, angle, made, .. } = self;
         let (width, pressure, speed) = (Some(self.width), requirements.pressure_drop, requirements.speed);
+        let point = Point { form, width, pressure, speed };
         let family = motor.arcs().map(|_| Family::new(motor.numbers(), motor.module())).transpose()?;
         Ok(Designed {
-            made: Made::of(&motor, made, Point { form, width, pressure, speed })?,
+            made: Made::of(&motor, Inputs::of(made, point)?, point)?,
             profile: Profile::new(&motor, form),
             family,
             motor,

@@ -13,7 +13,7 @@ use crate::flanks::{AllowedPressure, LoadedPath, MaterialLimits, SealingContact}
 use crate::motor::Motor;
 use crate::profile::{Profile, ToothForm};
 use crate::quantity::Quantity;
-use crate::ranges::positive_pressure;
+use crate::ranges::{self, positive_pressure};
 use std::f64::consts::PI;
 
 /// Inputs for the flanks under load, and their limits.
@@ -55,8 +55,8 @@ impl FlankOrder {
     }
 
     pub(super) fn checked(&self, pressure_drop: Option<Pressure>) -> Result<(), Error> {
-        positive_pressure(Quantity::ContactLimit, self.materials.contact)?;
-        positive_pressure(Quantity::RootLimit, self.materials.root)?;
+        ranges::stress_limit(Quantity::ContactLimit, self.materials.contact)?;
+        ranges::stress_limit(Quantity::RootLimit, self.materials.root)?;
         positive_pressure(Quantity::ContactModulus, self.materials.modulus)?;
         of_flow(self.ripple, self.least_torque)?;
         for (quantity, stress) in
