@@ -20,6 +20,7 @@ mod made;
 pub use made::{GapsGroup, Keys, MaterialGroup, OilGroup, PortGroup, PortsGroup, TurbulenceGroup};
 
 use epicyclic_hydromotor::closure::Family;
+use epicyclic_hydromotor::place::Place;
 use epicyclic_hydromotor::profile::{self, ToothForm};
 use epicyclic_hydromotor::quantity::{Quantity as Of, WheelKind};
 use epicyclic_hydromotor::{Error as MotorError, Motor, MotorNumbers, machine, ranges};
@@ -157,8 +158,7 @@ impl MotorFile {
     ///
     /// # Errors
     /// All independent faults: those of [`MotorNumbers::all_faults`], a module that no machine has, keys that
-    /// do not go together; without these the one of [`Family::new`], [`Family::at`] and its sisters,
-    /// [`Motor::of_cosine_law`], [`Motor::of_second_harmonic`].
+    /// do not go together; without these the one of [`Place::motor`].
     pub fn motor(&self) -> Result<(Motor, Option<Family>), Faults> {
         let mut faults = self.in_conflict();
         let is_cosine = self.law == Some(Law::Cosine);
@@ -167,7 +167,8 @@ impl MotorFile {
         errors.extend(machine::module(self.module.0).err());
         errors.extend(part);
         if faults.is_empty() && errors.is_empty() {
-            match self.closed() {
+            let numbers = MotorNumbers::new(self.stator, self.rotor, self.z3, self.zs);
+            match numbers.and_then(|numbers| self.place().motor(numbers, self.module.0)) {
                 Ok(motor) => return Ok(motor),
                 Err(error) => errors.push(error),
             }
@@ -178,23 +179,20 @@ impl MotorFile {
         Err(faults)
     }
 
-    fn closed(&self) -> Result<(Motor, Option<Family>), MotorError> {
-        let numbers = MotorNumbers::new(self.stator, self.rotor, self.z3, self.zs)?;
-        let module = self.module.0;
+    /// Which of the motors of its numbers is meant.
+    #[must_use]
+    pub fn place(&self) -> Place {
         if self.law == Some(Law::Cosine) {
-            let motor = match self.second_harmonic {
-                Some(second) => Motor::of_second_harmonic(numbers, module, second.get()),
-                None => Motor::of_cosine_law(numbers, module),
-            };
-            return Ok((motor?, None));
+            return self
+                .second_harmonic
+                .map_or(Place::CosineLaw, |second| Place::SecondHarmonic(second.get()));
         }
-        let family = Family::new(numbers, module)?;
-        let arcs = match (self.l, self.a, self.part) {
-            (Some(l), ..) => family.at(l.0),
-            (_, Some(a), _) => family.at_crest_distance(a.0),
-            (.., part) => family.at_part(part.map_or(0.5, Number::get)),
-        }?;
-        Ok((Motor::of_two_arcs(numbers, module, arcs.trough_distance())?, Some(family)))
+        match (self.l, self.a, self.part) {
+            (Some(l), ..) => Place::TroughDistance(l.0),
+            (_, Some(a), _) => Place::CrestDistance(a.0),
+            (.., Some(part)) => Place::Part(part.get()),
+            _ => Place::Middle,
+        }
     }
 
     /// Keys that do not go together.
@@ -230,12 +228,6 @@ impl MotorFile {
             friction: self.friction,
             ports: self.ports.clone(),
         }
-    }
-
-    /// Whether it says which motor of its family is meant.
-    #[must_use]
-    pub fn places(&self) -> bool {
-        self.place_keys().next().is_some()
     }
 
     fn place_keys(&self) -> impl Iterator<Item = &'static str> {
@@ -290,7 +282,8 @@ pub fn place(error: &MotorError) -> Path {
         | MotorError::NoTip { .. }
         | MotorError::NoFlank { .. }
         | MotorError::OutOfRange {
-            quantity: Of::SatelliteTooth | Of::WheelTooth | Of::SatelliteDedendum, ..
+            quantity: Of::SatelliteTooth | Of::WheelTooth | Of::SatelliteDedendum,
+            ..
         } => "teeth",
         MotorError::OutsideHarmonic { .. } => "second_harmonic",
         MotorError::OutsideFamily { .. } => "l",
@@ -357,7 +350,6 @@ fn of_quantity(quantity: Of) -> &'static str {
         | Of::KidneyCorner => "ports",
         Of::DeadArea => "ports.dead_volume",
         Of::DischargeCoefficient => "ports.discharge",
-        Of::TrappedPressure => "ports.most_trapped",
         _ => "",
     }
 }

@@ -417,7 +417,12 @@ const SOUND: [Sound; 11] = [
             ("width: 80 mm", "width: @-80 mm@", "carrier.arms.width", "not-positive"),
             ("thickness: 20 mm", "thickness: @0 mm@", "carrier.arms.thickness", "not-positive"),
             ("radius: 30 mm", "radius: @0 mm@", "carrier.arms.hole.radius", "not-positive"),
-            ("outside_radius: 105 mm", "outside_radius: @0 mm@", "carrier.hub.outside_radius", "not-positive"),
+            (
+                "outside_radius: 105 mm",
+                "outside_radius: @0 mm@",
+                "carrier.hub.outside_radius",
+                "not-positive",
+            ),
             ("width: 50 mm", "width: @0 mm@", "carrier.hub.width", "not-positive"),
         ],
     },

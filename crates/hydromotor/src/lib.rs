@@ -14,6 +14,7 @@
 //! | [`cosine`] | the other way: a cosine-law rotor and its conjugate stator |
 //! | [`second_harmonic`] | the same with a second harmonic: one family, no jump of the curvature; its range |
 //! | [`motor`] | a closed motor; frame and signs |
+//! | [`place`] | which of the motors of given numbers is meant |
 //! | [`centrode`] | stator, rotor and satellite as curves of their arc length |
 //! | [`satellites`] | where each satellite is, how it has turned, how near its neighbours come |
 //! | [`two_arc_fit`] | how nearly the rotor consists of arcs |
@@ -79,11 +80,13 @@ pub mod machine;
 mod modules;
 pub mod motor;
 pub mod numbers;
+pub mod place;
 pub mod ports;
 pub mod profile;
 pub mod quantity;
 pub mod ranges;
 mod real;
+mod reason;
 pub mod satellites;
 pub mod search;
 pub mod second_harmonic;

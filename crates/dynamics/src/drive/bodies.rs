@@ -1,10 +1,10 @@
 //! Masses and inertias of the parts of a drive.
 
-use super::{Faults, finite};
 use super::part::{BoredGear, Computed};
 use super::result::{GearMass, GearSetGeometry, Masses, ShaftDesign, Shafts};
 use super::spec::{Bore, CarrierSpec, GearSetSpec};
 use super::warning::Warning;
+use super::{Faults, finite};
 use crate::Error;
 use crate::planetary::{GearSet, PlanetaryDrive};
 use epicyclic_gears::bearing::{self, Series};

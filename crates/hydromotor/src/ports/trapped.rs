@@ -236,41 +236,4 @@ impl PortPlate {
         let pressure = if is_in(&timing.high) { drop } else { 0.0 };
         Ok(Some(Pressure::from_si(pressure)))
     }
-
-    /// Faults of the ports over a revolution: short circuits, and stretches that change the pressure by more
-    /// than is allowed.
-    ///
-    /// # Errors
-    /// Errors of [`PortPlate::timing`] and [`PortPlate::trapped`]; [`Error::NotPositive`] for the pressure
-    /// allowed.
-    pub fn findings(
-        &self,
-        bulk_modulus: Pressure,
-        dead_area: Area,
-        allowed: Pressure,
-    ) -> Result<Vec<Finding>, Error> {
-        positive_pressure(Quantity::TrappedPressure, allowed)?;
-        let timing = self.timing()?;
-        let trapped = self.trapped(&timing, bulk_modulus, dead_area)?;
-        let short = timing.short_circuits.iter().map(|stretch| Finding::ShortCircuit { stretch: *stretch });
-        let beyond = trapped.into_iter().filter(|trapped| trapped.change.abs() > allowed);
-        Ok(short.chain(beyond.map(|trapped| Finding::Trapped { trapped, allowed })).collect())
-    }
-}
-
-/// A fault of ports; every chamber has it once in each of its cycles.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Finding {
-    /// A chamber joins the high and the low pressure.
-    ShortCircuit {
-        /// Phases of the chamber with the short circuit.
-        stretch: Stretch,
-    },
-    /// A closed chamber changes its pressure by more than is allowed.
-    Trapped {
-        /// Stretch and change of the pressure.
-        trapped: Trapped,
-        /// Greatest change allowed.
-        allowed: Pressure,
-    },
 }

@@ -5,8 +5,8 @@ use super::made::{Groups, Inputs, Made, Point};
 use crate::error::Error;
 use epicyclic_formats::motor::MotorFile;
 use epicyclic_formats::{Document, Path};
-use epicyclic_hydromotor::arcs::StatorArcs;
 use epicyclic_hydromotor::closure::Family;
+use epicyclic_hydromotor::place::Place;
 use epicyclic_hydromotor::profile::{Profile, ToothForm};
 use epicyclic_hydromotor::{Error as MotorError, Motor, MotorNumbers};
 use schemars::JsonSchema;
@@ -34,23 +34,6 @@ pub struct Question {
     pub angle: Angle,
     /// Material, oil, gaps, friction and ports.
     pub made: Groups,
-}
-
-/// Ways to choose a motor of given numbers.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Place {
-    /// Stator of two arcs, in the middle of the family.
-    Middle,
-    /// Distance `l` of the centres of the stator's arcs at the troughs.
-    TroughDistance(Length),
-    /// Distance `a` of the centres of the stator's arcs at the crests.
-    CrestDistance(Length),
-    /// Part of the family, from 0 to 1.
-    Part(f64),
-    /// Rotor by the cosine law: one motor, no family.
-    CosineLaw,
-    /// Rotor by the cosine law with a second harmonic of this relative amplitude `ε₂`.
-    SecondHarmonic(f64),
 }
 
 /// Reasons for the choice of a motor from its family.
@@ -95,14 +78,8 @@ pub struct Designed {
 /// tooth form; [`Error::PressureDrop`], [`Error::RotorSpeed`] unless these are above 0.
 pub fn design(question: &Question) -> Result<Designed, Error> {
     let &Question { numbers, module, place, form, width, pressure, speed, angle, ref made } = question;
-    let (motor, family) = match (place, closed_arcs(numbers, module, place)?) {
-        (_, Some((family, arcs))) => {
-            (Motor::of_two_arcs(numbers, module, arcs.trough_distance())?, Some(family))
-        }
-        (Place::SecondHarmonic(second), None) => (Motor::of_second_harmonic(numbers, module, second)?, None),
-        (_, None) => (Motor::of_cosine_law(numbers, module)?, None),
-    };
-    let chosen = if place == Place::Middle { Chosen::Middle } else { Chosen::Given };
+    let (motor, family) = place.motor(numbers, module)?;
+    let chosen = chosen(place);
     let point = Point { form, width, pressure, speed };
     let inputs = Inputs::of(made, point)?;
     let profile = profile(&motor, form)?;
@@ -110,23 +87,8 @@ pub fn design(question: &Question) -> Result<Designed, Error> {
     Ok(Designed { motor, family, chosen, form, profile, width, pressure, speed, angle, made })
 }
 
-/// Family of motors with these numbers, and the arcs at a place of it; `None` for a rotor by the cosine law.
-pub(crate) fn closed_arcs(
-    numbers: MotorNumbers,
-    module: Length,
-    place: Place,
-) -> Result<Option<(Family, StatorArcs)>, MotorError> {
-    if matches!(place, Place::CosineLaw | Place::SecondHarmonic(_)) {
-        return Ok(None);
-    }
-    let family = Family::new(numbers, module)?;
-    let arcs = match place {
-        Place::TroughDistance(l) => family.at(l),
-        Place::CrestDistance(a) => family.at_crest_distance(a),
-        Place::Part(part) => family.at_part(part),
-        Place::Middle | Place::CosineLaw | Place::SecondHarmonic(_) => family.at_part(0.5),
-    }?;
-    Ok(Some((family, arcs)))
+fn chosen(place: Place) -> Chosen {
+    if place == Place::Middle { Chosen::Middle } else { Chosen::Given }
 }
 
 /// Tooth profile, or the reason why this motor has none; a number that is impossible for any motor is an
@@ -162,7 +124,7 @@ pub fn of_file(document: &Document) -> Result<(Option<String>, Designed), Error>
     let (Some(profile), Some(made)) = (profile, made) else {
         return Err(placed(document, None, Some(faults)));
     };
-    let chosen = if family.is_some() && !file.places() { Chosen::Middle } else { Chosen::Given };
+    let chosen = chosen(file.place());
     let angle = file.angle.map_or_else(Angle::default, |angle| angle.0);
     let designed = Designed { motor, family, chosen, form, profile, width, pressure, speed, angle, made };
     Ok((file.title, designed))

@@ -102,7 +102,16 @@ impl Made {
         let plate = ports.as_ref().map(|(plate, _)| plate);
         let losses = faults.keep(Losses::of(motor, plate, &inputs, point)).flatten();
         let Inputs { modulus, limits, most_trapped, bulk_modulus, dead_area, .. } = inputs;
-        faults.or(Self { modulus, limits, ports, port_figures, most_trapped, bulk_modulus, dead_area, losses })
+        faults.or(Self {
+            modulus,
+            limits,
+            ports,
+            port_figures,
+            most_trapped,
+            bulk_modulus,
+            dead_area,
+            losses,
+        })
     }
 
     /// Leakage, friction, efficiencies.
@@ -123,7 +132,10 @@ pub(crate) fn steel() -> Result<Pressure, Error> {
 }
 
 /// Effective modulus and limits of the material.
-fn material(group: Option<&MaterialGroup>, faults: &mut Faults) -> Option<(Pressure, Option<MaterialLimits>)> {
+fn material(
+    group: Option<&MaterialGroup>,
+    faults: &mut Faults,
+) -> Option<(Pressure, Option<MaterialLimits>)> {
     let Some(group) = group else { return Some((faults.keep(steel())?, None)) };
     let usual = Pressure::from_si(STEEL_GPA * 1e9);
     let youngs = group.youngs_modulus.map_or(usual, |modulus| modulus.0);
@@ -168,9 +180,7 @@ fn plate(motor: &Motor, holes: Holes) -> Result<(PortPlate, Timing), MotorError>
 fn holes(group: &PortsGroup, faults: &mut Faults) -> Option<Holes> {
     let refused = match (group.part, &group.high) {
         (Some(_), Some(_)) => refused("ports.high", "give either part, of the ideal holes, or high"),
-        (None, None) => {
-            refused("ports", "give part, of the ideal holes, or high, the port at high pressure")
-        }
+        (None, None) => refused("ports", "give part, of the ideal holes, or high, the port at high pressure"),
         (Some(_), None) if group.low.is_some() => {
             refused("ports.low", "holes by part are at the ideal places: give high in its place")
         }
@@ -232,12 +242,14 @@ impl Inputs {
         let is_dense = density.is_none_or(|density| faults.keep(ranges::density(density)).is_some());
         let viscosity = match oil.map(|oil| (oil.viscosity, oil.dynamic_viscosity)) {
             Some((Some(_), Some(_))) => {
-                faults.extend([refused("oil.dynamic_viscosity", "give either viscosity or dynamic_viscosity")]);
+                faults
+                    .extend([refused("oil.dynamic_viscosity", "give either viscosity or dynamic_viscosity")]);
                 None
             }
             Some((Some(kinematic), None)) => {
                 if density.is_none() {
-                    faults.extend([refused("oil.viscosity", "the kinematic viscosity needs the density, too")]);
+                    faults
+                        .extend([refused("oil.viscosity", "the kinematic viscosity needs the density, too")]);
                 }
                 // Of a wrong density the dynamic viscosity would be wrong, too.
                 density.filter(|_| is_dense).map(|density| kinematic.0 * density)
