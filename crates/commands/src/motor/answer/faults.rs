@@ -14,6 +14,11 @@ impl Faults {
         value.map_err(|error| self.0.push(error.into())).ok()
     }
 
+    /// Adds a fault.
+    pub(crate) fn push(&mut self, fault: Error) {
+        self.0.push(fault);
+    }
+
     /// Adds these faults.
     pub(crate) fn extend<E: Into<Error>>(&mut self, faults: impl IntoIterator<Item = E>) {
         self.0.extend(faults.into_iter().map(Into::into));

@@ -149,14 +149,14 @@ fn material(
         limit.and_then(|limit| faults.keep(ranges::stress_limit(quantity, limit)));
     }
     match (contact, root) {
-        (Some(_), None) => faults.extend([refused(
+        (Some(_), None) => faults.push(refused(
             "material.contact_limit",
             "the allowed pressure needs both limits: give root_limit, too",
-        )]),
-        (None, Some(_)) => faults.extend([refused(
+        )),
+        (None, Some(_)) => faults.push(refused(
             "material.root_limit",
             "the allowed pressure needs both limits: give contact_limit, too",
-        )]),
+        )),
         _ => {}
     }
     if is_sound.contains(&None) {
@@ -194,7 +194,7 @@ fn holes(group: &PortsGroup, faults: &mut Faults) -> Option<Holes> {
             return Some(Holes::Shapes { high: high?, low: low? });
         }
     };
-    faults.extend([refused]);
+    faults.push(refused);
     None
 }
 
@@ -230,10 +230,10 @@ impl Inputs {
         let mut faults = Faults::default();
         let width = point.width.and_then(|width| faults.keep(machine::width(width)));
         if point.pressure.is_some_and(|pressure| pressure.value <= 0.0) {
-            faults.extend([Error::PressureDrop]);
+            faults.push(Error::PressureDrop);
         }
         if point.speed.is_some_and(|speed| speed.value <= 0.0) {
-            faults.extend([Error::RotorSpeed]);
+            faults.push(Error::RotorSpeed);
         }
         faults.extend(point.form.faults());
         let material = material(groups.material.as_ref(), &mut faults);
@@ -242,14 +242,12 @@ impl Inputs {
         let is_dense = density.is_none_or(|density| faults.keep(ranges::density(density)).is_some());
         let viscosity = match oil.map(|oil| (oil.viscosity, oil.dynamic_viscosity)) {
             Some((Some(_), Some(_))) => {
-                faults
-                    .extend([refused("oil.dynamic_viscosity", "give either viscosity or dynamic_viscosity")]);
+                faults.push(refused("oil.dynamic_viscosity", "give either viscosity or dynamic_viscosity"));
                 None
             }
             Some((Some(kinematic), None)) => {
                 if density.is_none() {
-                    faults
-                        .extend([refused("oil.viscosity", "the kinematic viscosity needs the density, too")]);
+                    faults.push(refused("oil.viscosity", "the kinematic viscosity needs the density, too"));
                 }
                 // Of a wrong density the dynamic viscosity would be wrong, too.
                 density.filter(|_| is_dense).map(|density| kinematic.0 * density)
@@ -292,7 +290,7 @@ impl Inputs {
         let dead_area = match (ports.and_then(|ports| ports.dead_volume), width) {
             (Some(volume), Some(width)) => volume.0 / width,
             (Some(_), None) if point.width.is_none() => {
-                faults.extend([refused("ports.dead_volume", "it needs the width of the wheels, too")]);
+                faults.push(refused("ports.dead_volume", "it needs the width of the wheels, too"));
                 Area::default()
             }
             _ => Area::default(),
