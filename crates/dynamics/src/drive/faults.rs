@@ -6,10 +6,9 @@ use crate::Error;
 use crate::equivalent_inertia::{Link, LinkName};
 use epicyclic_gears::Quantity;
 use epicyclic_gears::carrier::{Arm, Carrier, Hub};
-use epicyclic_gears::mesh::coaxial_ring;
 use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_gears::rack::BasicRack;
-use epicyclic_gears::synthesis::{MOST_PLANETS, MOST_TEETH, check_tolerance};
+use epicyclic_gears::synthesis::{MOST_PLANETS, MOST_TEETH, ToothNumbers, check_tolerance};
 use epicyclic_units::Physical;
 use std::ops::RangeInclusive;
 use uom::si::f64::{Length, MassDensity, MomentOfInertia};
@@ -89,11 +88,14 @@ fn teeth(given: &TeethSpec) -> Vec<Error> {
     };
     let mut faults: Vec<epicyclic_gears::Error> = vec![];
     let names = [SimpleGear::Sun, SimpleGear::Planet, SimpleGear::Ring];
-    let is_coaxial = matches!(given, TeethSpec::Given { teeth, .. }
-        if teeth.ring.get() == coaxial_ring(teeth.sun.get(), teeth.planet.get()));
+    // In 64 bits, since any numbers may be given.
+    let is_coaxial = |teeth: &ToothNumbers| {
+        u64::from(teeth.ring.get()) == u64::from(teeth.sun.get()) + 2 * u64::from(teeth.planet.get())
+    };
+    let follows = matches!(given, TeethSpec::Given { teeth, .. } if is_coaxial(teeth));
     for (gear, range) in names.into_iter().zip(&gears) {
         // A ring that follows from sun and planet is too large because they are.
-        if gear == SimpleGear::Ring && is_coaxial && !faults.is_empty() {
+        if gear == SimpleGear::Ring && follows && !faults.is_empty() {
             break;
         }
         if *range.start() == 0 {
@@ -115,7 +117,7 @@ fn teeth(given: &TeethSpec) -> Vec<Error> {
     let mut faults: Vec<Error> = faults.into_iter().map(Error::Gear).collect();
     if let TeethSpec::Given { teeth, .. } = given
         && fit
-        && !is_coaxial
+        && !follows
     {
         let (sun, planet, ring) = (teeth.sun.get(), teeth.planet.get(), teeth.ring.get());
         faults.push(Error::UnequalCentreDistances { sun, planet, ring });
