@@ -83,7 +83,7 @@ pub fn design(question: &Question) -> Result<Designed, Error> {
     let point = Point { form, width, pressure, speed };
     let inputs = Inputs::of(made, point)?;
     let profile = profile(&motor, form)?;
-    let made = Made::of(&motor, inputs, point)?;
+    let made = Made::of(&motor, &inputs, point)?;
     Ok(Designed { motor, family, chosen, form, profile, width, pressure, speed, angle, made })
 }
 
@@ -120,7 +120,7 @@ pub fn of_file(document: &Document) -> Result<(Option<String>, Designed), Error>
     };
     let mut faults = Faults::default();
     let profile = faults.keep(profile(&motor, form));
-    let made = Made::of(&motor, inputs, point).map_err(|found| faults.extend(found)).ok();
+    let made = Made::of(&motor, &inputs, point).map_err(|found| faults.extend(found)).ok();
     let (Some(profile), Some(made)) = (profile, made) else {
         return Err(placed(document, None, Some(faults)));
     };

@@ -93,15 +93,15 @@ impl Made {
     ///
     /// # Errors
     /// All independent faults of the calculations.
-    pub(crate) fn of(motor: &Motor, inputs: Inputs, point: Point) -> Result<Self, Faults> {
+    pub(crate) fn of(motor: &Motor, inputs: &Inputs, point: Point) -> Result<Self, Faults> {
         let mut faults = Faults::default();
         let ports = inputs.holes.and_then(|holes| faults.keep(plate(motor, holes)));
         let port_figures = ports
             .as_ref()
-            .and_then(|(plate, timing)| faults.keep(MadePorts::of(plate, timing, &inputs, point)));
+            .and_then(|(plate, timing)| faults.keep(MadePorts::of(plate, timing, inputs, point)));
         let plate = ports.as_ref().map(|(plate, _)| plate);
-        let losses = faults.keep(Losses::of(motor, plate, &inputs, point)).flatten();
-        let Inputs { modulus, limits, most_trapped, bulk_modulus, dead_area, .. } = inputs;
+        let losses = faults.keep(Losses::of(motor, plate, inputs, point)).flatten();
+        let &Inputs { modulus, limits, most_trapped, bulk_modulus, dead_area, .. } = inputs;
         faults.or(Self {
             modulus,
             limits,

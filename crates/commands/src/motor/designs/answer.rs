@@ -116,7 +116,7 @@ impl Drawn<'_> {
         let point = Point { form, width, pressure, speed };
         let family = motor.arcs().map(|_| Family::new(motor.numbers(), motor.module())).transpose()?;
         Ok(Designed {
-            made: Made::of(&motor, Inputs::of(made, point)?, point)?,
+            made: Made::of(&motor, &Inputs::of(made, point)?, point)?,
             profile: Profile::new(&motor, form),
             family,
             motor,
