@@ -43,6 +43,7 @@
 //! ```
 
 mod bodies;
+mod faults;
 mod forces;
 mod loads;
 mod motion;
@@ -69,8 +70,6 @@ pub use warning::Warning;
 use crate::Error;
 use bodies::Ends;
 use epicyclic_gears::simple_set::Mode;
-use epicyclic_gears::synthesis::check_tolerance;
-use epicyclic_units::Physical;
 use loads::{Carried, Meshes};
 use motion::Starting;
 use teeth::{Geared, Wanted};
@@ -90,7 +89,32 @@ pub const USUAL_RATIO: std::ops::RangeInclusive<f64> = 3.0..=10.0;
 /// [`Error::NotFinite`], [`Error::NoInertia`], [`Error::SelfLocking`]; [`Error::Overflow`] for a result
 /// beyond the range of numbers.
 pub fn design(spec: &DriveSpec) -> Result<DriveDesign, Error> {
-    check(spec)?;
+    design_all(spec).map_err(|mut faults| faults.swap_remove(0))
+}
+
+/// Designs a drive as [`design`] does.
+///
+/// # Errors
+/// All independent faults, at least one: first those of the values ([`DriveSpec::faults`]), and if there are
+/// none, those of the parts.
+pub fn design_all(spec: &DriveSpec) -> Result<DriveDesign, Vec<Error>> {
+    designed(spec).map_err(|Faults(faults)| faults)
+}
+
+/// Independent faults, at least one.
+struct Faults(Vec<Error>);
+
+impl From<Error> for Faults {
+    fn from(error: Error) -> Self {
+        Self(vec![error])
+    }
+}
+
+fn designed(spec: &DriveSpec) -> Result<DriveDesign, Faults> {
+    let faults = spec.faults();
+    if !faults.is_empty() {
+        return Err(Faults(faults));
+    }
     let wanted = Wanted { ratio: spec.ratio, tolerance: spec.ratio_tolerance };
     let meshes = Meshes {
         sun_planet: spec.sun_planet_efficiency,
@@ -146,27 +170,6 @@ pub fn design(spec: &DriveSpec) -> Result<DriveDesign, Error> {
 
 /// Sun drives, carrier is driven, ring at rest.
 const MODE: Mode = Mode::SUN_TO_CARRIER;
-
-fn check(spec: &DriveSpec) -> Result<(), Error> {
-    let positive = |quantity, value: f64, unit| {
-        if value > 0.0 && value.is_finite() {
-            Ok(())
-        } else {
-            Err(Error::NotPositive { quantity, value, unit })
-        }
-    };
-    positive(Given::Power, spec.power.kw(), "kW")?;
-    positive(Given::Speed, spec.speed.rpm(), "rpm")?;
-    positive(Given::Ratio, spec.ratio, "")?;
-    check_tolerance(spec.ratio_tolerance)?;
-    if let Some(driving) = spec.driving_torque {
-        positive(Given::DrivingTorque, driving.si(), "N·m")?;
-    }
-    match spec.load.map(Physical::si) {
-        Some(value) if !value.is_finite() => Err(Error::LoadNotFinite { value }),
-        _ => Ok(()),
-    }
-}
 
 /// Refuses what overflowed on the way.
 fn finite(what: Computed, value: f64) -> Result<f64, Error> {

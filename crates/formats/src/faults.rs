@@ -15,13 +15,15 @@ pub(crate) struct At {
     /// Keys below the path, those of maps within each other joined by dots: the first that the file has is
     /// meant.
     keys: Keys,
+    /// Whether the path stays as it is where the file does not have it: it is the key that would help.
+    is_missing: bool,
 }
 
 pub(crate) type Keys = &'static [&'static str];
 
 impl From<Path> for At {
     fn from(path: Path) -> Self {
-        Self { path, keys: &[] }
+        Self { path, keys: &[], is_missing: false }
     }
 }
 
@@ -40,18 +42,21 @@ impl From<&'static str> for At {
 impl Path {
     /// The first of these keys that the file has below this path; this path if it has none.
     pub(crate) fn first_of(self, keys: Keys) -> At {
-        At { path: self, keys }
+        At { path: self, keys, is_missing: false }
     }
 }
 
 impl At {
     /// The path, continued from the end of another one.
     pub(crate) fn below(self, base: &Path) -> Self {
-        Self { path: base.join(&self.path), keys: self.keys }
+        Self { path: base.join(&self.path), ..self }
     }
 
-    /// The longest part of the path that the document has.
+    /// The longest part of the path that the document has; the whole path of a key that would help.
     fn in_document(&self, document: &Document) -> Path {
+        if self.is_missing {
+            return self.path.clone();
+        }
         let keys = self.keys.iter().map(|keys| self.path.join(&Path::dotted(keys)));
         let mut path = keys.into_iter().find(|path| document.has(path)).unwrap_or_else(|| self.path.clone());
         while !document.has(&path) {
@@ -64,6 +69,12 @@ impl At {
 impl Faults {
     pub(crate) fn push(&mut self, at: impl Into<At>, problem: impl Into<Problem>) {
         self.0.push((at.into(), problem.into()));
+    }
+
+    /// Adds a fault that a calculation finds, at the key that it is about. The file need not have the key: it
+    /// is also the one that would help.
+    pub fn add(&mut self, key: Path, problem: impl Into<Problem>) {
+        self.0.push((At { path: key, keys: &[], is_missing: true }, problem.into()));
     }
 
     /// The value, or `None` and its fault.
@@ -88,7 +99,9 @@ impl Faults {
         self
     }
 
-    pub(crate) fn is_empty(&self) -> bool {
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
@@ -110,7 +123,13 @@ impl Faults {
         let placed = |(at, problem): &(At, Problem)| {
             document.fault(at.clone().below(base).in_document(document), problem.clone())
         };
-        let mut faults: Vec<Fault> = self.0.iter().map(placed).collect();
+        let mut faults: Vec<Fault> = vec![];
+        for fault in self.0.iter().map(placed) {
+            // Two calculations may refuse the same value.
+            if !faults.contains(&fault) {
+                faults.push(fault);
+            }
+        }
         faults.sort_by_key(|fault| fault.at.position);
         Error::all(faults)
     }
@@ -127,6 +146,18 @@ impl std::error::Error for Faults {}
 
 impl From<epicyclic_gears::Error> for Problem {
     fn from(error: epicyclic_gears::Error) -> Self {
+        Self::refused(error.name(), error.to_string())
+    }
+}
+
+impl From<epicyclic_dynamics::Error> for Problem {
+    fn from(error: epicyclic_dynamics::Error) -> Self {
+        Self::refused(error.name(), error.to_string())
+    }
+}
+
+impl From<epicyclic_hydromotor::Error> for Problem {
+    fn from(error: epicyclic_hydromotor::Error) -> Self {
         Self::refused(error.name(), error.to_string())
     }
 }

@@ -20,13 +20,15 @@ mod made;
 pub use made::{GapsGroup, Keys, MaterialGroup, OilGroup, PortGroup, PortsGroup, TurbulenceGroup};
 
 use epicyclic_hydromotor::closure::Family;
+use epicyclic_hydromotor::place::Place;
 use epicyclic_hydromotor::profile::{self, ToothForm};
 use epicyclic_hydromotor::quantity::{Quantity as Of, WheelKind};
-use epicyclic_hydromotor::{Error as MotorError, Motor, MotorNumbers};
+use epicyclic_hydromotor::{Error as MotorError, Motor, MotorNumbers, machine, ranges};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
 
+use crate::faults::Faults;
 use crate::{Document, Error, FileKind, Path, Problem, Span};
 use epicyclic_units::{Number, Quantity};
 
@@ -143,28 +145,77 @@ pub enum Law {
 }
 
 impl MotorFile {
+    /// The file in a document.
+    ///
+    /// # Errors
+    /// Another kind of file; all faults of its values.
+    pub fn of(document: &Document) -> Result<Self, Error> {
+        document.must_be(FileKind::Motor)?;
+        document.read()
+    }
+
     /// The motor, and the family that it is of; a cosine-law motor has none.
     ///
     /// # Errors
-    /// As [`MotorNumbers::new`], [`Family::new`], [`Family::at`] and its sisters, [`Motor::of_cosine_law`],
-    /// [`Motor::of_second_harmonic`].
-    pub fn motor(&self) -> Result<(Motor, Option<Family>), MotorError> {
-        let numbers = MotorNumbers::new(self.stator, self.rotor, self.z3, self.zs)?;
-        let module = self.module.0;
-        if self.law == Some(Law::Cosine) {
-            let motor = match self.second_harmonic {
-                Some(second) => Motor::of_second_harmonic(numbers, module, second.get()),
-                None => Motor::of_cosine_law(numbers, module),
-            };
-            return Ok((motor?, None));
+    /// All independent faults: those of [`MotorNumbers::all_faults`], a module that no machine has, keys that
+    /// do not go together; without these the one of [`Place::motor`].
+    pub fn motor(&self) -> Result<(Motor, Option<Family>), Faults> {
+        let mut faults = self.in_conflict();
+        let is_cosine = self.law == Some(Law::Cosine);
+        let part = self.part.filter(|_| !is_cosine).and_then(|part| ranges::family_part(part.get()).err());
+        let mut errors = MotorNumbers::all_faults(self.stator, self.rotor, self.z3, self.zs);
+        errors.extend(machine::module(self.module.0).err());
+        errors.extend(part);
+        if faults.is_empty() && errors.is_empty() {
+            let numbers = MotorNumbers::new(self.stator, self.rotor, self.z3, self.zs);
+            match numbers.and_then(|numbers| self.place().motor(numbers, self.module.0)) {
+                Ok(motor) => return Ok(motor),
+                Err(error) => errors.push(error),
+            }
         }
-        let family = Family::new(numbers, module)?;
-        let arcs = match (self.l, self.a, self.part) {
-            (Some(l), ..) => family.at(l.0),
-            (_, Some(a), _) => family.at_crest_distance(a.0),
-            (.., part) => family.at_part(part.map_or(0.5, Number::get)),
-        }?;
-        Ok((Motor::of_two_arcs(numbers, module, arcs.trough_distance())?, Some(family)))
+        for error in errors {
+            faults.add(place(&error), error);
+        }
+        Err(faults)
+    }
+
+    /// Which of the motors of its numbers is meant.
+    #[must_use]
+    pub fn place(&self) -> Place {
+        if self.law == Some(Law::Cosine) {
+            return self
+                .second_harmonic
+                .map_or(Place::CosineLaw, |second| Place::SecondHarmonic(second.get()));
+        }
+        match (self.l, self.a, self.part) {
+            (Some(l), ..) => Place::TroughDistance(l.0),
+            (_, Some(a), _) => Place::CrestDistance(a.0),
+            (.., Some(part)) => Place::Part(part.get()),
+            _ => Place::Middle,
+        }
+    }
+
+    /// Keys that do not go together.
+    fn in_conflict(&self) -> Faults {
+        let mut faults = Faults::default();
+        let is_cosine = self.law == Some(Law::Cosine);
+        if self.second_harmonic.is_some() && !is_cosine {
+            let reason = "it is of a rotor by the cosine law: give law: cosine, too";
+            faults.push("second_harmonic", Problem::refused("second-harmonic", reason));
+        }
+        let mut places = self.place_keys();
+        match (places.next(), places.next()) {
+            (Some(key), _) if is_cosine => {
+                let reason = "a cosine-law motor has no family: its numbers settle it; leave it out";
+                faults.push(key, Problem::refused("cosine-family", reason));
+            }
+            (Some(key), Some(_)) => {
+                let reason = "one of l, a and part says which motor of the family is meant; give one";
+                faults.push(key, Problem::refused("several-places", reason));
+            }
+            _ => {}
+        }
+        faults
     }
 
     /// Data besides the geometry.
@@ -179,22 +230,16 @@ impl MotorFile {
         }
     }
 
-    /// Whether it says which motor of its family is meant.
-    #[must_use]
-    pub fn places(&self) -> bool {
-        self.place_key().is_some()
-    }
-
-    fn place_key(&self) -> Option<&'static str> {
+    fn place_keys(&self) -> impl Iterator<Item = &'static str> {
         let given = [("l", self.l.is_some()), ("a", self.a.is_some()), ("part", self.part.is_some())];
-        given.into_iter().find(|(_, is_given)| *is_given).map(|(key, _)| key)
+        given.into_iter().filter_map(|(key, is_given)| is_given.then_some(key))
     }
 }
 
 /// The file and its motor.
 ///
 /// # Errors
-/// Faults of the file, and what makes no motor, at the key that would change it.
+/// All independent faults of the file, and what makes no motor, at the keys that would change it.
 ///
 /// ```
 /// use epicyclic_formats::{Document, motor};
@@ -205,39 +250,8 @@ impl MotorFile {
 /// # Ok::<(), epicyclic_formats::Error>(())
 /// ```
 pub fn read(document: &Document) -> Result<(MotorFile, Motor, Option<Family>), Error> {
-    document.must_be(FileKind::Motor)?;
-    let file: MotorFile = document.read()?;
-    let refuse = |name, key: &str, message: &str| {
-        Err(document.error(&Path::root().key(key), Problem::refused(name, message)))
-    };
-    if file.second_harmonic.is_some() && file.law != Some(Law::Cosine) {
-        return refuse(
-            "second-harmonic",
-            "second_harmonic",
-            "it is of a rotor by the cosine law: give law: cosine, too",
-        );
-    }
-    let given = [file.l.is_some(), file.a.is_some(), file.part.is_some()];
-    match file.place_key() {
-        Some(key) if file.law == Some(Law::Cosine) => {
-            return refuse(
-                "cosine-family",
-                key,
-                "a cosine-law motor has no family: its numbers settle it; leave it out",
-            );
-        }
-        Some(key) if given.into_iter().filter(|given| *given).count() > 1 => {
-            return refuse(
-                "several-places",
-                key,
-                "one of l, a and part says which motor of the family is meant; give one",
-            );
-        }
-        _ => {}
-    }
-    let (motor, family) = file
-        .motor()
-        .map_err(|error| document.error(&place(&error), Problem::refused(error.name(), error.to_string())))?;
+    let file = MotorFile::of(document)?;
+    let (motor, family) = file.motor().map_err(|faults| faults.placed(document, &Path::root()))?;
     Ok((file, motor, family))
 }
 
@@ -264,7 +278,13 @@ pub fn place(error: &MotorError) -> Path {
         | MotorError::NoChamber { .. } => "zs",
         MotorError::TeethPerLobeDiffer { .. } => "z3",
         MotorError::FilletTooLarge { .. } => "teeth.fillet",
-        MotorError::PointedTip { .. } | MotorError::NoTip { .. } | MotorError::NoFlank { .. } => "teeth",
+        MotorError::PointedTip { .. }
+        | MotorError::NoTip { .. }
+        | MotorError::NoFlank { .. }
+        | MotorError::OutOfRange {
+            quantity: Of::SatelliteTooth | Of::WheelTooth | Of::SatelliteDedendum,
+            ..
+        } => "teeth",
         MotorError::OutsideHarmonic { .. } => "second_harmonic",
         MotorError::OutsideFamily { .. } => "l",
         MotorError::OutsideFamilyByCrest { .. } => "a",
@@ -284,7 +304,7 @@ pub fn place(error: &MotorError) -> Path {
         | MotorError::OutOfRange { quantity, .. } => of_quantity(*quantity),
         _ => "",
     };
-    key.split('.').filter(|key| !key.is_empty()).fold(Path::root(), Path::key)
+    Path::dotted(key)
 }
 
 /// The key of a quantity.
@@ -330,7 +350,6 @@ fn of_quantity(quantity: Of) -> &'static str {
         | Of::KidneyCorner => "ports",
         Of::DeadArea => "ports.dead_volume",
         Of::DischargeCoefficient => "ports.discharge",
-        Of::TrappedPressure => "ports.most_trapped",
         _ => "",
     }
 }

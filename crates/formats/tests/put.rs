@@ -214,6 +214,21 @@ gear_set: { module: 5 mm, face_width: 50 mm, sun_bore: 10 mm }
 shafts: { sun: { diameter: 40 mm, bearing: 6310 } }
 carrier: { inertia: 1 kg·m² }
 parts: { sun: { mass: 3 kg }, planet: { inertia: 0.1 kg·m² } }
+attached: { motor: 2 kg·m² }
+start: { driving_torque: 700 N·m }
+";
+
+const DRIVE_IN_FULL: &str = "\
+power: 106.5 kW
+speed: 1950 rpm
+ratio_tolerance: 1 %
+teeth: { sun: 20, planet: 40, planets: 4, tip_gap: 0.1 }
+gear_set: { module: 8 mm, face_width: 60 mm, clearance: 0.2, addendum: 1, density: 7900 kg/m³ }
+shafts: { allowable_stress: 20 MPa }
+carrier:
+  arms: { length: 170 mm, width: 80 mm, thickness: 20 mm, hole: { radius: 30 mm, from_outer_end: 40 mm } }
+  hub: { outside_radius: 105 mm, inside_radius: 95 mm, width: 50 mm }
+attached: { machine: 1 kg·m² }
 ";
 
 const SCENARIO: &str = "\
@@ -257,7 +272,7 @@ fn scenario(document: &Document) -> Result<(), Error> {
 }
 
 /// Faults of one list are found together; those of values come before the others.
-const SOUND: [Sound; 8] = [
+const SOUND: [Sound; 11] = [
     Sound {
         text: BOX,
         read: gearbox,
@@ -368,6 +383,13 @@ const SOUND: [Sound; 8] = [
             ("sun_bore: 10 mm", "sun_bore: @-10 mm@", "gear_set.sun_bore", "negative"),
             ("diameter: 40 mm", "diameter: @0 mm@", "shafts.sun.diameter", "not-positive"),
             ("bearing: 6310", "bearing: @6999@", "shafts.sun.bearing", "unknown-bearing"),
+            ("power: 30 kW", "power: @0 kW@", "power", "not-positive"),
+            ("ratio: 5", "ratio: @-5@", "ratio", "not-positive"),
+            ("planets: 3", "planets: @9@", "teeth.planets", "planet-number"),
+            ("module: 5 mm", "module: @0 mm@", "gear_set.module", "not-positive"),
+            ("inertia: 1 kg·m²", "inertia: @-1 kg·m²@", "carrier.inertia", "impossible"),
+            ("motor: 2 kg·m²", "motor: @-2 kg·m²@", "attached.motor", "impossible"),
+            ("torque: 700 N·m", "torque: @0 N·m@", "start.driving_torque", "not-positive"),
             ("mass: 3 kg", "mass: @0 kg@", "parts.sun.mass", "not-positive"),
             ("mass: 3 kg", "mass: @-3 kg@", "parts.sun.mass", "negative"),
             ("inertia: 0.1 kg·m²", "inertia: @-1 kg·m²@", "parts.planet.inertia", "negative"),
@@ -377,6 +399,41 @@ const SOUND: [Sound; 8] = [
                 "carrier.inertia",
                 "carrier-twice",
             ),
+        ],
+    },
+    Sound {
+        text: DRIVE_IN_FULL,
+        read: |document| drive::read(document).map(drop),
+        cases: &[
+            ("speed: 1950 rpm", "speed: @-1950 rpm@", "speed", "not-positive"),
+            ("tolerance: 1 %", "tolerance: @100 %@", "ratio_tolerance", "tolerance"),
+            ("sun: 20", "sun: @20000@", "teeth.sun", "tooth-range"),
+            ("tip_gap: 0.1", "tip_gap: @-0.1@", "teeth.tip_gap", "negative"),
+            ("face_width: 60 mm", "face_width: @0 mm@", "gear_set.face_width", "not-positive"),
+            ("density: 7900 kg/m³", "density: @0 kg/m³@", "gear_set.density", "not-positive"),
+            ("stress: 20 MPa", "stress: @0 MPa@", "shafts.allowable_stress", "not-positive"),
+            ("machine: 1 kg·m²", "machine: @-1 kg·m²@", "attached.machine", "impossible"),
+            ("length: 170 mm", "length: @0 mm@", "carrier.arms.length", "not-positive"),
+            ("width: 80 mm", "width: @-80 mm@", "carrier.arms.width", "not-positive"),
+            ("thickness: 20 mm", "thickness: @0 mm@", "carrier.arms.thickness", "not-positive"),
+            ("radius: 30 mm", "radius: @0 mm@", "carrier.arms.hole.radius", "not-positive"),
+            (
+                "outside_radius: 105 mm",
+                "outside_radius: @0 mm@",
+                "carrier.hub.outside_radius",
+                "not-positive",
+            ),
+            ("width: 50 mm", "width: @0 mm@", "carrier.hub.width", "not-positive"),
+        ],
+    },
+    Sound {
+        text: DRIVE_IN_FULL,
+        read: |document| drive::read(document).map(drop),
+        cases: &[
+            ("clearance: 0.2", "clearance: @-0.2@", "gear_set.clearance", "negative"),
+            ("addendum: 1", "addendum: @0@", "gear_set.addendum", "not-positive"),
+            ("end: 40 mm", "end: @20 mm@", "carrier.arms.hole.from_outer_end", "out-of-range"),
+            ("inside_radius: 95 mm", "inside_radius: @105 mm@", "carrier.hub.inside_radius", "out-of-range"),
         ],
     },
     Sound {
@@ -420,6 +477,17 @@ const SOUND: [Sound; 8] = [
             ("z3: 55", "z3: @5.5@", "z3", "wrong-type"),
             ("module: 2 mm", "module: @2@", "module", "missing-unit"),
             ("width: 30 mm", "@widht@: 30 mm", "widht", "unknown-key"),
+        ],
+    },
+    Sound {
+        text: MOTOR,
+        read: |document| motor::read(document).map(drop),
+        cases: &[
+            ("rotor: 3", "rotor: @5@", "rotor", "lobes-not-more"),
+            ("z3: 55", "z3: @54@", "z3", "teeth-per-lobe"),
+            ("zs: 10", "zs: @0@", "zs", "no-teeth"),
+            ("module: 2 mm", "module: @0 mm@", "module", "not-positive"),
+            ("width: 30 mm", "part: @2@", "part", "out-of-range"),
         ],
     },
 ];

@@ -50,12 +50,15 @@ pub struct Chamber {
 
 /// Phase of a chamber as the rotor runs counter-clockwise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", serde(rename_all = "snake_case"), schemars(rename = "ChamberState"))]
 pub enum Phase {
     /// The chamber grows and fills from the high pressure.
     Filling,
     /// The chamber shrinks and empties into the low pressure.
     Emptying,
     /// The chamber changes over at its greatest or least area, closed to both.
+    #[cfg_attr(feature = "names", serde(rename = "changing_over"))]
     AtExtreme,
 }
 

@@ -71,7 +71,7 @@ use crate::arcs::{Arcs, StatorArcs, half_length};
 use crate::machine;
 use crate::modules::length;
 use crate::numbers::MotorNumbers;
-use crate::ranges::positive_modules;
+use crate::ranges::{self, positive_modules};
 use crate::real::{Dual, Real};
 use crate::tolerance::{CLOSES, EDGE_ANGLE, WITHIN};
 use epicyclic_numerics::extremes::{Sections, golden_while};
@@ -393,16 +393,7 @@ impl Family {
     /// # Errors
     /// [`Error::OutOfRange`] for a part outside.
     pub fn at_part(&self, part: f64) -> Result<StatorArcs, Error> {
-        if !(part > 0.0 && part < 1.0) {
-            let (low, high) = (0.0, 1.0);
-            return Err(Error::OutOfRange {
-                quantity: Quantity::FamilyPart,
-                value: part,
-                low,
-                high,
-                unit: "",
-            });
-        }
+        let part = ranges::family_part(part)?;
         let width = |interval: &Interval| interval.lower.inverse() - interval.upper.inverse();
         let mut rest = part * self.intervals.iter().map(width).sum::<f64>();
         let mut inverse = f64::NAN;

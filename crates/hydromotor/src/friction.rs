@@ -44,7 +44,7 @@ use crate::contact::{By, Conjugate, Contact};
 use crate::leakage::EndGaps;
 use crate::motor::Motor;
 use crate::quantity::Quantity;
-use crate::ranges::{finite_angle, positive, positive_pressure, ranging};
+use crate::ranges::{self, finite_angle, positive_pressure, ranging};
 use epicyclic_numerics::quadrature::quadrature;
 use std::f64::consts::{PI, TAU};
 
@@ -209,12 +209,10 @@ impl Motor {
         bore_radius: Length,
         speed: AngularVelocity,
     ) -> Result<GapDrag, Error> {
-        let gap =
-            |quantity, gap: Length| ranging(quantity, gap.um(), [0.0, f64::INFINITY], "µm").map(|_| gap.si());
-        let satellite_gap = gap(Quantity::SatelliteGap, gaps.satellite)?;
-        let rotor_gap = gap(Quantity::RotorGap, gaps.rotor)?;
+        let satellite_gap = ranges::gap(Quantity::SatelliteGap, gaps.satellite)?;
+        let rotor_gap = ranges::gap(Quantity::RotorGap, gaps.rotor)?;
         let over_gap = |value: f64, gap: f64| if gap > 0.0 { value / gap } else { 0.0 };
-        let viscosity = positive(Quantity::Viscosity, viscosity.si(), "Pa·s")?;
+        let viscosity = ranges::viscosity(viscosity)?;
         let speed = ranging(Quantity::Speed, speed.si(), [0.0, f64::INFINITY], "rad/s")?;
         let inner = 0.5 * self.envelope().rotor_inner.mm();
         ranging(Quantity::BoreRadius, bore_radius.mm(), [0.0, inner], "mm")?;

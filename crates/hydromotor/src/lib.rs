@@ -14,6 +14,7 @@
 //! | [`cosine`] | the other way: a cosine-law rotor and its conjugate stator |
 //! | [`second_harmonic`] | the same with a second harmonic: one family, no jump of the curvature; its range |
 //! | [`motor`] | a closed motor; frame and signs |
+//! | [`place`] | which of the motors of given numbers is meant |
 //! | [`centrode`] | stator, rotor and satellite as curves of their arc length |
 //! | [`satellites`] | where each satellite is, how it has turned, how near its neighbours come |
 //! | [`two_arc_fit`] | how nearly the rotor consists of arcs |
@@ -28,6 +29,7 @@
 //! | [`profile`] | teeth of all wheels, their limits, how near they come |
 //! | [`flanks`] | the flanks under load: forces, bearing, sealing, third contact, stresses, pressure limit |
 //! | [`checks`] | curvatures and distances against the satellite and its teeth, size |
+//! | [`ranges`] | the values that a quantity of any motor can have |
 //! | [`search`] | Pareto front for a displacement or torque, over all numbers and motors of two arcs |
 //! | [`search::forms`] | the same over three families and with the tooth form free |
 //!
@@ -78,11 +80,13 @@ pub mod machine;
 mod modules;
 pub mod motor;
 pub mod numbers;
+pub mod place;
 pub mod ports;
 pub mod profile;
 pub mod quantity;
-mod ranges;
+pub mod ranges;
 mod real;
+mod reason;
 pub mod satellites;
 pub mod search;
 pub mod second_harmonic;

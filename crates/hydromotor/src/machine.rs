@@ -41,13 +41,19 @@ pub(crate) fn greatest_distance(stator_teeth: u32) -> f64 {
     GREATEST_RADIUS * 0.5 * f64::from(stator_teeth)
 }
 
-/// A width of a machine.
-pub(crate) fn width(value: Length) -> Result<Length, Error> {
+/// Width of a machine.
+///
+/// # Errors
+/// [`Error::NotPositive`]; [`Error::OutOfRange`] outside [`WIDTH_MM`].
+pub fn width(value: Length) -> Result<Length, Error> {
     bounded(Quantity::Width, value, WIDTH_MM)
 }
 
-/// A module of a machine.
-pub(crate) fn module(value: Length) -> Result<Length, Error> {
+/// Module of a machine.
+///
+/// # Errors
+/// [`Error::NotPositive`]; [`Error::OutOfRange`] outside [`MODULE_MM`].
+pub fn module(value: Length) -> Result<Length, Error> {
     bounded(Quantity::Module, value, MODULE_MM)
 }
 

@@ -72,42 +72,69 @@ impl MotorNumbers {
         stator_teeth: u32,
         satellite_teeth: u32,
     ) -> Result<Self, Error> {
-        for (wheel, lobes) in [(WheelKind::Stator, stator_lobes), (WheelKind::Rotor, rotor_lobes)] {
+        let numbers = Self { stator_lobes, rotor_lobes, stator_teeth, satellite_teeth };
+        numbers.faults().into_iter().next().map_or(Ok(numbers), Err)
+    }
+
+    /// All independent faults of numbers `N`, `n`, `Z_3`, `Z_s`; none for the numbers of a motor.
+    ///
+    /// ```
+    /// use epicyclic_hydromotor::{Error, MotorNumbers};
+    ///
+    /// let faults = MotorNumbers::all_faults(5, 5, 54, 10);
+    /// assert!(matches!(faults[..], [Error::LobesNotMore { .. }, Error::TeethPerLobe { .. }]));
+    /// ```
+    #[must_use]
+    pub fn all_faults(
+        stator_lobes: u32,
+        rotor_lobes: u32,
+        stator_teeth: u32,
+        satellite_teeth: u32,
+    ) -> Vec<Error> {
+        Self { stator_lobes, rotor_lobes, stator_teeth, satellite_teeth }.faults()
+    }
+
+    fn faults(self) -> Vec<Error> {
+        let Self { stator_lobes: stator, rotor_lobes: rotor, stator_teeth, satellite_teeth } = self;
+        let mut faults = vec![];
+        for (wheel, lobes) in [(WheelKind::Stator, stator), (WheelKind::Rotor, rotor)] {
             if lobes == 0 {
-                return Err(Error::NoLobes { wheel });
+                faults.push(Error::NoLobes { wheel });
             }
         }
         for (wheel, teeth) in [(WheelKind::Stator, stator_teeth), (WheelKind::Satellite, satellite_teeth)] {
             if teeth == 0 {
-                return Err(Error::NoTeeth { wheel });
+                faults.push(Error::NoTeeth { wheel });
             }
         }
         if stator_teeth > MOST_TEETH {
-            return Err(Error::TooManyTeeth {
-                wheel: WheelKind::Stator,
-                teeth: stator_teeth,
-                most: MOST_TEETH,
-            });
+            let wheel = WheelKind::Stator;
+            faults.push(Error::TooManyTeeth { wheel, teeth: stator_teeth, most: MOST_TEETH });
         }
-        let (stator, rotor, most) = (stator_lobes, rotor_lobes, MOST_LOBE_DIFFERENCE);
-        if stator <= rotor {
-            return Err(Error::LobesNotMore { stator, rotor, most });
+        let most = MOST_LOBE_DIFFERENCE;
+        if stator > 0 && rotor > 0 {
+            if stator <= rotor {
+                faults.push(Error::LobesNotMore { stator, rotor, most });
+            } else if stator - rotor > most {
+                faults.push(Error::LobesTooDifferent { stator, rotor, most });
+            }
         }
-        if stator - rotor > most {
-            return Err(Error::LobesTooDifferent { stator, rotor, most });
+        if stator > 0 && (1..=MOST_TEETH).contains(&stator_teeth) {
+            faults.extend(evenly_shared(WheelKind::Stator, stator_teeth, stator).err());
         }
-        evenly_shared(WheelKind::Stator, stator_teeth, stator_lobes)?;
-        let numbers = Self { stator_lobes, rotor_lobes, stator_teeth, satellite_teeth };
-        // (Z_3 − Z_1)/2 is half a whole number: the greatest Z_s below it is the next whole one down.
-        let twice_limit = stator_teeth - numbers.rotor_teeth();
-        if satellite_teeth >= twice_limit.div_ceil(2) {
-            return Err(Error::SatelliteTooLarge {
-                teeth: satellite_teeth,
-                limit: f64::from(twice_limit) / 2.0,
-                most: twice_limit.div_ceil(2) - 1,
-            });
+        // The limit of the satellite follows from all other numbers.
+        if faults.is_empty() {
+            // (Z_3 − Z_1)/2 is half a whole number: the greatest Z_s below it is the next whole one down.
+            let twice_limit = stator_teeth - self.rotor_teeth();
+            if satellite_teeth >= twice_limit.div_ceil(2) {
+                faults.push(Error::SatelliteTooLarge {
+                    teeth: satellite_teeth,
+                    limit: f64::from(twice_limit) / 2.0,
+                    most: twice_limit.div_ceil(2) - 1,
+                });
+            }
         }
-        Ok(numbers)
+        faults
     }
 
     /// Numbers as by [`new`](Self::new), with the rotor's teeth `Z_1` given and checked.

@@ -101,7 +101,6 @@ words! {
         Density "density"
         Viscosity "viscosity"
         DischargeCoefficient "discharge coefficient"
-        TrappedPressure "trapped pressure allowed"
         Gap "gap"
         SatelliteGap "gap of the satellites"
         RotorGap "gap of the rotor"

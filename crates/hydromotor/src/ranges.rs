@@ -1,7 +1,9 @@
-//! Checks of inputs, which refuse a value outside its range.
+//! Checks of inputs, which refuse a value outside its range with [`Error::NotPositive`] or
+//! [`Error::OutOfRange`]. The public ones are of quantities whose range no other value decides; they return the
+//! value in SI units.
 
 use epicyclic_units::Physical;
-use uom::si::f64::{Angle, AngularVelocity, Area, Length, Pressure};
+use uom::si::f64::{Angle, AngularVelocity, Area, DynamicViscosity, Length, MassDensity, Pressure};
 
 use crate::Error;
 use crate::modules::modules;
@@ -80,7 +82,86 @@ pub(crate) fn finite_speed(value: AngularVelocity) -> Result<AngularVelocity, Er
     finite(Quantity::Speed, value.si(), "rad/s").map(|_| value)
 }
 
-/// An area that is finite and not below 0, in square metres.
-pub(crate) fn area_from_zero(quantity: Quantity, value: Area) -> Result<f64, Error> {
-    ranging(quantity, value.mm2(), [0.0, f64::INFINITY], "mm²").map(|_| value.si())
+/// Part of a family, between 0 and 1, both excluded.
+///
+/// # Errors
+/// [`Error::OutOfRange`].
+pub fn family_part(value: f64) -> Result<f64, Error> {
+    if value > 0.0 && value < 1.0 {
+        Ok(value)
+    } else {
+        Err(Error::OutOfRange { quantity: Quantity::FamilyPart, value, low: 0.0, high: 1.0, unit: "" })
+    }
+}
+
+/// Viscosity of the oil `η`, above 0, in Pa·s.
+///
+/// # Errors
+/// [`Error::NotPositive`].
+pub fn viscosity(value: DynamicViscosity) -> Result<f64, Error> {
+    positive(Quantity::Viscosity, value.si(), "Pa·s")
+}
+
+/// Density of the oil `ϱ`, above 0, in kg/m³.
+///
+/// # Errors
+/// [`Error::NotPositive`].
+pub fn density(value: MassDensity) -> Result<f64, Error> {
+    positive(Quantity::Density, value.si(), "kg/m³")
+}
+
+/// Bulk modulus of the oil `K`, above 0, in Pa.
+///
+/// # Errors
+/// [`Error::NotPositive`].
+pub fn bulk_modulus(value: Pressure) -> Result<f64, Error> {
+    positive_pressure(Quantity::BulkModulus, value).map(Physical::si)
+}
+
+/// Factor of the law of turbulent flow in a gap, above 0.
+///
+/// # Errors
+/// [`Error::NotPositive`].
+pub fn turbulent_factor(value: f64) -> Result<f64, Error> {
+    positive(Quantity::TurbulentFactor, value, "")
+}
+
+/// Exponent of the law of turbulent flow in a gap, from 0 to 1.
+///
+/// # Errors
+/// [`Error::OutOfRange`].
+pub fn turbulent_exponent(value: f64) -> Result<f64, Error> {
+    ranging(Quantity::TurbulentExponent, value, [0.0, 1.0], "")
+}
+
+/// Gap at a face of satellites or rotor, at least 0, in m.
+///
+/// # Errors
+/// [`Error::OutOfRange`] with this quantity.
+pub fn gap(quantity: Quantity, value: Length) -> Result<f64, Error> {
+    ranging(quantity, value.um(), [0.0, f64::INFINITY], "µm").map(|_| value.si())
+}
+
+/// Dead volume of a chamber over the width, at least 0, in m².
+///
+/// # Errors
+/// [`Error::OutOfRange`].
+pub fn dead_area(value: Area) -> Result<f64, Error> {
+    ranging(Quantity::DeadArea, value.mm2(), [0.0, f64::INFINITY], "mm²").map(|_| value.si())
+}
+
+/// Discharge coefficient of the openings of ports, above 0 and at most 1.
+///
+/// # Errors
+/// [`Error::OutOfRange`].
+pub fn discharge_coefficient(value: f64) -> Result<f64, Error> {
+    ranging(Quantity::DischargeCoefficient, value, [f64::MIN_POSITIVE, 1.0], "")
+}
+
+/// Limit of a stress of the material, above 0, in Pa.
+///
+/// # Errors
+/// [`Error::NotPositive`] with this quantity.
+pub fn stress_limit(quantity: Quantity, value: Pressure) -> Result<f64, Error> {
+    positive_pressure(quantity, value).map(Physical::si)
 }

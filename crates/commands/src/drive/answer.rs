@@ -7,11 +7,10 @@ pub use masses::{CarrierMass, CarrierShape, GearMass, Masses};
 
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
-use crate::shared::fault::Fault as _;
 use crate::shared::number::{maybe_si, plain, si};
 use crate::shared::records::Fraction;
 use epicyclic_dynamics::drive::{self as dynamics, Choice, DriveDesign, DriveSpec, Start};
-use epicyclic_formats::{Document, drive as file};
+use epicyclic_formats::{Document, Faults, Path, drive as file};
 use epicyclic_gears::bearing;
 use epicyclic_gears::geometry::ToothedGear;
 use schemars::JsonSchema;
@@ -361,17 +360,23 @@ pub fn answer(title: Option<String>, spec: &DriveSpec) -> Result<Drive, Error> {
 /// Designs the drive of a file.
 ///
 /// # Errors
-/// [`Error::Document`] with the place of a fault; [`Error::Placed`] with that of the key that a refused drive
-/// depends on.
+/// [`Error::Document`] with all independent faults at the keys that they are about; [`Error::Placed`] at
+/// `ratio` if no teeth are found.
 pub fn of_file(document: &Document) -> Result<Drive, Error> {
     let (file, spec) = file::read(document)?;
-    answer(file.title, &spec).map_err(|error| match error {
-        Error::Drive(why) => {
-            let at = document.error(&file::place(&why), why.problem());
-            Error::Placed { at: Box::new(at), why: Box::new(Error::Drive(why)) }
+    let design = dynamics::design_all(&spec).map_err(|errors| {
+        let mut faults = Faults::default();
+        for error in &errors {
+            faults.add(file::place(error), error.clone());
         }
-        error => error,
-    })
+        let at = faults.placed(document, &Path::root());
+        match errors.into_iter().next().map(|first| Error::Drive(Box::new(first))) {
+            // The question is sound.
+            Some(why) if why.is_nothing_found() => Error::Placed { at: Box::new(at), why: Box::new(why) },
+            _ => Error::Document(at),
+        }
+    })?;
+    Ok(Drive::of(file.title, &design))
 }
 
 impl Drive {

@@ -3,6 +3,7 @@
 pub(crate) mod bodies;
 pub(crate) mod centrodes;
 pub(crate) mod design;
+pub(crate) mod faults;
 pub(crate) mod flanks;
 pub(crate) mod made;
 pub(crate) mod moving;
@@ -12,9 +13,9 @@ pub(crate) mod saved;
 pub(crate) mod shape;
 pub(crate) mod teeth;
 
-pub use bodies::{Chamber, ChamberState, Push, Satellite};
+pub use bodies::{Chamber, Satellite};
 pub use centrodes::{CentrodePoint, Centrodes, MOST_POINTS, centrodes};
-pub use design::{Chosen, Designed, Place, Question, design, of_file};
+pub use design::{Chosen, Designed, Question, design, of_file};
 pub(crate) use flanks::contact_stresses;
 pub use flanks::{
     AllowedPressure, ContactStresses, FlankForces, Flanks, ForceAt, GoverningLimit, RootStresses,
@@ -22,7 +23,7 @@ pub use flanks::{
 pub use made::losses::{Efficiency, EfficiencyMap, Friction, Gap, Leakage, Losses};
 pub use made::ports::{ChamberExtreme, ClosedStretch, MadePorts, OpenTo, Port, PortState, Throttling};
 pub use made::{Groups, Made};
-pub(crate) use made::{Point, steel};
+pub(crate) use made::{Inputs, Point, steel};
 pub use moving::{Moving, MovingChamber, MovingFrame, MovingSatellite, moving};
 pub use over_angle::{OverAngle, OverCycle, over_angle, over_cycle};
 pub use shape::{Arcs, CosineLaw, HarmonicRange, Interval, Rotor};
@@ -340,33 +341,20 @@ impl Work {
         let [low, high] = [ripple.least, ripple.greatest].map(|flow| (flow / ripple.mean).si());
         let pressure = width.and(designed.pressure);
         let speed = width.and(designed.speed);
-        let torque = match (width, pressure) {
-            (Some(width), Some(pressure)) => Some(motor.theoretical_torque(*width, pressure)?),
-            _ => None,
-        };
-        let force = match (width, pressure) {
-            (Some(width), Some(pressure)) => {
-                let force: Force = pressure * (*width * (2.0 * motor.satellite_radius()));
-                Some(force)
-            }
-            _ => None,
-        };
-        let flow = match (width, speed) {
-            (Some(width), Some(speed)) => Some(motor.mean_flow(*width, speed)?),
-            _ => None,
-        };
-        let power = match (width, pressure, speed) {
-            (Some(width), Some(pressure), Some(speed)) => {
-                Some(motor.theoretical_power(*width, pressure, speed)?)
-            }
-            _ => None,
-        };
+        let (width, satellite) = (*width, 2.0 * motor.satellite_radius());
+        let torque = width.zip(pressure).map(|(width, pressure)| motor.theoretical_torque(width, pressure));
+        let torque = torque.transpose()?;
+        let force = width.zip(pressure).map(|(width, pressure)| Force::from(pressure * (width * satellite)));
+        let flow = width.zip(speed).map(|(width, speed)| motor.mean_flow(width, speed)).transpose()?;
+        let power = width.zip(pressure).zip(speed);
+        let power = power.map(|((width, pressure), speed)| motor.theoretical_power(width, pressure, speed));
+        let power = power.transpose()?;
         Ok(Self {
             least_chamber_m2: si(least),
             greatest_chamber_m2: si(greatest),
             displacement_per_width_m2: si(motor.displacement_per_width()),
             ripple: plain(ripple.delta),
-            width_m: maybe_si(*width),
+            width_m: maybe_si(width),
             displacement_m3: maybe_si(width.map(|width| motor.displacement(width)).transpose()?),
             pressure_pa: maybe_si(pressure),
             torque_n_m: maybe_si(torque),
@@ -442,6 +430,7 @@ mod tests {
     use super::*;
     use crate::answer::to_json;
     use epicyclic_hydromotor::MotorNumbers;
+    use epicyclic_hydromotor::place::Place;
     use epicyclic_hydromotor::profile::ToothForm;
     use uom::si::f64::{Angle, AngularVelocity, Pressure};
     use uom::si::length::millimeter;

@@ -4,8 +4,6 @@ pub(crate) mod lists;
 pub(crate) mod made;
 pub(crate) mod plots;
 
-pub(crate) use lists::subject;
-
 use crate::motor::answer::{
     self as motor, Arcs, Centrodes, Chosen, CosineLaw, Designed, Interval, Motor, Numbers,
 };
@@ -16,7 +14,6 @@ use crate::table::report::AsReport;
 use crate::table::report::{Part, Report, Row, Section, Text, headline, warned};
 use crate::table::text::{self, Error};
 use epicyclic_drawing::Scene;
-use epicyclic_hydromotor::centrode::Wheel;
 use epicyclic_hydromotor::closure::Limit;
 use epicyclic_pictures::motor as pictures;
 use epicyclic_units::Dimension::{
@@ -26,7 +23,7 @@ use epicyclic_units::format::trimmed;
 
 impl AsReport for Motor {
     fn report(&self) -> Report {
-        let section = |name, title, rows| Part::Facts(Section { name, title, columns: &[], rows, note: "" });
+        let section = |name, title, rows| facts(name, title, rows, "");
         let mut parts = vec![section("numbers", "Numbers and their conditions", numbers(&self.numbers))];
         if let Some(found) = &self.arcs {
             let title = match found.chosen {
@@ -105,7 +102,18 @@ pub fn title(numbers: &Numbers) -> String {
     )
 }
 
-fn one(name: &'static str, label: &'static str, symbol: &'static str, dimension: Dimension, si: f64) -> Row {
+/// A section of rows with one value each.
+pub(crate) fn facts(name: &'static str, title: &'static str, rows: Vec<Row>, note: &'static str) -> Part {
+    Part::Facts(Section { name, title, columns: &[], rows, note })
+}
+
+pub(crate) fn one(
+    name: &'static str,
+    label: &'static str,
+    symbol: &'static str,
+    dimension: Dimension,
+    si: f64,
+) -> Row {
     Row::new(name, label, symbol, [quantity(dimension, si)])
 }
 
@@ -448,11 +456,7 @@ pub fn centrodes_csv(centrodes: &Centrodes) -> Result<String, Error> {
             in_drawing(Angle, point.tangent_rad),
             trimmed(curvature, 12),
         ];
-        let mut row = vec![match point.wheel {
-            Wheel::Stator => "stator".to_owned(),
-            Wheel::Rotor => "rotor".to_owned(),
-            Wheel::Satellite => "satellite".to_owned(),
-        }];
+        let mut row = vec![point.wheel.words().to_owned()];
         row.extend(values);
         row
     });

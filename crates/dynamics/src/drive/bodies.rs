@@ -1,10 +1,10 @@
 //! Masses and inertias of the parts of a drive.
 
-use super::finite;
 use super::part::{BoredGear, Computed};
 use super::result::{GearMass, GearSetGeometry, Masses, ShaftDesign, Shafts};
 use super::spec::{Bore, CarrierSpec, GearSetSpec};
 use super::warning::Warning;
+use super::{Faults, finite};
 use crate::Error;
 use crate::planetary::{GearSet, PlanetaryDrive};
 use epicyclic_gears::bearing::{self, Series};
@@ -32,19 +32,43 @@ pub(super) fn masses(
     gear_set: &GearSetGeometry,
     shafts: &Shafts,
     warnings: &mut Vec<Warning>,
-) -> Result<Masses, Error> {
+) -> Result<Masses, Faults> {
     let (width, density) = (gear_set.face_width, wanted.density);
-    let sun_bore = bore(wanted.sun_bore, &shafts.sun, series)?;
-    let sun = gear_mass(BoredGear::Sun, &gear_set.sun, sun_bore, width, density)?;
+    let sun = bore(wanted.sun_bore, &shafts.sun, series)
+        .and_then(|bore| gear_mass(BoredGear::Sun, &gear_set.sun, bore, width, density));
     let planet_bore = match wanted.planet_bore {
-        Bore::BearingOrSolid => bearing_or_solid(&shafts.planet, gear_set.planet.root_diameter(), warnings),
-        given => bore(given, &shafts.planet, series)?,
+        Bore::BearingOrSolid => {
+            Ok(bearing_or_solid(&shafts.planet, gear_set.planet.root_diameter(), warnings))
+        }
+        given => bore(given, &shafts.planet, series),
     };
     if let Bore::Given(given) = wanted.planet_bore {
         warnings.extend(too_narrow(given, &shafts.planet));
     }
-    let planet = gear_mass(BoredGear::Planet, &gear_set.planet, planet_bore, width, density)?;
-    let (carrier_shape, carrier_inertia) = match *carrier {
+    let planet =
+        planet_bore.and_then(|bore| gear_mass(BoredGear::Planet, &gear_set.planet, bore, width, density));
+    let carrier = carrier_mass(carrier, density, planets, gear_set, warnings);
+    match (sun, planet, carrier) {
+        (Ok(sun), Ok(planet), Ok((carrier_shape, carrier_inertia))) => {
+            let carrier = carrier_shape.map(|shape| shape.total().mass);
+            Ok(Masses { sun, planet, carrier, carrier_inertia, carrier_shape })
+        }
+        (sun, planet, carrier) => {
+            let faults = [sun.err(), planet.err(), carrier.err()];
+            Err(Faults(faults.into_iter().flatten().collect()))
+        }
+    }
+}
+
+/// Shape of the carrier, if it has one, and its inertia.
+fn carrier_mass(
+    carrier: &CarrierSpec,
+    density: MassDensity,
+    planets: u32,
+    gear_set: &GearSetGeometry,
+    warnings: &mut Vec<Warning>,
+) -> Result<(Option<Carrier>, MomentOfInertia), Error> {
+    let (shape, inertia) = match *carrier {
         CarrierSpec::Neglected => {
             warnings.push(Warning::CarrierNeglected);
             (None, MomentOfInertia::from_si(0.0))
@@ -64,9 +88,8 @@ pub(super) fn masses(
             (Some(shape), whole.polar_inertia)
         }
     };
-    finite(Computed::CarrierInertia, carrier_inertia.si())?;
-    let mass = carrier_shape.map(|shape| shape.total().mass);
-    Ok(Masses { sun, planet, carrier: mass, carrier_inertia, carrier_shape })
+    finite(Computed::CarrierInertia, inertia.si())?;
+    Ok((shape, inertia))
 }
 
 /// Diameter of the hole in a gear.

@@ -8,14 +8,11 @@ use super::{MODE, USUAL_RATIO, finite};
 use crate::Error;
 use crate::planetary::GearSet;
 use crate::tolerance::GAP;
-use epicyclic_gears::Quantity;
 use epicyclic_gears::geometry::{GearKind, ToothedGear, centre_distance};
-use epicyclic_gears::mesh::coaxial_ring;
-use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::simple_set::exact_ratio;
 use epicyclic_gears::spacing::PlanetSpacing;
-use epicyclic_gears::synthesis::{Bounds, MOST_PLANETS, MOST_TEETH, Near, Placement, ToothNumbers};
+use epicyclic_gears::synthesis::{Bounds, Near, Placement, ToothNumbers};
 use epicyclic_units::Physical;
 use std::cmp::Reverse;
 
@@ -49,10 +46,7 @@ pub(super) fn geared(
 /// The tooth numbers given, or the best within the bounds.
 fn tooth_numbers(wanted: Wanted, teeth: &TeethSpec, rack: BasicRack) -> Result<ToothNumbers, Error> {
     match teeth {
-        TeethSpec::Given { teeth, tip_gap, .. } => {
-            check(*teeth, *tip_gap)?;
-            Ok(*teeth)
-        }
+        TeethSpec::Given { teeth, .. } => Ok(*teeth),
         TeethSpec::Within(bounds) => {
             let bounds = Bounds { rack, ..bounds.clone() };
             // Order: error, then most planets, smallest ring, smallest sun. Only one set is held at a time.
@@ -83,29 +77,6 @@ fn tooth_numbers(wanted: Wanted, teeth: &TeethSpec, rack: BasicRack) -> Result<T
             };
             Ok(best.ok_or(nothing)?.teeth)
         }
-    }
-}
-
-fn check(teeth: ToothNumbers, tip_gap: f64) -> Result<(), Error> {
-    let (sun, planet, ring) = (teeth.sun.get(), teeth.planet.get(), teeth.ring.get());
-    for (gear, teeth) in [(SimpleGear::Sun, sun), (SimpleGear::Planet, planet), (SimpleGear::Ring, ring)] {
-        if teeth > MOST_TEETH {
-            let (from, to) = (teeth, teeth);
-            return Err(epicyclic_gears::Error::ToothRange { gear, from, to, most: MOST_TEETH }.into());
-        }
-    }
-    if !(2..=MOST_PLANETS).contains(&teeth.planets) {
-        let (from, to) = (teeth.planets, teeth.planets);
-        return Err(epicyclic_gears::Error::PlanetNumber { from, to, most: MOST_PLANETS }.into());
-    }
-    if !(tip_gap >= 0.0 && tip_gap.is_finite()) {
-        let (quantity, value, unit) = (Quantity::TipGap, tip_gap, "modules");
-        return Err(epicyclic_gears::Error::Negative { quantity, value, unit }.into());
-    }
-    if ring == coaxial_ring(sun, planet) {
-        Ok(())
-    } else {
-        Err(Error::UnequalCentreDistances { sun, planet, ring })
     }
 }
 

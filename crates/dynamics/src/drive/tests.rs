@@ -455,7 +455,7 @@ fn impossible_drives_are_refused() {
     );
     refused!(
         |s| s.carrier = CarrierSpec::Inertia(MomentOfInertia::from_si(f64::NAN)),
-        Error::Overflow { what: Computed::CarrierInertia, .. }
+        Error::Impossible { what: Property::Inertia, .. }
     );
     refused!(|s| s.speed = rpm(1e-300), Error::Gear(_));
     refused!(|s| { s.gear_set.density = MassDensity::from_si(f64::MAX) }, Error::Overflow { .. });

@@ -11,7 +11,7 @@ use epicyclic_gears::synthesis::{Placement, ToothNumbers};
 use epicyclic_gears::{Error as GearError, ToothCount};
 use uom::si::f64::{Length, Ratio};
 
-use super::{BoreText, CarrierFile, DriveFile, PartFile, ShaftFile, TeethFile};
+use super::{BoreText, CarrierFile, DriveFile, PartFile, ShaftFile, TeethFile, place};
 use crate::faults::Faults;
 use crate::{Path, Problem, Span};
 use epicyclic_units::{Number, Physical, Quantity};
@@ -21,7 +21,8 @@ impl DriveFile {
     ///
     /// # Errors
     /// Tooth counts of 0, open ranges that their defaults turn around, efficiencies outside 0…1, unknown
-    /// bearings, a carrier with both inertia and shape or with half a shape, and a missing ratio.
+    /// bearings, a carrier with both inertia and shape or with half a shape, a missing ratio, and those of
+    /// [`DriveSpec::faults`].
     pub fn spec(&self) -> Result<DriveSpec, Faults> {
         let mut faults = Faults::default();
         let gear_set = &self.gear_set;
@@ -40,7 +41,7 @@ impl DriveFile {
         }
         let (power, speed) = (self.power.0, self.speed.0);
         let (module, face_width) = (gear_set.module.0, gear_set.face_width.0);
-        let mut spec = DriveSpec::new(power, speed, ratio.unwrap_or(f64::NAN), module, face_width);
+        let mut spec = DriveSpec::new(power, speed, ratio.unwrap_or(ANY_RATIO), module, face_width);
         spec.ratio_tolerance = self.ratio_tolerance.map_or(spec.ratio_tolerance, |given| given.0.si());
         spec.teeth = teeth.map_or(spec.teeth, |(teeth, _)| teeth);
         if let Some(mesh) = &self.mesh_efficiency {
@@ -96,9 +97,15 @@ impl DriveFile {
             spec.driving_torque = start.driving_torque.map(|given| given.0);
             spec.load = start.load.map(|given| given.0);
         }
+        for error in spec.faults() {
+            faults.add(place(&error), error);
+        }
         faults.or(spec)
     }
 }
+
+/// A ratio in place of a missing one, which has its fault already.
+const ANY_RATIO: f64 = 5.0;
 
 fn or<T>(given: Option<Quantity<T>>, usual: T) -> T {
     given.map_or(usual, |given| given.0)
@@ -108,7 +115,8 @@ fn refused(name: &'static str, reason: impl std::fmt::Display) -> Problem {
     Problem::refused(name, reason.to_string())
 }
 
-/// The teeth, and the ratio of a set given in full; `None` where they have a fault.
+/// The teeth, and the ratio of a set given in full; `None` where that has a fault. A range with a fault counts
+/// as not given.
 fn teeth(file: &TeethFile, rack: BasicRack, faults: &mut Faults) -> Option<(TeethSpec, Option<f64>)> {
     let single = |span: Option<Span<u32>>| span.and_then(|span| span.single());
     let (sun, planet, ring) = (single(file.sun), single(file.planet), single(file.ring));
@@ -148,7 +156,6 @@ fn teeth(file: &TeethFile, rack: BasicRack, faults: &mut Faults) -> Option<(Teet
         return Some((TeethSpec::Given { teeth, placement, tip_gap }, Some(ratio)));
     }
     let mut bounds = default_bounds(rack);
-    let mut is_whole = true;
     for (key, span, usual) in [
         ("teeth.sun", file.sun, &mut bounds.sun),
         ("teeth.planet", file.planet, &mut bounds.planet),
@@ -158,20 +165,13 @@ fn teeth(file: &TeethFile, rack: BasicRack, faults: &mut Faults) -> Option<(Teet
         let range = span.map_or(Ok(usual.clone()), |span| span.closed(usual.clone()));
         match range.map_err(|error| refused("range", error)) {
             Ok(range) if *range.start() == 0 && key != "teeth.planets" => {
-                is_whole = false;
                 faults.push(key, GearError::NoTeeth);
             }
             Ok(range) => *usual = range,
-            Err(problem) => {
-                is_whole = false;
-                faults.push(key, problem);
-            }
+            Err(problem) => faults.push(key, problem),
         }
     }
     (bounds.tip_gap, bounds.placement) = (tip_gap, placement);
-    if !is_whole {
-        return None;
-    }
     Some((TeethSpec::Within(bounds), None))
 }
 

@@ -40,10 +40,14 @@ use crate::tolerance::BESIDE_JUMP;
 
 /// Direction in which the pressure pushes a satellite.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "names", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "names", schemars(rename = "Push"))]
 pub enum Push {
-    /// Counter-clockwise, the way that the rotor turns: by a crest.
+    /// Counter-clockwise, the way that the rotor turns: the satellite is near a crest.
+    #[cfg_attr(feature = "names", serde(rename = "crest"))]
     Forward,
-    /// Clockwise: by a trough.
+    /// Clockwise: the satellite is near a trough.
+    #[cfg_attr(feature = "names", serde(rename = "trough"))]
     Back,
 }
 

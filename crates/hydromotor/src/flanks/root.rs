@@ -33,7 +33,7 @@ use crate::contact::{Conjugate, Contact};
 use crate::motor::Motor;
 use crate::profile::{Profile, Side};
 use crate::quantity::Quantity;
-use crate::ranges::positive_pressure;
+use crate::ranges::{self, positive_pressure};
 
 /// Number of points of the outline's fillet at which the section is evaluated: the stress is within a
 /// thousandth of that of many more.
@@ -212,8 +212,8 @@ impl Profile {
         path: LoadedPath,
         limits: &MaterialLimits,
     ) -> Result<AllowedPressure, Error> {
-        let contact = positive_pressure(Quantity::ContactLimit, limits.contact)?.si();
-        let root = positive_pressure(Quantity::RootLimit, limits.root)?.si();
+        let contact = ranges::stress_limit(Quantity::ContactLimit, limits.contact)?;
+        let root = ranges::stress_limit(Quantity::RootLimit, limits.root)?;
         let modulus = positive_pressure(Quantity::ContactModulus, limits.modulus)?.si();
         let by_contact = contact * contact / (modulus * self.greatest_severity(path)?);
         let (wheel, stress) = self

@@ -49,7 +49,7 @@ use uom::si::f64::{
 use crate::Error;
 use crate::motor::Motor;
 use crate::quantity::{Quantity, WheelKind};
-use crate::ranges::{finite, positive, positive_length, positive_pressure, ranging};
+use crate::ranges::{self, finite, positive_length, positive_pressure, ranging};
 use std::f64::consts::{PI, TAU};
 
 /// The greatest Reynolds number, with twice the gap as diameter, at which the laminar law is used; between
@@ -253,15 +253,13 @@ impl Motor {
 
 impl Face {
     fn flow(&self, quantity: Quantity, gap: Length, fluid: GapFluid, drop: f64) -> Result<GapFlow, Error> {
-        ranging(quantity, gap.um(), [0.0, f64::INFINITY], "µm")?;
-        let gap = gap.si();
-        let viscosity = positive(Quantity::Viscosity, fluid.viscosity.si(), "Pa·s")?;
-        let density = positive(Quantity::Density, fluid.density.si(), "kg/m³")?;
+        let gap = ranges::gap(quantity, gap)?;
+        let viscosity = ranges::viscosity(fluid.viscosity)?;
+        let density = ranges::density(fluid.density)?;
         let law = match fluid.turbulent {
-            Some(TurbulentLaw { factor, exponent }) => Some((
-                positive(Quantity::TurbulentFactor, factor, "")?,
-                ranging(Quantity::TurbulentExponent, exponent, [0.0, 1.0], "")?,
-            )),
+            Some(TurbulentLaw { factor, exponent }) => {
+                Some((ranges::turbulent_factor(factor)?, ranges::turbulent_exponent(exponent)?))
+            }
             None => None,
         };
         let of_face = self.conductance * gap.powi(3) * drop / (12.0 * viscosity);

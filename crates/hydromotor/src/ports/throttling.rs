@@ -24,7 +24,7 @@ use crate::Error;
 use crate::modules::area;
 use crate::ports::{PortPlate, of};
 use crate::quantity::{PortSide, Quantity};
-use crate::ranges::{positive, ranging};
+use crate::ranges::{self, positive};
 use crate::tolerance::OPEN;
 
 /// Number of rotations of a period that are evaluated.
@@ -67,9 +67,8 @@ impl PortPlate {
     pub fn throttling(&self, side: PortSide, through: Through) -> Result<Throttling, Error> {
         let width = crate::machine::width(through.width)?.si();
         let speed = positive(Quantity::Speed, through.speed.si(), "rad/s")?;
-        let density = positive(Quantity::Density, through.density.si(), "kg/m³")?;
-        let discharge =
-            ranging(Quantity::DischargeCoefficient, through.discharge, [f64::MIN_POSITIVE, 1.0], "")?;
+        let density = ranges::density(through.density)?;
+        let discharge = ranges::discharge_coefficient(through.discharge)?;
         let module = self.motor.module();
         let period = self.motor.period();
         let (mut smallest, mut greatest, mut sum) = ((f64::INFINITY, 0.0, 0.0), 0.0_f64, 0.0);

@@ -35,7 +35,7 @@ use crate::motor::Motor;
 use crate::ports::PortPlate;
 use crate::ports::timing::{AtExtreme, Closed, Stretch, Timing};
 use crate::quantity::Quantity;
-use crate::ranges::{area_from_zero, finite_angle, finite_pressure, positive, positive_pressure, ranging};
+use crate::ranges::{self, finite_angle, finite_pressure, positive, positive_pressure, ranging};
 use crate::tolerance::WITHIN;
 
 /// A chamber at its greatest or least.
@@ -76,8 +76,8 @@ impl Extreme {
     ) -> Result<Pressure, Error> {
         let (own, bend) = self.checked()?;
         let closed = from_zero(closed)?;
-        let modulus = positive_pressure(Quantity::BulkModulus, bulk_modulus)?.si();
-        let dead = area_from_zero(Quantity::DeadArea, dead_area)?;
+        let modulus = ranges::bulk_modulus(bulk_modulus)?;
+        let dead = ranges::dead_area(dead_area)?;
         Ok(Pressure::from_si(modulus * 0.5 * bend * closed * closed / (own + dead)))
     }
 
@@ -93,8 +93,8 @@ impl Extreme {
     ) -> Result<Angle, Error> {
         let (own, bend) = self.checked()?;
         let rise = positive_pressure(Quantity::PressureDrop, rise)?.si();
-        let modulus = positive_pressure(Quantity::BulkModulus, bulk_modulus)?.si();
-        let dead = area_from_zero(Quantity::DeadArea, dead_area)?;
+        let modulus = ranges::bulk_modulus(bulk_modulus)?;
+        let dead = ranges::dead_area(dead_area)?;
         Ok(Angle::from_si((2.0 * rise * (own + dead) / (modulus * bend)).sqrt()))
     }
 
@@ -148,8 +148,8 @@ impl Motor {
     ) -> Result<Volume, Error> {
         let width = crate::machine::width(width)?.si();
         let drop = finite_pressure(Quantity::PressureDrop, pressure_drop)?.si();
-        let modulus = positive_pressure(Quantity::BulkModulus, bulk_modulus)?.si();
-        let dead = area_from_zero(Quantity::DeadArea, dead_area)?;
+        let modulus = ranges::bulk_modulus(bulk_modulus)?;
+        let dead = ranges::dead_area(dead_area)?;
         let lobes = f64::from(self.numbers().stator_lobes() * self.numbers().rotor_lobes());
         let least = self.chamber_extremes()[0].si();
         Ok(Volume::from_si(lobes * (least + dead) * width * drop / modulus))
@@ -174,8 +174,8 @@ impl PortPlate {
         bulk_modulus: Pressure,
         dead_area: Area,
     ) -> Result<Vec<Trapped>, Error> {
-        let modulus = positive_pressure(Quantity::BulkModulus, bulk_modulus)?.si();
-        let dead = area_from_zero(Quantity::DeadArea, dead_area)?;
+        let modulus = ranges::bulk_modulus(bulk_modulus)?;
+        let dead = ranges::dead_area(dead_area)?;
         let of = |closed: &Closed| {
             let Closed { stretch, extreme, before, .. } = *closed;
             let (from, to) = (stretch.from.si(), stretch.to.si());
@@ -210,8 +210,8 @@ impl PortPlate {
         dead_area: Area,
     ) -> Result<Option<Pressure>, Error> {
         let drop = positive_pressure(Quantity::PressureDrop, pressure_drop)?.si();
-        let modulus = positive_pressure(Quantity::BulkModulus, bulk_modulus)?.si();
-        let dead = area_from_zero(Quantity::DeadArea, dead_area)?;
+        let modulus = ranges::bulk_modulus(bulk_modulus)?;
+        let dead = ranges::dead_area(dead_area)?;
         let (phase, cycle) = (finite_angle(Quantity::Rotation, phase)?, timing.cycle.si());
         // Angles by which a phase stands behind the beginning of a stretch that it is within.
         let behind = |stretch: &Stretch| {
@@ -236,41 +236,4 @@ impl PortPlate {
         let pressure = if is_in(&timing.high) { drop } else { 0.0 };
         Ok(Some(Pressure::from_si(pressure)))
     }
-
-    /// Faults of the ports over a revolution: short circuits, and stretches that change the pressure by more
-    /// than is allowed.
-    ///
-    /// # Errors
-    /// Errors of [`PortPlate::timing`] and [`PortPlate::trapped`]; [`Error::NotPositive`] for the pressure
-    /// allowed.
-    pub fn findings(
-        &self,
-        bulk_modulus: Pressure,
-        dead_area: Area,
-        allowed: Pressure,
-    ) -> Result<Vec<Finding>, Error> {
-        positive_pressure(Quantity::TrappedPressure, allowed)?;
-        let timing = self.timing()?;
-        let trapped = self.trapped(&timing, bulk_modulus, dead_area)?;
-        let short = timing.short_circuits.iter().map(|stretch| Finding::ShortCircuit { stretch: *stretch });
-        let beyond = trapped.into_iter().filter(|trapped| trapped.change.abs() > allowed);
-        Ok(short.chain(beyond.map(|trapped| Finding::Trapped { trapped, allowed })).collect())
-    }
-}
-
-/// A fault of ports; every chamber has it once in each of its cycles.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Finding {
-    /// A chamber joins the high and the low pressure.
-    ShortCircuit {
-        /// Phases of the chamber with the short circuit.
-        stretch: Stretch,
-    },
-    /// A closed chamber changes its pressure by more than is allowed.
-    Trapped {
-        /// Stretch and change of the pressure.
-        trapped: Trapped,
-        /// Greatest change allowed.
-        allowed: Pressure,
-    },
 }

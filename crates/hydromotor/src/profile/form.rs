@@ -18,7 +18,7 @@ use epicyclic_units::Physical;
 use uom::si::f64::Angle;
 
 use crate::Error;
-use crate::ranges::finite_angle;
+use crate::ranges::{finite_angle, ranging};
 use epicyclic_numerics::roots::bracketed;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -71,6 +71,32 @@ impl ToothForm {
             ..Self::default()
         }
     }
+
+    /// All independent faults of the numbers, whichever motor has the teeth: values outside the ranges of
+    /// their fields.
+    #[must_use]
+    pub fn faults(&self) -> Vec<Error> {
+        let of = |quantity, value, low, high| ranging(quantity, value, [low, high], "modules");
+        let alpha = finite_angle(Quantity::PressureAngle, self.pressure_angle)
+            .and_then(|_| ranging(Quantity::PressureAngle, self.pressure_angle.degrees(), [10.0, 40.0], "°"));
+        let addendum = of(Quantity::Addendum, self.addendum, 1e-3, 2.0);
+        // A thousandth of a module at least remains above the pitch curves.
+        let shift = match &addendum {
+            Ok(addendum) => of(Quantity::ProfileShift, self.shift, 1e-3 - addendum, addendum - 1e-3),
+            // The range follows from the addendum.
+            Err(_) => Ok(self.shift),
+        };
+        let checked = [
+            alpha,
+            addendum,
+            of(Quantity::Clearance, self.clearance, 0.0, 1.0),
+            shift,
+            of(Quantity::Backlash, self.backlash, 0.0, 0.5),
+            ranging(Quantity::BacklashShare, self.satellite_share, [0.0, 1.0], ""),
+            of(Quantity::Fillet, self.fillet, 0.0, 1.0),
+        ];
+        checked.into_iter().filter_map(Result::err).collect()
+    }
 }
 
 /// Involute function of a roll angle, `inv α_y = t − atan t` with `t = tan α_y`.
@@ -112,36 +138,21 @@ pub(crate) struct Teeth {
     pub(super) backlash: f64,
 }
 
-/// A number within a range, both ends allowed.
-fn within(quantity: Quantity, value: f64, low: f64, high: f64, unit: &'static str) -> Result<f64, Error> {
-    if value.is_finite() && value >= low && value <= high {
-        Ok(value)
-    } else {
-        Err(Error::OutOfRange { quantity, value, low, high, unit })
-    }
-}
-
 impl Teeth {
     pub(super) fn new(form: ToothForm, satellite_teeth: u32) -> Result<Self, Error> {
-        let alpha = finite_angle(Quantity::PressureAngle, form.pressure_angle)?;
-        within(Quantity::PressureAngle, form.pressure_angle.degrees(), 10.0, 40.0, "°")?;
-        let addendum = within(Quantity::Addendum, form.addendum, 1e-3, 2.0, "modules")?;
-        let clearance = within(Quantity::Clearance, form.clearance, 0.0, 1.0, "modules")?;
-        // A thousandth of a module at least remains above the pitch curves.
-        let x = within(Quantity::ProfileShift, form.shift, 1e-3 - addendum, addendum - 1e-3, "modules")?;
-        let backlash = within(Quantity::Backlash, form.backlash, 0.0, 0.5, "modules")?;
-        let share = within(Quantity::BacklashShare, form.satellite_share, 0.0, 1.0, "")?;
-        let fillet = within(Quantity::Fillet, form.fillet, 0.0, 1.0, "modules")?;
-
-        let (sin, cos) = libm::sincos(alpha);
+        if let Some(fault) = form.faults().into_iter().next() {
+            return Err(fault);
+        }
+        let ToothForm { addendum, clearance, shift: x, backlash, satellite_share: share, fillet, .. } = form;
+        let (sin, cos) = libm::sincos(form.pressure_angle.si());
         let tan = sin / cos;
         let r = 0.5 * f64::from(satellite_teeth);
         let thickness = FRAC_PI_2 + 2.0 * x * tan;
         let tooth =
-            within(Quantity::SatelliteTooth, thickness - share * backlash, 1e-3, PI - 1e-3, "modules")?;
+            ranging(Quantity::SatelliteTooth, thickness - share * backlash, [1e-3, PI - 1e-3], "modules")?;
         let space = thickness + (1.0 - share) * backlash;
-        within(Quantity::WheelTooth, PI - space, 1e-3, PI, "modules")?;
-        let dedendum = within(Quantity::SatelliteDedendum, addendum + clearance - x, 0.0, r, "modules")?;
+        ranging(Quantity::WheelTooth, PI - space, [1e-3, PI], "modules")?;
+        let dedendum = ranging(Quantity::SatelliteDedendum, addendum + clearance - x, [0.0, r], "modules")?;
         let mut teeth = Self {
             sin,
             cos,

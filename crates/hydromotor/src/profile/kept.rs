@@ -9,25 +9,14 @@
 use super::Part;
 use super::cut::Cut;
 use super::form::{Teeth, ToothForm};
-use super::limits::{LEAST_TIP, LimitKind, Mesh, Worsts};
+use super::limits::{LEAST_TIP, Mesh, Worsts};
 use super::phases;
 use super::satellite::SatelliteTooth;
 use super::track::{Side, Track};
-use crate::checks::Subject;
 use crate::contact::{By, Conjugate};
 use crate::motor::Motor;
+use crate::reason::Reason;
 use std::f64::consts::PI;
-
-/// Reason why a motor has no teeth of a form.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Failure {
-    /// The form leaves no teeth, or a flank has no tip.
-    NoTeeth,
-    /// A check of the centrodes against the heights of the teeth.
-    Check(Subject),
-    /// A limit.
-    Limit(LimitKind),
-}
 
 /// A form on satellites of a number of teeth.
 #[derive(Debug, Clone)]
@@ -39,20 +28,20 @@ pub(crate) struct SatelliteForm {
 
 impl SatelliteForm {
     /// Form on satellites of this number of teeth, if the limits of the satellite are kept.
-    pub(crate) fn new(form: ToothForm, satellite_teeth: u32) -> Result<Self, Failure> {
+    pub(crate) fn new(form: ToothForm, satellite_teeth: u32) -> Result<Self, Reason> {
         let offsets = phases(form.crest, satellite_teeth);
-        let teeth = Teeth::new(form, satellite_teeth).map_err(|_| Failure::NoTeeth)?;
+        let teeth = Teeth::new(form, satellite_teeth).map_err(|_| Reason::NoTeeth)?;
         let satellite = SatelliteTooth::new(&teeth, satellite_teeth, offsets[0] / teeth.r);
-        let satellite = satellite.map_err(|_| Failure::NoTeeth)?;
+        let satellite = satellite.map_err(|_| Reason::NoTeeth)?;
         if -teeth.rack_roll * teeth.cos > teeth.r * teeth.sin {
-            return Err(Failure::Limit(LimitKind::Undercut));
+            return Err(Reason::Undercut);
         }
         if 2.0 * teeth.tip * teeth.tip_angle() < LEAST_TIP {
-            return Err(Failure::Limit(LimitKind::TipThickness));
+            return Err(Reason::TipThickness);
         }
         let formed = Self { teeth, satellite, offsets };
         if formed.greatest_contact_ratio() < 1.0 {
-            return Err(Failure::Limit(LimitKind::ContactPath));
+            return Err(Reason::ContactPath);
         }
         Ok(formed)
     }
@@ -95,17 +84,17 @@ impl Room {
     }
 
     /// The first check of the centrodes, or limit of the whole wheels, that a form fails.
-    fn failing(&self, form: &SatelliteForm) -> Option<Failure> {
+    fn failing(&self, form: &SatelliteForm) -> Option<Reason> {
         let [_, dedendum] = form.heights();
         let teeth = &form.teeth;
         let checks = [
-            (self.bulges[0] > dedendum, Failure::Check(Subject::StatorBulge)),
-            (self.bulges[1] > dedendum, Failure::Check(Subject::RotorBulge)),
-            (self.least_radius > dedendum, Failure::Check(Subject::RotorLeastRadius)),
-            (self.neighbours > 2.0 * teeth.tip, Failure::Check(Subject::Neighbours)),
-            (self.gap >= 2.0 * teeth.wheel_addendum, Failure::Limit(LimitKind::Wheels)),
+            (self.bulges[0] > dedendum, Reason::StatorBulge),
+            (self.bulges[1] > dedendum, Reason::RotorBulge),
+            (self.least_radius > dedendum, Reason::RotorLeastRadius),
+            (self.neighbours > 2.0 * teeth.tip, Reason::Neighbours),
+            (self.gap >= 2.0 * teeth.wheel_addendum, Reason::Wheels),
         ];
-        checks.into_iter().find(|(holds, _)| !holds).map(|(_, failure)| failure)
+        checks.into_iter().find(|(holds, _)| !holds).map(|(_, reason)| reason)
     }
 }
 
@@ -116,9 +105,9 @@ pub(crate) fn contact_ratio(
     room: &Room,
     form: &SatelliteForm,
     wanted: impl Fn(f64) -> bool,
-) -> Result<Option<f64>, Failure> {
-    if let Some(failure) = room.failing(form) {
-        return Err(failure);
+) -> Result<Option<f64>, Reason> {
+    if let Some(reason) = room.failing(form) {
+        return Err(reason);
     }
     let teeth = &form.teeth;
     let mesh = Mesh { teeth, satellite: &form.satellite };
@@ -130,7 +119,7 @@ pub(crate) fn contact_ratio(
     let (track, pitch) =
         (Track { shape: &motor.shape, side: Side::Rotor }, form.offsets[1] + teeth.half_space);
     let Some((tip, ..)) = Cut::tip(&track, teeth, pitch, 1.0, teeth.wheel_addendum) else {
-        return Err(Failure::NoTeeth);
+        return Err(Reason::NoTeeth);
     };
     let longest = ((tip - pitch) * teeth.cos).min(mesh.satellite_path()) + mesh.satellite_tip();
     if !wanted(longest / base_pitch) {
@@ -142,7 +131,7 @@ pub(crate) fn contact_ratio(
         for i in outward(first, count) {
             let kappa = track.at(offset + PI * f64::from(i) + teeth.half_space + teeth.cutter_roll).curvature;
             if kappa < 0.0 && teeth.cutter_roll * teeth.cos * kappa > teeth.sin {
-                return Err(Failure::Limit(LimitKind::Undercut));
+                return Err(Reason::Undercut);
             }
         }
     }
@@ -154,10 +143,10 @@ pub(crate) fn contact_ratio(
         let mut after = vec![None; count as usize];
         for i in outward(first, count) {
             let flank = Cut::flank(&track, teeth, offset + PI * f64::from(i), 1.0);
-            let flank = flank.map_err(|_| Failure::NoTeeth)?;
+            let flank = flank.map_err(|_| Reason::NoTeeth)?;
             worsts.flank(mesh, &track, &flank);
             if let Some(kind) = worsts.failing() {
-                return Err(Failure::Limit(kind));
+                return Err(kind.into());
             }
             after[i as usize] = Some(flank);
             // The shortest of all paths is no longer than the shortest of some.
@@ -167,11 +156,11 @@ pub(crate) fn contact_ratio(
             }
         }
         let after: Vec<_> = after.into_iter().flatten().collect();
-        let cut = Cut::of_flanks(&track, teeth, offset, &after).map_err(|_| Failure::NoTeeth)?;
+        let cut = Cut::of_flanks(&track, teeth, offset, &after).map_err(|_| Reason::NoTeeth)?;
         for piece in cut.pieces.iter().filter(|piece| piece.part == Part::Tip) {
             worsts.tip(mesh, &track, piece);
             if let Some(kind) = worsts.failing() {
-                return Err(Failure::Limit(kind));
+                return Err(kind.into());
             }
         }
         shortest = shortest.min(worsts.contact_path().unwrap_or(0.0));
@@ -181,7 +170,7 @@ pub(crate) fn contact_ratio(
         for flank in after.iter() {
             worsts.fillet(mesh, track, flank);
             if let Some(kind) = worsts.failing() {
-                return Err(Failure::Limit(kind));
+                return Err(kind.into());
             }
         }
     }
@@ -201,7 +190,7 @@ mod tests {
     use super::*;
     use crate::centrode::tests::any_motor;
     use crate::checks::{Check, ToothHeights};
-    use crate::profile::limits::Limit;
+    use crate::profile::limits::{Limit, LimitKind};
     use crate::profile::{Crest, Profile};
     use epicyclic_units::Physical;
     use proptest::prelude::*;

@@ -1,21 +1,21 @@
 //! Result of a search: designs with all figures of a table, and counts of the motors by their results.
 
-use epicyclic_units::Physical;
-use uom::si::f64::{Length, Power, Torque, Volume, VolumeRate};
+use uom::si::f64::Length;
 
 use crate::Error;
 use crate::arcs::StatorArcs;
 use crate::checks::Subject;
 use crate::machine;
-use crate::modules::{length, volume};
 use crate::motor::Motor;
 use crate::numbers::MotorNumbers;
+use crate::reason::{Reason, Refusals};
 
+use super::MotorSearch;
+use super::dimensions::Dimensions;
 use super::front::Value;
 use super::objective::AtFlanks;
-use super::point::{Point, Working};
-use super::requirements::{Sizing, mean_flow};
-use super::{MotorSearch, Reason};
+use super::point::Point;
+use super::requirements::Sizing;
 
 /// The answer of a search.
 #[derive(Debug, Clone, PartialEq)]
@@ -73,20 +73,19 @@ pub struct Funnel {
     pub accepted: usize,
     /// Accepted motors that no other dominates.
     pub front: usize,
-    refused: [usize; Reason::ALL.len()],
+    refused: Refusals,
 }
 
 impl Funnel {
     /// Motors refused for a reason, each counted once, by the first failure.
     #[must_use]
-    pub fn refused(&self, reason: Reason) -> usize {
-        let place = Reason::ALL.iter().position(|other| *other == reason);
-        place.map_or(0, |place| self.refused[place])
+    pub fn refused(&self, reason: Reason) -> u64 {
+        self.refused.of(reason)
     }
 
     pub(super) fn refuse(&mut self, reason: Option<Reason>) {
-        if let Some(place) = Reason::ALL.iter().position(|other| Some(*other) == reason) {
-            self.refused[place] += 1;
+        if let Some(reason) = reason {
+            self.refused.count(reason);
         }
     }
 }
@@ -117,40 +116,6 @@ pub struct Design {
     /// The sizes that keep the limits, at least one, in the order of the modules given.
     pub dimensions: Vec<Dimensions>,
     arcs: StatorArcs,
-}
-
-/// A design in one size.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Dimensions {
-    /// Module.
-    pub module: Length,
-    /// Width.
-    pub width: Length,
-    /// Diameter of the stator's centrode; the housing comes on top.
-    pub outer_diameter: Length,
-    /// Volume of the cylinder about the stator's centrode.
-    pub volume: Volume,
-    /// Displacement a revolution; the wanted one but for the tolerance of
-    /// [`Size::ModulesAndWidth`](super::Size).
-    pub displacement: Volume,
-    /// Mean torque at the pressure wanted, without losses.
-    pub torque: Option<Torque>,
-    /// The least torque over a revolution, without losses, satellites sealing at the pitch points.
-    pub least_torque: Option<Torque>,
-    /// Mean flow at the speed wanted.
-    pub flow: Option<VolumeRate>,
-    /// Power at that speed and the pressure wanted, without losses.
-    pub power: Option<Power>,
-    /// `l`, distance of the centre of the trough's arc from the axis.
-    pub trough_distance: Length,
-    /// `a`, distance of the centre of the crest's arc from the axis.
-    pub crest_distance: Length,
-    /// `R₁`, radius of the trough's arc.
-    pub trough_radius: Length,
-    /// `R₂`, radius of the crest's arc.
-    pub crest_radius: Length,
-    /// Least curvature radius of the centrodes.
-    pub least_radius: Length,
 }
 
 impl Design {
@@ -184,7 +149,7 @@ impl MotorSearch {
         let (working, arcs) = (point.working?, point.arcs?);
         let sizes = sizing.sizes(working.displacement, working.diameter);
         let dimensions =
-            sizes.into_iter().map(|size| self.dimensions(&arcs, &working, point.radius, size)).collect();
+            sizes.into_iter().map(|size| Dimensions::of(&self.requirements, &working, size)).collect();
         let (nearest_check, nearest_margin) = point.nearest;
         Some(Design {
             numbers,
@@ -199,37 +164,5 @@ impl MotorSearch {
             dimensions,
             arcs,
         })
-    }
-
-    fn dimensions(
-        &self,
-        arcs: &StatorArcs,
-        working: &Working,
-        radius: f64,
-        [module, width]: [f64; 2],
-    ) -> Dimensions {
-        let (module, width) = (Length::from_si(module), Length::from_si(width));
-        let arcs = StatorArcs { module, ..*arcs };
-        let radian = |flow: f64| volume(flow, module, width);
-        // In units of the module, as the diameter is; `volume` converts with module and width.
-        let disc = std::f64::consts::FRAC_PI_4 * working.diameter * working.diameter;
-        let (mean, least) = (radian(mean_flow(working.displacement)), radian(working.flow[0]));
-        let mean_torque = self.requirements.pressure_drop.map(|drop| Torque::from(mean * drop));
-        Dimensions {
-            module,
-            width,
-            outer_diameter: length(working.diameter, module),
-            volume: volume(disc, module, width),
-            displacement: volume(working.displacement, module, width),
-            torque: mean_torque,
-            least_torque: self.requirements.pressure_drop.map(|drop| (least * drop).into()),
-            flow: self.requirements.speed.map(|speed| mean * speed),
-            power: mean_torque.zip(self.requirements.speed).map(|(mean, speed)| mean * speed),
-            trough_distance: arcs.trough_distance(),
-            crest_distance: arcs.crest_distance(),
-            trough_radius: arcs.trough_radius(),
-            crest_radius: arcs.crest_radius(),
-            least_radius: length(radius, module),
-        }
     }
 }

@@ -91,6 +91,7 @@
 //! ```
 
 mod branch;
+mod dimensions;
 pub mod forms;
 mod found;
 mod front;
@@ -105,19 +106,19 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use uom::si::f64::Length;
 
 use crate::Error;
-use crate::checks::{Subject, ToothHeights, finite_heights};
+use crate::checks::{ToothHeights, finite_heights};
 use crate::closure::Family;
 use crate::numbers::{Bounds, MotorNumbers};
-use crate::profile::limits::LimitKind;
 use crate::ranges::positive;
 use crate::threads::{map, map_mut};
 use branch::Branch;
-use forms::FormRefusal;
 use front::{Cover, Value, apart, front};
 use point::Yardstick;
 use requirements::Sizing;
 
-pub use found::{Design, Dimensions, Found, Funnel, SpacingError};
+pub use crate::reason::Reason;
+pub use dimensions::Dimensions;
+pub use found::{Design, Found, Funnel, SpacingError};
 pub use objective::{AtFlanks, FlankTerms, Objective};
 pub use requirements::{PREFERRED_MODULES_MM, Requirements, Size, SizeLimits};
 
@@ -233,67 +234,6 @@ impl Limits {
             && self.rotor_lobes.contains(&numbers.rotor_lobes())
             && self.rotor_teeth.contains(&numbers.rotor_teeth())
     }
-}
-
-/// Reason why a motor is refused: the first condition that fails, in this order.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Reason {
-    /// By rounding at the end of its family no arcs close, or a result for the motor is not a number.
-    NotClosed,
-    /// A check; the curvatures, the rotor's least radius, the neighbours.
-    Check(Subject),
-    /// The rotor reaches into the stator.
-    RotorInStator,
-    /// The least chamber has no area.
-    NoChamber,
-    /// [`Limits::least_radius`].
-    LeastRadius,
-    /// No choice of the size is within [`SizeLimits`] and tolerance.
-    Size,
-    /// [`Limits::ripple`].
-    Ripple,
-    /// The motor cannot be made with the [form](FlankTerms::form): no teeth, a limit of them, or no ports.
-    /// This is tested last of all, if [`MotorSearch::made`] is set or figures at the flanks are needed.
-    Made(FormRefusal),
-    /// [`FlankTerms::ripple`].
-    FlankRipple,
-    /// [`FlankTerms::least_torque`], or the torque vanishes at some angle.
-    LeastTorque,
-}
-
-impl Reason {
-    /// Reasons in their order.
-    pub const ALL: [Self; 29] = [
-        Self::NotClosed,
-        Self::Check(Subject::StatorBulge),
-        Self::Check(Subject::StatorHollow),
-        Self::Check(Subject::RotorBulge),
-        Self::Check(Subject::RotorHollow),
-        Self::Check(Subject::RotorLeastRadius),
-        Self::Check(Subject::Neighbours),
-        Self::RotorInStator,
-        Self::NoChamber,
-        Self::LeastRadius,
-        Self::Size,
-        Self::Ripple,
-        Self::FlankRipple,
-        Self::LeastTorque,
-        Self::Made(FormRefusal::NoTeeth),
-        Self::Made(FormRefusal::Check(Subject::StatorBulge)),
-        Self::Made(FormRefusal::Check(Subject::RotorBulge)),
-        Self::Made(FormRefusal::Check(Subject::RotorLeastRadius)),
-        Self::Made(FormRefusal::Check(Subject::Neighbours)),
-        Self::Made(FormRefusal::Limit(LimitKind::Undercut)),
-        Self::Made(FormRefusal::Limit(LimitKind::TipCusp)),
-        Self::Made(FormRefusal::Limit(LimitKind::SatelliteRoot)),
-        Self::Made(FormRefusal::Limit(LimitKind::WheelRoot)),
-        Self::Made(FormRefusal::Limit(LimitKind::TipThickness)),
-        Self::Made(FormRefusal::Limit(LimitKind::ContactPath)),
-        Self::Made(FormRefusal::Limit(LimitKind::RootCurve)),
-        Self::Made(FormRefusal::Limit(LimitKind::TipCurve)),
-        Self::Made(FormRefusal::Limit(LimitKind::Wheels)),
-        Self::Made(FormRefusal::Ports),
-    ];
 }
 
 /// Place of a motor in the search.

@@ -9,9 +9,8 @@ use crate::numbers::MotorNumbers;
 use crate::ports::{IDEAL_PART, PortPlate};
 use crate::profile::ToothForm;
 use crate::profile::kept::{Room, SatelliteForm, contact_ratio};
+use crate::reason::Reason;
 
-use super::Reason;
-use super::forms::refusal::FormRefusal;
 use super::front::Value;
 use super::objective::{AtFlanks, FlankTerms, Objective};
 use super::requirements::{Sizing, mean_flow};
@@ -161,7 +160,7 @@ impl Point {
     /// the least torque is evaluated.
     fn judge_flanks(&mut self, terms: &FlankTerms, is_by_torque: bool) {
         let Some(at) = self.at_flanks else {
-            (self.margin, self.refused) = (-1.0, Some(Reason::Made(FormRefusal::NoTeeth)));
+            (self.margin, self.refused) = (-1.0, Some(Reason::NoTeeth));
             return;
         };
         self.limit(Reason::FlankRipple, at_least(terms.ripple.unwrap_or(f64::INFINITY), at.ripple));
@@ -180,25 +179,25 @@ impl Point {
         self.margin = self.margin.min(margin);
         let holds = value > limit;
         if !holds {
-            self.refused = self.refused.or(Some(Reason::Check(subject)));
+            self.refused = self.refused.or(Some(subject.into()));
         }
     }
 
     /// Whether the motor has teeth of a form that keep every limit, and ideal ports can be made for it; else
     /// the first failure.
-    pub(super) fn made(&self, form: ToothForm, numbers: MotorNumbers) -> Result<(), FormRefusal> {
-        let motor = self.motor(numbers).ok_or(FormRefusal::NoTeeth)?;
-        let formed = SatelliteForm::new(form, numbers.satellite_teeth()).map_err(FormRefusal::of)?;
+    pub(super) fn made(&self, form: ToothForm, numbers: MotorNumbers) -> Result<(), Reason> {
+        let motor = self.motor(numbers).ok_or(Reason::NoTeeth)?;
+        let formed = SatelliteForm::new(form, numbers.satellite_teeth())?;
         let room = Room::of(&motor, motor.shape.curvature_extremes());
-        contact_ratio(&motor, &room, &formed, |_| true).map_err(FormRefusal::of)?;
+        contact_ratio(&motor, &room, &formed, |_| true)?;
         ported(&motor)
     }
 
     /// Takes the answer to [`made`](Self::made).
-    pub(super) fn judge_made(&mut self, verdict: Result<(), FormRefusal>) {
+    pub(super) fn judge_made(&mut self, verdict: Result<(), Reason>) {
         self.judged = true;
-        if let Err(refusal) = verdict {
-            (self.margin, self.refused) = (-1.0, Some(Reason::Made(refusal)));
+        if let Err(reason) = verdict {
+            (self.margin, self.refused) = (-1.0, Some(reason));
         }
     }
 
@@ -220,6 +219,12 @@ impl Point {
         }
     }
 
+    /// Whether the motor is refused because it has no teeth of the form, or cannot be made with them. What is
+    /// asked whether it can be made has kept all other limits.
+    fn cannot_be_made(&self) -> bool {
+        self.refused == Some(Reason::NoTeeth) || self.judged && self.refused.is_some()
+    }
+
     /// Computes the working data of a motor, whether or not it is refused.
     pub(super) fn work(&mut self, yardstick: &Yardstick, numbers: MotorNumbers) {
         if self.working.is_some()
@@ -230,7 +235,7 @@ impl Point {
         let Some(motor) = self.motor(numbers) else { return };
         self.working.get_or_insert_with(|| Working::of(&motor));
         if let Some(terms) = &yardstick.flanks
-            && !matches!(self.refused, Some(Reason::Made(_)))
+            && !self.cannot_be_made()
         {
             self.at_flanks = self.at_flanks.or_else(|| AtFlanks::of(&motor, terms.form));
         }
@@ -258,10 +263,10 @@ impl Point {
 }
 
 /// Whether ideal ports can be made for a motor.
-pub(super) fn ported(motor: &Motor) -> Result<(), FormRefusal> {
+pub(super) fn ported(motor: &Motor) -> Result<(), Reason> {
     // A satellite covers an ideal hole where it changes over, so that it opens and closes; the tests check
     // every timing.
-    PortPlate::of_ideal_holes(motor, IDEAL_PART).map(|_| ()).map_err(|_| FormRefusal::Ports)
+    PortPlate::of_ideal_holes(motor, IDEAL_PART).map(|_| ()).map_err(|_| Reason::Ports)
 }
 
 /// Margin of a value above a limit, relative to the limit.

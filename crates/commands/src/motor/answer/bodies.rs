@@ -5,6 +5,7 @@ use crate::error::Error;
 use crate::shared::number::si;
 use epicyclic_hydromotor as hydromotor;
 use epicyclic_hydromotor::chambers::Phase;
+use epicyclic_hydromotor::flanks::Push;
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::Pressure;
@@ -20,19 +21,7 @@ pub struct Chamber {
     /// Derivative of the area with respect to the rotor angle, in m² per rad.
     pub growth_per_radian_m2: f64,
     /// State of the chamber while the rotor runs counter-clockwise.
-    pub state: ChamberState,
-}
-
-/// States of a chamber.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum ChamberState {
-    /// Grows, and fills from the high pressure.
-    Filling,
-    /// Shrinks, and empties into the low pressure.
-    Emptying,
-    /// Changes over at its greatest or least area.
-    ChangingOver,
+    pub state: Phase,
 }
 
 /// Satellite at an angle of the rotor.
@@ -62,41 +51,11 @@ pub struct Satellite {
     pub flank_force_n: Option<f64>,
 }
 
-/// Directions in which the pressure pushes a satellite.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Push {
-    /// Counter-clockwise: the satellite is near a crest.
-    Crest,
-    /// Clockwise: the satellite is near a trough.
-    Trough,
-}
-
-impl Push {
-    pub(crate) const fn of(push: hydromotor::flanks::Push) -> Self {
-        match push {
-            hydromotor::flanks::Push::Forward => Self::Crest,
-            hydromotor::flanks::Push::Back => Self::Trough,
-        }
-    }
-}
-
-pub(crate) fn state_of(
-    chamber: &hydromotor::chambers::Chamber,
-    all: &[hydromotor::chambers::Chamber],
-) -> ChamberState {
-    match Phase::of(chamber, all) {
-        Phase::Filling => ChamberState::Filling,
-        Phase::Emptying => ChamberState::Emptying,
-        Phase::AtExtreme => ChamberState::ChangingOver,
-    }
-}
-
 pub(crate) fn chambers(designed: &Designed) -> Result<Vec<Chamber>, Error> {
     let chambers = designed.motor.chambers(designed.angle)?;
     let record = |chamber: &hydromotor::chambers::Chamber| {
-        let state = state_of(chamber, &chambers);
-        let growth = if state == ChamberState::ChangingOver { 0.0 } else { si(chamber.growth) };
+        let state = Phase::of(chamber, &chambers);
+        let growth = if state == Phase::AtExtreme { 0.0 } else { si(chamber.growth) };
         Chamber { chamber: chamber.index, area_m2: si(chamber.area), growth_per_radian_m2: growth, state }
     };
     Ok(chambers.iter().map(record).collect())
@@ -130,7 +89,7 @@ pub(crate) fn satellites(designed: &Designed) -> Result<Vec<Satellite>, Error> {
             pressure_behind_pa: force.map(|force| si(force.pressure_behind)),
             pressure_in_front_pa: force.map(|force| si(force.pressure_in_front)),
             force_n: force.map(|force| si(force.force)),
-            push: on_flank.and_then(|one| one.push).map(Push::of),
+            push: on_flank.and_then(|one| one.push),
             flank_force_n: on_flank.map(|one| si(one.force)),
         }
     };

@@ -1,11 +1,12 @@
 //! Choice of a motor from its family.
 
-use super::made::{Groups, Made, Point};
+use super::faults::Faults;
+use super::made::{Groups, Inputs, Made, Point};
 use crate::error::Error;
-use crate::shared::fault::Fault as _;
-use epicyclic_formats::{Document, Path, motor as file};
-use epicyclic_hydromotor::arcs::StatorArcs;
+use epicyclic_formats::motor::MotorFile;
+use epicyclic_formats::{Document, Path};
 use epicyclic_hydromotor::closure::Family;
+use epicyclic_hydromotor::place::Place;
 use epicyclic_hydromotor::profile::{Profile, ToothForm};
 use epicyclic_hydromotor::{Error as MotorError, Motor, MotorNumbers};
 use schemars::JsonSchema;
@@ -33,23 +34,6 @@ pub struct Question {
     pub angle: Angle,
     /// Material, oil, gaps, friction and ports.
     pub made: Groups,
-}
-
-/// Ways to choose a motor of given numbers.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Place {
-    /// Stator of two arcs, in the middle of the family.
-    Middle,
-    /// Distance `l` of the centres of the stator's arcs at the troughs.
-    TroughDistance(Length),
-    /// Distance `a` of the centres of the stator's arcs at the crests.
-    CrestDistance(Length),
-    /// Part of the family, from 0 to 1.
-    Part(f64),
-    /// Rotor by the cosine law: one motor, no family.
-    CosineLaw,
-    /// Rotor by the cosine law with a second harmonic of this relative amplitude `ε₂`.
-    SecondHarmonic(f64),
 }
 
 /// Reasons for the choice of a motor from its family.
@@ -94,47 +78,17 @@ pub struct Designed {
 /// tooth form; [`Error::PressureDrop`], [`Error::RotorSpeed`] unless these are above 0.
 pub fn design(question: &Question) -> Result<Designed, Error> {
     let &Question { numbers, module, place, form, width, pressure, speed, angle, ref made } = question;
-    let (motor, family) = match (place, closed_arcs(numbers, module, place)?) {
-        (_, Some((family, arcs))) => {
-            (Motor::of_two_arcs(numbers, module, arcs.trough_distance())?, Some(family))
-        }
-        (Place::SecondHarmonic(second), None) => (Motor::of_second_harmonic(numbers, module, second)?, None),
-        (_, None) => (Motor::of_cosine_law(numbers, module)?, None),
-    };
-    let chosen = if place == Place::Middle { Chosen::Middle } else { Chosen::Given };
-    check(pressure, speed)?;
+    let (motor, family) = place.motor(numbers, module)?;
+    let chosen = chosen(place);
+    let point = Point { form, width, pressure, speed };
+    let inputs = Inputs::of(made, point)?;
     let profile = profile(&motor, form)?;
-    let made = Made::of(&motor, made, Point { form, width, pressure, speed })?;
+    let made = Made::of(&motor, &inputs, point)?;
     Ok(Designed { motor, family, chosen, form, profile, width, pressure, speed, angle, made })
 }
 
-/// Family of motors with these numbers, and the arcs at a place of it; `None` for a rotor by the cosine law.
-pub(crate) fn closed_arcs(
-    numbers: MotorNumbers,
-    module: Length,
-    place: Place,
-) -> Result<Option<(Family, StatorArcs)>, MotorError> {
-    if matches!(place, Place::CosineLaw | Place::SecondHarmonic(_)) {
-        return Ok(None);
-    }
-    let family = Family::new(numbers, module)?;
-    let arcs = match place {
-        Place::TroughDistance(l) => family.at(l),
-        Place::CrestDistance(a) => family.at_crest_distance(a),
-        Place::Part(part) => family.at_part(part),
-        Place::Middle | Place::CosineLaw | Place::SecondHarmonic(_) => family.at_part(0.5),
-    }?;
-    Ok(Some((family, arcs)))
-}
-
-fn check(pressure: Option<Pressure>, speed: Option<AngularVelocity>) -> Result<(), Error> {
-    if pressure.is_some_and(|pressure| pressure.value <= 0.0) {
-        return Err(Error::PressureDrop);
-    }
-    if speed.is_some_and(|speed| speed.value <= 0.0) {
-        return Err(Error::RotorSpeed);
-    }
-    Ok(())
+fn chosen(place: Place) -> Chosen {
+    if place == Place::Middle { Chosen::Middle } else { Chosen::Given }
 }
 
 /// Tooth profile, or the reason why this motor has none; a number that is impossible for any motor is an
@@ -153,45 +107,34 @@ pub(crate) fn profile(motor: &Motor, form: ToothForm) -> Result<Result<Profile, 
 /// Reads title and motor from a file.
 ///
 /// # Errors
-/// [`Error::Document`] with the place of a fault; [`Error::Placed`] with the place of the key that caused a
-/// refusal.
+/// [`Error::Document`] with all independent faults at the keys that they are about.
 pub fn of_file(document: &Document) -> Result<(Option<String>, Designed), Error> {
-    let (file, motor, family) = file::read(document)?;
-    let (pressure, speed) = (file.pressure.map(|drop| drop.0), file.speed.map(|speed| speed.0));
-    check(pressure, speed).map_err(|error| {
-        let key = if matches!(error, Error::PressureDrop) { "pressure" } else { "speed" };
-        placed(document, &Path::root().key(key), error)
-    })?;
+    let file = MotorFile::of(document)?;
     let form = file.teeth.clone().unwrap_or_default().form();
-    let profile =
-        profile(&motor, form).map_err(|error| placed(document, &file::place(&error), error.into()))?;
-    let chosen = if family.is_some() && !file.places() { Chosen::Middle } else { Chosen::Given };
     let width = file.width.map(|width| width.0);
+    let (pressure, speed) = (file.pressure.map(|drop| drop.0), file.speed.map(|speed| speed.0));
     let point = Point { form, width, pressure, speed };
-    let made = Made::of(&motor, &file.made(), point).map_err(|why| {
-        let path = match &why {
-            Error::Motor(error) => file::place(error),
-            Error::MotorKey { key, .. } => key.split('.').fold(Path::root(), Path::key),
-            _ => Path::root(),
-        };
-        placed(document, &path, why)
-    })?;
-    let designed = Designed {
-        made,
-        motor,
-        family,
-        chosen,
-        form,
-        profile,
-        width,
-        pressure,
-        speed,
-        angle: file.angle.map_or_else(Angle::default, |angle| angle.0),
+    let ((motor, family), inputs) = match (file.motor(), Inputs::of(&file.made(), point)) {
+        (Ok(motor), Ok(inputs)) => (motor, inputs),
+        (motor, inputs) => return Err(placed(document, motor.err(), inputs.err())),
     };
+    let mut faults = Faults::default();
+    let profile = faults.keep(profile(&motor, form));
+    let made = Made::of(&motor, &inputs, point).map_err(|found| faults.extend(found)).ok();
+    let (Some(profile), Some(made)) = (profile, made) else {
+        return Err(placed(document, None, Some(faults)));
+    };
+    let chosen = chosen(file.place());
+    let angle = file.angle.map_or_else(Angle::default, |angle| angle.0);
+    let designed = Designed { motor, family, chosen, form, profile, width, pressure, speed, angle, made };
     Ok((file.title, designed))
 }
 
-fn placed(document: &Document, path: &Path, why: Error) -> Error {
-    let at = document.error(path, why.problem());
-    Error::Placed { at: Box::new(at), why: Box::new(why) }
+/// Faults of the file and of its values, at their places.
+fn placed(document: &Document, of_file: Option<epicyclic_formats::Faults>, others: Option<Faults>) -> Error {
+    let mut all = of_file.unwrap_or_default();
+    if let Some(others) = others {
+        others.put_into(&mut all);
+    }
+    Error::Document(all.placed(document, &Path::root()))
 }

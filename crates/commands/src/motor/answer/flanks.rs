@@ -1,12 +1,12 @@
 //! Flanks of a motor under load: sealing, forces, stresses.
 
-use super::{Designed, Push};
+use super::Designed;
 use crate::error::Error;
 use crate::shared::number::{maybe_si, plain, si};
 use crate::tolerance::{beside_zero, rounded};
 use epicyclic_hydromotor::centrode::Wheel;
 use epicyclic_hydromotor::flanks::{
-    self, ContactStress, ForceBound, Governing, LoadedPath, MaterialLimits, PeakPressure, RootStress,
+    self, ContactStress, ForceBound, Governing, LoadedPath, MaterialLimits, PeakPressure, Push, RootStress,
     SealingContact,
 };
 use epicyclic_hydromotor::profile::Profile;
@@ -235,7 +235,7 @@ pub(crate) fn contact_stresses(
                 flanks::Mesh::Stator => Wheel::Stator,
                 flanks::Mesh::Rotor => Wheel::Rotor,
             },
-            by: Push::of(one.push),
+            by: one.push,
             at_pitch_point_pa: si(one.at_pitch_point.pressure),
             alone_pa: pressure(one.in_single_contact),
             alone_offset_m: offset(one.in_single_contact),

@@ -10,6 +10,7 @@ use crate::error::Error;
 use crate::shared::number::si;
 use epicyclic_hydromotor::Motor;
 use epicyclic_hydromotor::centrode::Wheel;
+use epicyclic_hydromotor::chambers::Phase;
 use epicyclic_hydromotor::satellites::{Point, Satellite};
 use epicyclic_units::Physical as _;
 use schemars::JsonSchema;
@@ -74,7 +75,7 @@ pub struct MovingSatellite {
 #[schemars(deny_unknown_fields)]
 pub struct MovingChamber {
     /// State of the chamber: filling, emptying, or changing over.
-    pub state: super::ChamberState,
+    pub state: Phase,
     /// Area of the chamber in m².
     pub area_m2: f64,
     /// Outline of the chamber in m.
@@ -103,7 +104,7 @@ pub fn moving(designed: &Designed, frames: u32) -> Result<Moving, Error> {
         let satellites = motor.satellites(rotation)?.into_iter();
         let chambers = all.iter().map(|chamber| {
             Ok(MovingChamber {
-                state: super::bodies::state_of(chamber, &all),
+                state: Phase::of(chamber, &all),
                 area_m2: si(chamber.area),
                 outline_m: points(&motor.chamber_outline(rotation, chamber.index, SIDES)?),
             })

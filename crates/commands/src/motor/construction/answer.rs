@@ -3,13 +3,13 @@
 
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
-use crate::motor::answer::design::{Place, closed_arcs};
 use crate::motor::answer::shape::Interval;
 use crate::motor::answer::{Designed, Numbers};
 use crate::shared::number::{maybe_si, plain, power_of_ten_above, si};
 use crate::tolerance::{CLOSED, rounded};
 use epicyclic_hydromotor::arcs::{Known, StatorArcs};
 use epicyclic_hydromotor::closure::{self, Family};
+use epicyclic_hydromotor::place::Place;
 use epicyclic_hydromotor::{self as hydromotor, MotorNumbers, junction};
 use epicyclic_units::Physical as _;
 use epicyclic_units::format;
@@ -181,7 +181,7 @@ impl Constructed {
     /// [`Error::Motor`] for numbers with which no motor closes and a place outside the family;
     /// [`Error::NoArcs`] for a rotor by the cosine law.
     pub fn of_place(numbers: MotorNumbers, module: Length, place: Place) -> Result<Self, Error> {
-        let (_, arcs) = closed_arcs(numbers, module, place)?.ok_or(Error::NoArcs)?;
+        let (_, arcs) = place.arcs(numbers, module)?.ok_or(Error::NoArcs)?;
         Ok(Self { numbers, arcs })
     }
 

@@ -1,17 +1,17 @@
 //! The construction of a hydromotor's arcs and of the junction on its rotor, as tables.
 
 use crate::motor::construction::answer::{ConstructedArcs, Departure, Junction, Misfit, MotorConstruction};
-use crate::motor::table::{family, numbers, title};
+use crate::motor::table::{facts, family, numbers, one, title};
 use crate::table::columns::Table;
 use crate::table::figure::Figure;
-use crate::table::quantities::{optional, quantity, remarked};
+use crate::table::quantities::{optional, remarked};
 use crate::table::report::AsReport;
-use crate::table::report::{Part, Records, Report, Row, Section, headline, warned};
-use epicyclic_units::Dimension::{self, Angle, Length};
+use crate::table::report::{Part, Records, Report, Row, headline, warned};
+use epicyclic_units::Dimension::{Angle, Length};
 
 impl AsReport for MotorConstruction {
     fn report(&self) -> Report {
-        let section = |name, title, rows| Part::Facts(Section { name, title, columns: &[], rows, note: "" });
+        let section = |name, title, rows| facts(name, title, rows, "");
         let title = format!("Construction. {}", title(&self.numbers));
         Report {
             title: Some(headline(title, &self.warnings)),
@@ -29,10 +29,6 @@ impl AsReport for MotorConstruction {
             warnings: warned(&self.warnings),
         }
     }
-}
-
-fn one(name: &'static str, label: &'static str, symbol: &'static str, dimension: Dimension, si: f64) -> Row {
-    Row::new(name, label, symbol, [quantity(dimension, si)])
 }
 
 fn number(name: &'static str, label: &'static str, symbol: &'static str, value: f64) -> Row {

@@ -1,12 +1,12 @@
 //! Common parts of both searches for hydromotors: listed designs, and a design as a motor of a given size.
 
 use crate::error::Error;
-use crate::motor::answer::{Chosen, Designed, Groups, Made, Point, saved};
+use crate::motor::answer::{Chosen, Designed, Groups, Inputs, Made, Point, saved};
 use crate::shared::number::si;
 use epicyclic_formats::motor::MaterialGroup;
 use epicyclic_hydromotor::closure::Family;
 use epicyclic_hydromotor::profile::{Profile, ToothForm};
-use epicyclic_hydromotor::search::Requirements;
+use epicyclic_hydromotor::search::{Dimensions, Requirements};
 use epicyclic_hydromotor::{Motor, MotorNumbers};
 use std::collections::HashSet;
 use uom::si::f64::{Angle, Length};
@@ -89,11 +89,11 @@ impl<'d, Design> Listed<'d, Design> {
 }
 
 /// Design by its number, from 1, and the size that is shown for it.
-pub(crate) fn nth<Design, Size>(
+pub(crate) fn nth<Design>(
     designs: &[Design],
     number: usize,
-    size: impl Fn(&Design) -> Option<&Size>,
-) -> Result<(&Design, &Size), Error> {
+    size: impl Fn(&Design) -> Option<&Dimensions>,
+) -> Result<(&Design, &Dimensions), Error> {
     let design = number.checked_sub(1).and_then(|place| designs.get(place));
     let found = design.and_then(|design| Some((design, size(design)?)));
     found.ok_or(Error::NoSuchDesign { design: number, designs: designs.len() })
@@ -113,9 +113,10 @@ impl Drawn<'_> {
     pub(crate) fn designed(self, requirements: &Requirements) -> Result<Designed, Error> {
         let Self { motor, form, angle, made, .. } = self;
         let (width, pressure, speed) = (Some(self.width), requirements.pressure_drop, requirements.speed);
+        let point = Point { form, width, pressure, speed };
         let family = motor.arcs().map(|_| Family::new(motor.numbers(), motor.module())).transpose()?;
         Ok(Designed {
-            made: Made::of(&motor, made, Point { form, width, pressure, speed })?,
+            made: Made::of(&motor, &Inputs::of(made, point)?, point)?,
             profile: Profile::new(&motor, form),
             family,
             motor,
@@ -129,11 +130,8 @@ impl Drawn<'_> {
     }
 }
 
-/// Finds the size whose width is closest to half its diameter; `of` returns both.
-pub(crate) fn nearest_half<T>(sizes: &[T], of: impl Fn(&T) -> [Length; 2]) -> Option<&T> {
-    let off = |size: &&T| {
-        let [width, diameter] = of(size).map(si);
-        (width / diameter - 0.5).abs()
-    };
+/// Finds the size whose width is closest to half its diameter.
+pub(crate) fn nearest_half(sizes: &[Dimensions]) -> Option<&Dimensions> {
+    let off = |size: &&Dimensions| (si(size.width) / si(size.outer_diameter) - 0.5).abs();
     sizes.iter().min_by(|one, other| off(one).total_cmp(&off(other)))
 }

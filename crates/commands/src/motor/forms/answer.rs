@@ -16,8 +16,8 @@ use crate::shared::number::{maybe_si, plain, si};
 use epicyclic_formats::motor::MaterialGroup;
 use epicyclic_hydromotor::flanks::{MaterialLimits, effective_modulus};
 use epicyclic_hydromotor::profile::ToothForm;
-use epicyclic_hydromotor::search::Watch;
-use epicyclic_hydromotor::search::forms::{FlankFigures, FormDesign, FormFound, FormSearch, FormSize};
+use epicyclic_hydromotor::search::forms::{FlankFigures, FormDesign, FormFound, FormSearch};
+use epicyclic_hydromotor::search::{Dimensions, Watch};
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Angle, Pressure};
@@ -302,8 +302,8 @@ impl SearchedForms {
 }
 
 /// Size that is shown for a design.
-fn shown_size(design: &FormDesign) -> Option<&FormSize> {
-    nearest_half(&design.sizes, |size| [size.width, size.outer_diameter])
+fn shown_size(design: &FormDesign) -> Option<&Dimensions> {
+    nearest_half(&design.sizes)
 }
 
 impl Form {
@@ -342,7 +342,7 @@ impl Flanks {
 }
 
 impl Size {
-    fn of(size: &FormSize, l_over_module: Option<f64>) -> Self {
+    fn of(size: &Dimensions, l_over_module: Option<f64>) -> Self {
         Self {
             module_m: si(size.module),
             width_m: si(size.width),

@@ -3,10 +3,11 @@
 use crate::motor::answer::GoverningLimit;
 use crate::motor::designs::table::{Duty, Numbers, hidden, numbered, of_set, size_columns, with_duty};
 use crate::motor::forms::answer::{Allowed, Crest, Design, Family, Flanks, Funnel, MotorForms, Objective};
+use crate::motor::table::facts;
 use crate::table::figure::{Figure, count as many};
 use crate::table::quantities::words;
 use crate::table::report::AsReport;
-use crate::table::report::{Part, Records, Report, Row, Section, Text, View, headline, warned};
+use crate::table::report::{Part, Records, Report, Row, Text, View, headline, warned};
 use epicyclic_units::Dimension::{Angle, Length, Pressure, Volume};
 
 impl AsReport for MotorForms {
@@ -23,13 +24,12 @@ impl AsReport for MotorForms {
             )),
             parts: vec![
                 Part::Records(records(self)),
-                Part::Facts(Section {
-                    name: "funnel",
-                    title: "Points, each a motor with a tooth form, and what became of them: the first reason counts",
-                    columns: &[],
-                    rows: funnel(&self.funnel),
-                    note: "",
-                }),
+                facts(
+                    "funnel",
+                    "Points, each a motor with a tooth form, and what became of them: the first reason counts",
+                    funnel(&self.funnel),
+                    "",
+                ),
                 Part::Text(Text::paragraph(completeness(self))),
             ],
             warnings: warned(&self.warnings),
@@ -84,8 +84,8 @@ fn records(search: &MotorForms) -> Records {
     .number("fillet", "ρ*", |design| design.form.fillet)
     .number("backlash", "j*", |design| design.form.backlash)
     .words("crest", "crest", |design| match design.form.crest {
-        Crest::Space => Figure::choice(Crest::Space, "space"),
-        Crest::Tooth => Figure::choice(Crest::Tooth, "tooth"),
+        crest @ Crest::Space => Figure::choice(crest, "space"),
+        crest @ Crest::Tooth => Figure::choice(crest, "tooth"),
     })
     .multiple("displacement_by_volume", "q/V", |design| design.displacement_by_volume)
     .share("ripple", "δ, pitch", |design| design.ripple)
@@ -244,7 +244,7 @@ fn funnel(funnel: &Funnel) -> Vec<Row> {
         row("motors", "motors at places of their families", funnel.motors as u64),
     ];
     for one in funnel.motors_refused.iter().filter(|one| one.motors > 0) {
-        rows.push(refused(row(one.reason.name(), one.reason.words(), one.motors as u64), "motors refused"));
+        rows.push(refused(row(one.reason.name(), one.reason.words(), one.motors), "motors refused"));
     }
     rows.push(row("forms", "tooth forms", funnel.forms as u64));
     rows.push(row("points", "points: motors × forms", funnel.points));

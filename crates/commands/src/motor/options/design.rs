@@ -2,8 +2,9 @@
 
 use super::{Request, Teeth};
 use crate::failure::Failure;
-use crate::motor::answer::{Designed, Motor, Place, Question, answer, design};
+use crate::motor::answer::{Designed, Motor, Question, answer, design};
 use epicyclic_formats::motor;
+use epicyclic_hydromotor::place::Place;
 use epicyclic_hydromotor::profile::ToothForm;
 use epicyclic_hydromotor::quantity::{Quantity, WheelKind};
 use epicyclic_hydromotor::{Error, MotorNumbers};

@@ -1,11 +1,12 @@
 //! The satellites that a hydromotor's stator and rotor admit, as tables.
 
-use crate::motor::satellites::answer::{MotorSatellites, NoMotor, SatelliteMotor, SatellitesWithout};
+use crate::motor::satellites::answer::{MotorSatellites, SatelliteMotor, SatellitesWithout};
+use crate::motor::table::facts;
 use crate::table::columns::Table;
 use crate::table::figure::Figure;
 use crate::table::quantities::words;
 use crate::table::report::AsReport;
-use crate::table::report::{Part, Records, Report, Row, Section, Text, headline, warned};
+use crate::table::report::{Part, Records, Report, Row, Text, headline, warned};
 use epicyclic_units::Dimension::{Area, Length};
 
 impl AsReport for MotorSatellites {
@@ -28,13 +29,7 @@ impl AsReport for MotorSatellites {
                 [Figure::Number(self.satellite_teeth_below)],
             ),
         ];
-        let mut parts = vec![Part::Facts(Section {
-            name: "numbers",
-            title: "Numbers and their conditions",
-            columns: &[],
-            rows: numbers,
-            note: "",
-        })];
+        let mut parts = vec![facts("numbers", "Numbers and their conditions", numbers, "")];
         if !self.motors.is_empty() {
             parts.push(Part::Records(motors(self)));
         }
@@ -90,20 +85,10 @@ fn motors(answer: &MotorSatellites) -> Records {
 }
 
 fn without(without: &[SatellitesWithout]) -> Records {
-    let reason = |reason: NoMotor| {
-        let name = match reason {
-            NoMotor::CrestRadius => "crest_radius",
-            NoMotor::RotorCusp => "rotor_cusp",
-            NoMotor::RadialFlank => "radial_flank",
-            NoMotor::RotorInStator => "rotor_in_stator",
-            NoMotor::NoChamber => "no_chamber",
-        };
-        Figure::answer(name, reason.words())
-    };
     Table::new("without", without)
         .number("from", "Z_s from", |one| one.from)
         .number("to", "to", |one| one.to)
-        .words("reason", "reason", |one| reason(one.reason))
+        .words("reason", "reason", |one| Figure::choice(one.reason, one.reason.words()))
         .all("Satellites without such a motor")
         .records()
 }

@@ -4,7 +4,7 @@ pub(crate) mod funnel;
 mod objective;
 mod teeth;
 
-pub use funnel::{Funnel, Reason, Refused};
+pub use funnel::{Funnel, Refused};
 pub use objective::Objective;
 pub use teeth::{AtFlanks, TeethLimits};
 
@@ -16,6 +16,7 @@ use crate::motor::designs::answer::{Drawn, Listed, Listing, Searched, nearest_ha
 use crate::motor::forms::answer::Form;
 use crate::shared::number::{maybe_si, plain, si};
 use epicyclic_formats::motor::MaterialGroup;
+use epicyclic_hydromotor::arcs::StatorArcs;
 use epicyclic_hydromotor::checks::Subject;
 use epicyclic_hydromotor::search::{self, Found, MotorSearch as Search};
 use schemars::JsonSchema;
@@ -242,6 +243,7 @@ impl SearchedMotors {
     fn design(&self, place: usize, design: &search::Design) -> Option<Design> {
         let numbers = design.numbers;
         let size = shown_size(design)?;
+        let arcs = design.arcs(size.module).ok()?;
         let teeth = Teeth::of(design, &self.search);
         let (at_flanks, without_flanks) = match teeth.at_flanks {
             Ok(at_flanks) => (Some(at_flanks), None),
@@ -258,7 +260,7 @@ impl SearchedMotors {
             stator_teeth: numbers.stator_teeth(),
             rotor_teeth: numbers.rotor_teeth(),
             satellite_teeth: numbers.satellite_teeth(),
-            l_over_module: si(size.trough_distance) / si(size.module),
+            l_over_module: si(arcs.trough_distance()) / si(size.module),
             displacement_by_volume: plain(design.displacement_by_volume),
             ripple: plain(design.ripple),
             least_over_mean: si(ripple.least) / si(ripple.mean),
@@ -271,7 +273,7 @@ impl SearchedMotors {
             nearest_margin: plain(design.nearest_margin),
             spacing_error: self.error(design.spacing_error),
             modules_m: design.dimensions.iter().map(|size| si(size.module)).collect(),
-            size: Size::of(size),
+            size: Size::of(size, &arcs),
         })
     }
 
@@ -291,19 +293,19 @@ impl SearchedMotors {
 
 /// Size that is shown for a design.
 fn shown_size(design: &search::Design) -> Option<&search::Dimensions> {
-    nearest_half(&design.dimensions, |size| [size.width, size.outer_diameter])
+    nearest_half(&design.dimensions)
 }
 
 impl Size {
-    fn of(size: &search::Dimensions) -> Self {
+    fn of(size: &search::Dimensions, arcs: &StatorArcs) -> Self {
         Self {
             module_m: si(size.module),
             width_m: si(size.width),
             outer_diameter_m: si(size.outer_diameter),
-            l_m: si(size.trough_distance),
-            a_m: si(size.crest_distance),
-            r1_m: si(size.trough_radius),
-            r2_m: si(size.crest_radius),
+            l_m: si(arcs.trough_distance()),
+            a_m: si(arcs.crest_distance()),
+            r1_m: si(arcs.trough_radius()),
+            r2_m: si(arcs.crest_radius()),
             displacement_m3: si(size.displacement),
             torque_n_m: maybe_si(size.torque),
             least_torque_n_m: maybe_si(size.least_torque),

@@ -2,7 +2,7 @@
 
 use crate::motor::designs::table::{Duty, Numbers, hidden, numbered, of_set, size_columns, with_duty};
 use crate::motor::search::answer::{Design, MotorSearch, SpacingError, TeethLimits};
-use crate::motor::table::subject;
+use crate::motor::table::facts;
 use crate::table::figure::{Figure, count as many};
 use crate::table::quantities::words;
 use crate::table::report::AsReport;
@@ -30,13 +30,12 @@ impl AsReport for MotorSearch {
             )),
             parts: vec![
                 Part::Records(records(self)),
-                Part::Facts(Section {
-                    name: "funnel",
-                    title: "Motors tried, and why the others were refused: the first reason counts",
-                    columns: &[],
-                    rows: funnel(self),
-                    note: "",
-                }),
+                facts(
+                    "funnel",
+                    "Motors tried, and why the others were refused: the first reason counts",
+                    funnel(self),
+                    "",
+                ),
                 Part::Facts(Section {
                     name: "between_places",
                     title: "Between the places tried a motor may be better than a listed one, by estimate",
@@ -150,7 +149,9 @@ fn records(search: &MotorSearch) -> Records {
         TeethLimits::None => "none",
     })
     .quantity("contact_stress", "σ_H", Pressure, |design| design.contact_stress_pa)
-    .words("nearest_check", "nearest limit", |design| subject(design.nearest_check))
+    .words("nearest_check", "nearest limit", |design| {
+        Figure::choice(design.nearest_check, short(design.nearest_check))
+    })
     .words("nearest", "nearest limit", |design| short(design.nearest_check))
     .for_people()
     .share("nearest_margin", "spare", |design| design.nearest_margin)
@@ -199,20 +200,20 @@ const fn short(check: Subject) -> &'static str {
 
 fn funnel(search: &MotorSearch) -> Vec<Row> {
     let funnel = &search.funnel;
-    let row = |name, label, value| Row::new(name, label, "", [many(value)]);
+    let row = |name, label, value: u64| Row::new(name, label, "", [many(value)]);
     let mut rows = vec![
-        row("sets", "sets of lobes and teeth", funnel.sets),
-        row("outside_limits", "… outside limits of the rotor", funnel.outside_limits),
-        row("without_family", "… with which no motor closes", funnel.without_family),
-        row("places", "motors at even places", funnel.places),
-        row("refined", "motors added by refinement", funnel.refined),
+        row("sets", "sets of lobes and teeth", funnel.sets as u64),
+        row("outside_limits", "… outside limits of the rotor", funnel.outside_limits as u64),
+        row("without_family", "… with which no motor closes", funnel.without_family as u64),
+        row("places", "motors at even places", funnel.places as u64),
+        row("refined", "motors added by refinement", funnel.refined as u64),
     ];
     for refused in funnel.refused.iter().filter(|refused| refused.motors > 0) {
         let (name, label) = (refused.reason.name(), refused.reason.words());
         rows.push(Row { remark: "refused".to_owned(), ..row(name, label, refused.motors) });
     }
-    rows.push(row("accepted", "motors that pass", funnel.accepted));
-    rows.push(row("front", "… that no other surpasses", funnel.front));
-    rows.push(row("apart", "designs, alike ones once", funnel.apart));
+    rows.push(row("accepted", "motors that pass", funnel.accepted as u64));
+    rows.push(row("front", "… that no other surpasses", funnel.front as u64));
+    rows.push(row("apart", "designs, alike ones once", funnel.apart as u64));
     rows
 }

@@ -1,28 +1,25 @@
 //! Flanks under load, ports as made, leaks and friction of a motor as tables.
 
-use super::{count, maybe, one};
+use super::{count, facts, maybe, one};
 use crate::motor::answer::{
     AllowedPressure, Efficiency, Flanks, ForceAt, GoverningLimit, Losses, MadePorts, OpenTo, Port, PortState,
-    Push,
 };
 use crate::table::columns::Table;
 use crate::table::figure::Figure;
-use crate::table::quantities::remarked;
-use crate::table::report::{Part, Records, Row, Section, Text};
+use crate::table::quantities::{remarked, words};
+use crate::table::report::{Part, Records, Row, Text};
+use epicyclic_hydromotor::flanks::Push;
 use epicyclic_hydromotor::ports::timing::AtExtreme;
 use epicyclic_units::Dimension::{
     Angle, AngularSpeed, Area, Force, Length, Power, Pressure, Torque, Volume, VolumeRate,
 };
 
-fn facts(name: &'static str, title: &'static str, rows: Vec<Row>, note: &'static str) -> Part {
-    Part::Facts(Section { name, title, columns: &[], rows, note })
-}
-
 fn push(push: Push) -> Figure {
-    match push {
-        Push::Crest => Figure::answer("crest", "crest"),
-        Push::Trough => Figure::answer("trough", "trough"),
-    }
+    let words = match push {
+        Push::Forward => "crest",
+        Push::Back => "trough",
+    };
+    Figure::choice(push, words)
 }
 
 /// The ripple with satellites that seal where flanks touch.
@@ -129,18 +126,14 @@ fn port(name: [&'static str; 3], label: &'static str, port: &Port) -> Vec<Row> {
             kidney.map_or_else(String::new, |((inner, outer), span)| {
                 format!(
                     "kidney from radius {} to {}, {} long",
-                    crate::table::quantities::words(Length, inner, 4),
-                    crate::table::quantities::words(Length, outer, 4),
-                    crate::table::quantities::words(Angle, span, 4)
+                    words(Length, inner, 4),
+                    words(Length, outer, 4),
+                    words(Angle, span, 4)
                 )
             })
         },
         |(diameter, radius)| {
-            format!(
-                "hole of {} at radius {}",
-                crate::table::quantities::words(Length, diameter, 4),
-                crate::table::quantities::words(Length, radius, 4)
-            )
+            format!("hole of {} at radius {}", words(Length, diameter, 4), words(Length, radius, 4))
         },
     );
     vec![
@@ -187,13 +180,14 @@ pub(crate) fn ports(ports: &MadePorts) -> Vec<Part> {
     parts
 }
 
-const fn open_to(open: OpenTo) -> [&'static str; 2] {
-    match open {
-        OpenTo::High => ["high", "high pressure"],
-        OpenTo::Low => ["low", "low pressure"],
-        OpenTo::Both => ["both", "BOTH: short circuit"],
-        OpenTo::Neither => ["neither", "closed"],
-    }
+fn open_to(open: OpenTo) -> Figure {
+    let words = match open {
+        OpenTo::High => "high pressure",
+        OpenTo::Low => "low pressure",
+        OpenTo::Both => "BOTH: short circuit",
+        OpenTo::Neither => "closed",
+    };
+    Figure::choice(open, words)
 }
 
 fn cycle(ports: &MadePorts) -> Records {
@@ -204,14 +198,11 @@ fn cycle(ports: &MadePorts) -> Records {
     Table::new("port_states", ports.states.iter())
         .quantity("from", "from", Angle, |state| state.from_rad)
         .quantity("to", "to", Angle, |state| state.to_rad)
-        .words("open_to", "open to", |state| {
-            let [name, words] = open_to(state.open_to);
-            Figure::answer(name, words)
-        })
+        .words("open_to", "open to", |state| open_to(state.open_to))
         .words("extreme", "about the", |state| {
             closed(state).and_then(|one| one.extreme).map_or(Figure::None, |extreme| match extreme {
-                AtExtreme::Greatest => Figure::answer("greatest", "greatest"),
-                AtExtreme::Least => Figure::answer("least", "least"),
+                AtExtreme::Greatest => Figure::choice(extreme, "greatest"),
+                AtExtreme::Least => Figure::choice(extreme, "least"),
             })
         })
         .headed("before", "before", Angle, |state| closed(state).map(|one| one.before_rad))
@@ -224,10 +215,7 @@ fn cycle(ports: &MadePorts) -> Records {
 
 fn throttling(ports: &MadePorts) -> Records {
     Table::new("throttling", ports.throttling.iter())
-        .words("ports", "ports of", |one| {
-            let [name, words] = open_to(one.ports);
-            Figure::answer(name, words)
-        })
+        .words("ports", "ports of", |one| open_to(one.ports))
         .quantity("smallest_opening", "least opening", Area, |one| one.smallest_opening_m2)
         .quantity("drop", "drop there", Pressure, |one| one.drop_pa)
         .headed("greatest_drop", "greatest", Pressure, |one| one.greatest_drop_pa)

@@ -1,22 +1,21 @@
 //! Result of a search with free tooth forms.
 
-use epicyclic_units::Physical;
-use uom::si::f64::{Length, Power, Torque, Volume, VolumeRate};
+use uom::si::f64::Length;
 
+use super::super::dimensions::Dimensions;
 use super::super::point::Yardstick;
-use super::super::requirements::mean_flow;
 use super::FormSearch;
+use super::counts::Counts;
 use super::cover::Value;
 use super::loaded::FlankFigures;
-use super::refusal::{Counts, FormRefusal};
-use super::shape::{Curves, FamilyKind, Shape, ShapeReason, motor};
+use super::shape::{Curves, FamilyKind, Shape, motor};
 use super::trial::Point;
 use crate::Error;
 use crate::machine;
-use crate::modules::{length, volume};
 use crate::motor::Motor;
 use crate::numbers::MotorNumbers;
 use crate::profile::{Profile, ToothForm};
+use crate::reason::{Reason, Refusals};
 use crate::threads::map;
 
 /// The answer of a search.
@@ -48,31 +47,8 @@ pub struct FormDesign {
     /// Figures of the flanks under load, if requested; `None` if the flanks cannot hold a satellite.
     pub flanks: Option<FlankFigures>,
     /// The sizes that keep the limits, at least one, in the order of the modules given.
-    pub sizes: Vec<FormSize>,
+    pub sizes: Vec<Dimensions>,
     curves: Curves,
-}
-
-/// A design in one size.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FormSize {
-    /// Module.
-    pub module: Length,
-    /// Width.
-    pub width: Length,
-    /// Diameter of the stator's centrode; roots and housing come on top.
-    pub outer_diameter: Length,
-    /// Volume of the cylinder about the stator's centrode.
-    pub volume: Volume,
-    /// Displacement a revolution.
-    pub displacement: Volume,
-    /// Mean torque at the pressure wanted, without losses.
-    pub torque: Option<Torque>,
-    /// The least torque over a revolution, without losses, satellites sealing at the pitch points.
-    pub least_torque: Option<Torque>,
-    /// Mean flow at the speed wanted.
-    pub flow: Option<VolumeRate>,
-    /// Power at that speed and the pressure wanted, without losses.
-    pub power: Option<Power>,
 }
 
 impl FormDesign {
@@ -129,8 +105,8 @@ pub struct FormFunnel {
     pub as_good: u64,
     /// Points tried to the end that are admissible.
     pub admissible: u64,
-    shapes_refused: [usize; ShapeReason::ALL.len()],
-    refused: [u64; FormRefusal::ALL.len()],
+    shapes_refused: Refusals,
+    refused: Refusals,
 }
 
 impl FormFunnel {
@@ -143,30 +119,24 @@ impl FormFunnel {
 
     /// Motors refused for a reason, whatever their form, each counted once.
     #[must_use]
-    pub fn motors_refused(&self, reason: ShapeReason) -> usize {
-        let place = ShapeReason::ALL.iter().position(|other| *other == reason);
-        place.map_or(0, |place| self.shapes_refused[place])
+    pub fn motors_refused(&self, reason: Reason) -> u64 {
+        self.shapes_refused.of(reason)
     }
 
     /// Points refused for a reason, each counted once, by the first failure found.
     #[must_use]
-    pub fn refused(&self, refusal: FormRefusal) -> u64 {
-        let place = FormRefusal::ALL.iter().position(|other| *other == refusal);
-        place.map_or(0, |place| self.refused[place])
+    pub fn refused(&self, reason: Reason) -> u64 {
+        self.refused.of(reason)
     }
 
-    pub(super) fn refuse_shape(&mut self, reason: ShapeReason) {
-        if let Some(place) = ShapeReason::ALL.iter().position(|other| *other == reason) {
-            self.shapes_refused[place] += 1;
-        }
+    pub(super) fn refuse_shape(&mut self, reason: Reason) {
+        self.shapes_refused.count(reason);
     }
 
     pub(super) fn add(&mut self, counts: &Counts) {
         self.as_good += counts.as_good;
         self.admissible += counts.admissible;
-        for (sum, more) in self.refused.iter_mut().zip(counts.refused) {
-            *sum += more;
-        }
+        self.refused.add(&counts.refused);
     }
 }
 
@@ -203,29 +173,8 @@ impl FormSearch {
             least_radius: shape.radius,
             contact_ratio: point.contact_ratio,
             flanks: point.figures.or_else(|| self.figures(shape, form)?.ok()),
-            sizes: sizes.into_iter().map(|size| self.size(shape, size)).collect(),
+            sizes: sizes.into_iter().map(|size| Dimensions::of(&self.requirements, working, size)).collect(),
             curves: shape.curves,
-        }
-    }
-
-    fn size(&self, shape: &Shape, [module, width]: [f64; 2]) -> FormSize {
-        let working = &shape.working;
-        let (module, width) = (Length::from_si(module), Length::from_si(width));
-        let disc = std::f64::consts::FRAC_PI_4 * working.diameter * working.diameter;
-        let [mean, least] =
-            [mean_flow(working.displacement), working.flow[0]].map(|flow| volume(flow, module, width));
-        let requirements = &self.requirements;
-        let mean_torque = requirements.pressure_drop.map(|drop| Torque::from(mean * drop));
-        FormSize {
-            module,
-            width,
-            outer_diameter: length(working.diameter, module),
-            volume: volume(disc, module, width),
-            displacement: volume(working.displacement, module, width),
-            torque: mean_torque,
-            least_torque: requirements.pressure_drop.map(|drop| (least * drop).into()),
-            flow: requirements.speed.map(|speed| mean * speed),
-            power: mean_torque.zip(requirements.speed).map(|(mean, speed)| mean * speed),
         }
     }
 }

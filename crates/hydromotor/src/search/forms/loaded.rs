@@ -4,7 +4,6 @@ use epicyclic_units::Physical;
 use uom::si::f64::Pressure;
 
 use super::super::objective::of_flow;
-use super::refusal::FormRefusal;
 use super::shape::Shape;
 use super::{FormSearch, Objective};
 use crate::Error;
@@ -13,7 +12,8 @@ use crate::flanks::{AllowedPressure, LoadedPath, MaterialLimits, SealingContact}
 use crate::motor::Motor;
 use crate::profile::{Profile, ToothForm};
 use crate::quantity::Quantity;
-use crate::ranges::positive_pressure;
+use crate::ranges::{self, positive_pressure};
+use crate::reason::Reason;
 use std::f64::consts::PI;
 
 /// Inputs for the flanks under load, and their limits.
@@ -55,8 +55,8 @@ impl FlankOrder {
     }
 
     pub(super) fn checked(&self, pressure_drop: Option<Pressure>) -> Result<(), Error> {
-        positive_pressure(Quantity::ContactLimit, self.materials.contact)?;
-        positive_pressure(Quantity::RootLimit, self.materials.root)?;
+        ranges::stress_limit(Quantity::ContactLimit, self.materials.contact)?;
+        ranges::stress_limit(Quantity::RootLimit, self.materials.root)?;
         positive_pressure(Quantity::ContactModulus, self.materials.modulus)?;
         of_flow(self.ripple, self.least_torque)?;
         for (quantity, stress) in
@@ -96,10 +96,10 @@ impl FlankFigures {
         pressure_drop: Option<Pressure>,
         motor: &Motor,
         form: ToothForm,
-    ) -> Result<Self, FormRefusal> {
-        let profile = Profile::new(motor, form).map_err(|_| FormRefusal::NoTeeth)?;
+    ) -> Result<Self, Reason> {
+        let profile = Profile::new(motor, form).map_err(|_| Reason::NoTeeth)?;
         let allowed = profile.allowed_pressure(order.path, &order.materials);
-        let allowed = allowed.map_err(|_| FormRefusal::CannotHold)?;
+        let allowed = allowed.map_err(|_| Reason::CannotHold)?;
         let materials = &order.materials;
         // p_H rises with the root of the pressure drop, bending with it.
         let contact_stress =
@@ -110,13 +110,13 @@ impl FlankFigures {
             value.zip(most).is_none_or(|(value, most)| value <= most)
         };
         if !keeps(contact_stress, order.contact_stress) {
-            return Err(FormRefusal::ContactStress);
+            return Err(Reason::ContactStress);
         }
         if !keeps(root_stress, order.root_stress) {
-            return Err(FormRefusal::RootStress);
+            return Err(Reason::RootStress);
         }
         if !order.allowed_pressure.is_none_or(|least| allowed.pressure >= least) {
-            return Err(FormRefusal::AllowedPressure);
+            return Err(Reason::AllowedPressure);
         }
         let ripple = profile.flank_ripple(order.sealing);
         let figures = Self {
@@ -127,10 +127,10 @@ impl FlankFigures {
             allowed,
         };
         if !order.ripple.is_none_or(|most| figures.ripple <= most) {
-            return Err(FormRefusal::FlankRipple);
+            return Err(Reason::FlankRipple);
         }
         if !order.least_torque.is_none_or(|least| figures.least_over_mean >= least) {
-            return Err(FormRefusal::LeastTorque);
+            return Err(Reason::LeastTorque);
         }
         Ok(figures)
     }
@@ -179,16 +179,16 @@ impl PitchBound {
         order: &FlankOrder,
         pressure_drop: Option<Pressure>,
         form: ToothForm,
-    ) -> Option<FormRefusal> {
+    ) -> Option<Reason> {
         let allowed = self.by_contact(&order.materials, form);
         let least = order.allowed_pressure.map_or(0.0, Physical::si);
         if let (Some(most), Some(drop)) = (order.contact_stress, pressure_drop) {
             let at_pitch = order.materials.contact.si() * (drop.si() / allowed).sqrt();
             if at_pitch > most.si() * (1.0 + crate::tolerance::SLACK) {
-                return Some(FormRefusal::ContactStress);
+                return Some(Reason::ContactStress);
             }
         }
-        (allowed * (1.0 + crate::tolerance::SLACK) < least).then_some(FormRefusal::AllowedPressure)
+        (allowed * (1.0 + crate::tolerance::SLACK) < least).then_some(Reason::AllowedPressure)
     }
 
     /// The most that an objective can be, as [`FlankFigures::value`]: without a bound infinite.
@@ -232,11 +232,7 @@ impl FormSearch {
     }
 
     /// Figures of a motor's flanks in a form, if requested.
-    pub(super) fn figures(
-        &self,
-        shape: &Shape,
-        form: ToothForm,
-    ) -> Option<Result<FlankFigures, FormRefusal>> {
+    pub(super) fn figures(&self, shape: &Shape, form: ToothForm) -> Option<Result<FlankFigures, Reason>> {
         let order = self.flanks.as_ref()?;
         Some(FlankFigures::of(order, self.requirements.pressure_drop, &shape.motor(), form))
     }

@@ -63,10 +63,10 @@
 //! # }
 //! ```
 
+mod counts;
 mod cover;
 mod found;
 mod loaded;
-pub(super) mod refusal;
 mod shape;
 mod space;
 mod trial;
@@ -85,10 +85,9 @@ use cover::{Cover, Value};
 use shape::shapes;
 use trial::{Forms, Tried, tried};
 
-pub use found::{FormDesign, FormFound, FormFunnel, FormSize};
+pub use found::{FormDesign, FormFound, FormFunnel};
 pub use loaded::{FlankFigures, FlankOrder};
-pub use refusal::FormRefusal;
-pub use shape::{FamilyKind, ShapeReason};
+pub use shape::FamilyKind;
 pub use space::{FormSpace, MOST_FORMS, Steps};
 
 /// Objective of a design.

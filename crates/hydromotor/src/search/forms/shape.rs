@@ -6,6 +6,7 @@ use crate::contact::Conjugate;
 use crate::cosine::{Cosine, Law};
 use crate::motor::Motor;
 use crate::numbers::MotorNumbers;
+use crate::reason::Reason;
 use crate::second_harmonic;
 use crate::tolerance::EDGE;
 use epicyclic_units::Physical;
@@ -27,29 +28,6 @@ pub enum FamilyKind {
 impl FamilyKind {
     /// Families in their order.
     pub const ALL: [Self; 3] = [Self::TwoArcs, Self::CosineLaw, Self::SecondHarmonic];
-}
-
-/// Reason why a motor is refused before its teeth: the first condition that fails, in this order.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ShapeReason {
-    /// By rounding at the end of its family nothing closes, or a result for the motor is not a number.
-    NotClosed,
-    /// The rotor reaches into the stator.
-    RotorInStator,
-    /// The least chamber has no area.
-    NoChamber,
-    /// [`Limits::least_radius`](super::super::Limits::least_radius).
-    LeastRadius,
-    /// No choice of the size is within [`SizeLimits`](super::super::SizeLimits) and tolerance.
-    Size,
-    /// [`Limits::ripple`](super::super::Limits::ripple).
-    Ripple,
-}
-
-impl ShapeReason {
-    /// Reasons in their order.
-    pub const ALL: [Self; 6] =
-        [Self::NotClosed, Self::RotorInStator, Self::NoChamber, Self::LeastRadius, Self::Size, Self::Ripple];
 }
 
 /// The curves of a motor of module 1 m.
@@ -92,11 +70,11 @@ pub(super) fn shapes(
     numbers: MotorNumbers,
     families: &[FamilyKind],
     places: u32,
-) -> Vec<Result<Shape, ShapeReason>> {
+) -> Vec<Result<Shape, Reason>> {
     let mut found = Vec::new();
     for &family in families {
         let judged = |curves: Option<Curves>| {
-            curves.ok_or(ShapeReason::NotClosed).and_then(|curves| judge(yardstick, numbers, family, curves))
+            curves.ok_or(Reason::NotClosed).and_then(|curves| judge(yardstick, numbers, family, curves))
         };
         match family {
             FamilyKind::TwoArcs => {
@@ -125,31 +103,31 @@ fn judge(
     numbers: MotorNumbers,
     family: FamilyKind,
     curves: Curves,
-) -> Result<Shape, ShapeReason> {
+) -> Result<Shape, Reason> {
     let motor = motor(numbers, &curves, Length::from_si(1.0));
     let [rotor, stator] = motor.facing_radii();
     // Neither is a number where nothing closes.
     if rotor >= stator {
-        return Err(ShapeReason::RotorInStator);
+        return Err(Reason::RotorInStator);
     }
     if motor.extremes()[0] <= 0.0 {
-        return Err(ShapeReason::NoChamber);
+        return Err(Reason::NoChamber);
     }
     let curvatures = motor.shape.curvature_extremes();
     let radius = curvatures.iter().fold(0.0_f64, |most, &curvature| most.max(curvature)).recip();
     if at_least(radius, yardstick.least_radius) < 0.0 {
-        return Err(ShapeReason::LeastRadius);
+        return Err(Reason::LeastRadius);
     }
     let working = Working::of(&motor);
     if yardstick.sizing.margin(working.displacement, working.diameter) < 0.0 {
-        return Err(ShapeReason::Size);
+        return Err(Reason::Size);
     }
     if at_least(yardstick.ripple, working.ripple()) < 0.0 {
-        return Err(ShapeReason::Ripple);
+        return Err(Reason::Ripple);
     }
     let sound = [libm::log(working.by_volume()), libm::log(working.ripple()), libm::log(radius)];
     if sound.iter().any(|value| !value.is_finite()) {
-        return Err(ShapeReason::NotClosed);
+        return Err(Reason::NotClosed);
     }
     Ok(Shape { numbers, family, curves, working, radius, curvatures })
 }

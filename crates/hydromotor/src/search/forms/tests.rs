@@ -9,7 +9,7 @@ use crate::motor::Motor;
 use crate::ports::PortPlate;
 use crate::profile::limits::{Limit, LimitKind};
 use crate::profile::{Crest, Profile, ToothForm};
-use crate::search::{Progress, Size, SizeLimits};
+use crate::search::{Progress, Reason, Size, SizeLimits};
 use crate::second_harmonic;
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, AngularVelocity, Length, Pressure, Torque, Volume};
@@ -210,11 +210,11 @@ fn flanks_under_load_are_those_of_every_profile() {
     let base = FlankOrder::of(steel());
     let pascal = |value: f64| Pressure::from_si(value);
     let limited = [
-        (FlankOrder { ripple: Some(-middle(0)), ..base.clone() }, FormRefusal::FlankRipple),
-        (FlankOrder { least_torque: Some(middle(1)), ..base.clone() }, FormRefusal::LeastTorque),
-        (FlankOrder { contact_stress: Some(pascal(-middle(2))), ..base.clone() }, FormRefusal::ContactStress),
-        (FlankOrder { root_stress: Some(pascal(-middle(3))), ..base.clone() }, FormRefusal::RootStress),
-        (FlankOrder { allowed_pressure: Some(pascal(middle(4))), ..base }, FormRefusal::AllowedPressure),
+        (FlankOrder { ripple: Some(-middle(0)), ..base.clone() }, Reason::FlankRipple),
+        (FlankOrder { least_torque: Some(middle(1)), ..base.clone() }, Reason::LeastTorque),
+        (FlankOrder { contact_stress: Some(pascal(-middle(2))), ..base.clone() }, Reason::ContactStress),
+        (FlankOrder { root_stress: Some(pascal(-middle(3))), ..base.clone() }, Reason::RootStress),
+        (FlankOrder { allowed_pressure: Some(pascal(middle(4))), ..base }, Reason::AllowedPressure),
     ];
     for (i, (order, refusal)) in limited.into_iter().enumerate() {
         search.flanks = Some(order);
@@ -336,15 +336,15 @@ fn every_point_is_counted_once() {
         search.limits.size.width_over_diameter = 0.1..=1.0;
         search.requirements.size = Size::Modules(vec![Length::from_mm(1.0)]);
         let FormFound { designs, funnel } = search.front().unwrap();
-        let motors: usize = ShapeReason::ALL.iter().map(|&reason| funnel.motors_refused(reason)).sum();
-        let refused: u64 = FormRefusal::ALL.iter().map(|&refusal| funnel.refused(refusal)).sum();
-        let points = (motors * funnel.forms) as u64 + refused + funnel.as_good + funnel.admissible;
+        let motors: u64 = Reason::OF_SHAPES.iter().map(|&reason| funnel.motors_refused(reason)).sum();
+        let refused: u64 = Reason::OF_POINTS.iter().map(|&refusal| funnel.refused(refusal)).sum();
+        let points = motors * funnel.forms as u64 + refused + funnel.as_good + funnel.admissible;
         assert_eq!(funnel.points(), points, "{funnel:?}");
         assert_eq!(funnel.forms, search.forms.forms().unwrap().len());
         assert!(funnel.motors > 100 && funnel.admissible as usize >= designs.len(), "{funnel:?}");
         assert!(designs.iter().all(|design| design.contact_ratio >= least && design.ripple <= 0.12));
         assert!(designs.iter().all(|design| design.least_radius >= 1.5));
-        for reason in [ShapeReason::LeastRadius, ShapeReason::Size] {
+        for reason in [Reason::LeastRadius, Reason::Size] {
             assert!(funnel.motors_refused(reason) > 0, "{reason:?} {funnel:?}");
         }
     }

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::super::point::ported;
+use super::counts::Counts;
 use super::cover::{Cover, Value};
 use super::loaded::{FlankFigures, PitchBound};
-use super::refusal::Counts;
 use super::shape::Shape;
 use super::{FormSearch, Objective};
 use crate::profile::ToothForm;
@@ -26,7 +26,7 @@ impl Forms {
                 for (place, &form) in forms.iter().enumerate() {
                     match SatelliteForm::new(form, teeth) {
                         Ok(form) => kept.push((place, form)),
-                        Err(failure) => counts.fail(failure),
+                        Err(failure) => counts.refuse(failure),
                     }
                 }
                 let greatest = |form: &SatelliteForm| form.greatest_contact_ratio();
@@ -110,7 +110,7 @@ pub(super) fn tried(
                 continue;
             }
             Err(failure) => {
-                counts.fail(failure);
+                counts.refuse(failure);
                 continue;
             }
         };

@@ -1,7 +1,8 @@
 //! Search space with free tooth forms, and the results for its points.
 
-use crate::motor::search::answer::funnel::{self as motor_search, Reason};
-use epicyclic_hydromotor::search::forms::{FormFound, FormRefusal, ShapeReason};
+use crate::motor::search::answer::funnel as motor_search;
+use epicyclic_hydromotor::search::Reason;
+use epicyclic_hydromotor::search::forms::FormFound;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt;
@@ -51,24 +52,10 @@ pub struct Refused {
 impl Funnel {
     pub(crate) fn of(found: &FormFound) -> Self {
         let funnel = &found.funnel;
-        let motors_refused: Vec<motor_search::Refused> = ShapeReason::ALL
-            .iter()
-            .map(|&reason| motor_search::Refused {
-                reason: match reason {
-                    ShapeReason::NotClosed => Reason::NotClosed,
-                    ShapeReason::RotorInStator => Reason::RotorInStator,
-                    ShapeReason::NoChamber => Reason::NoChamber,
-                    ShapeReason::LeastRadius => Reason::LeastRadius,
-                    ShapeReason::Size => Reason::Size,
-                    ShapeReason::Ripple => Reason::Ripple,
-                },
-                motors: funnel.motors_refused(reason),
-            })
-            .collect();
-        let refused = FormRefusal::ALL
-            .iter()
-            .map(|&refusal| Refused { reason: Reason::of_form(refusal), points: funnel.refused(refusal) });
-        let motors: usize = motors_refused.iter().map(|refused| refused.motors).sum();
+        let motors_refused = Reason::OF_SHAPES
+            .map(|reason| motor_search::Refused { reason, motors: funnel.motors_refused(reason) });
+        let refused = Reason::OF_POINTS.map(|reason| Refused { reason, points: funnel.refused(reason) });
+        let motors: u64 = motors_refused.iter().map(|refused| refused.motors).sum();
         Self {
             sets: funnel.sets,
             outside_limits: funnel.outside_limits,
@@ -76,9 +63,9 @@ impl Funnel {
             motors: funnel.motors,
             forms: funnel.forms,
             points: funnel.points(),
-            motors_refused,
-            points_of_refused_motors: motors as u64 * funnel.forms as u64,
-            refused: refused.collect(),
+            motors_refused: motors_refused.into(),
+            points_of_refused_motors: motors * funnel.forms as u64,
+            refused: refused.into(),
             as_good: funnel.as_good,
             admissible: funnel.admissible,
             front: found.designs.len(),
@@ -96,7 +83,7 @@ impl fmt::Display for Funnel {
         )?;
         let forms = self.forms as u64;
         let of_motors =
-            self.motors_refused.iter().map(|refused| (refused.reason.words(), refused.motors as u64 * forms));
+            self.motors_refused.iter().map(|refused| (refused.reason.words(), refused.motors * forms));
         let of_points = self.refused.iter().map(|refused| (refused.reason.words(), refused.points));
         let left_out = ("contact ratio wanted", self.as_good);
         let mut refused: Vec<(&str, u64)> =
