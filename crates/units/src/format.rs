@@ -53,7 +53,7 @@ pub fn trimmed(value: f64, digits: usize) -> String {
 /// A quantity in SI units as text in `unit`: `in_unit(1200.0, kilonewton_metre, 4)` is `1.2 kN·m`.
 #[must_use]
 pub fn in_unit(si: f64, unit: &Unit, digits: usize) -> String {
-    let number = trimmed(si / unit.factor, digits);
+    let number = trimmed(if unit.is_reciprocal { unit.factor / si } else { si / unit.factor }, digits);
     if unit.symbol == "1" { number } else { format!("{number} {}", unit.symbol) }
 }
 

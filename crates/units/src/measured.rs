@@ -26,7 +26,7 @@ impl Measured {
     /// Value in SI units.
     #[must_use]
     pub fn si(&self) -> f64 {
-        self.value * self.unit.factor
+        self.unit.converted(self.value)
     }
 }
 
@@ -154,6 +154,13 @@ mod tests {
     fn what_engineers_write_is_read() {
         for (text, number, unit, si) in [
             ("106.5 kW", "106.5", "kW", 106.5e3),
+            ("8 DP", "8", "DP", 0.003_175),
+            ("100 lbf·ft", "100", "lbf·ft", 135.581_794_833_140_04),
+            ("12 lb-in", "12", "lbf·in", 12.0 * 0.112_984_829_027_616_7),
+            ("10 hp", "10", "hp(I)", 7456.998_715_822_702),
+            ("3000 psi", "3000", "psi", 20_684_271.879_504_74),
+            ("1475 RPM", "1475", "rpm", 154.461_638_801_498_17),
+            ("1475 U/min", "1475", "rpm", 154.461_638_801_498_17),
             ("75kW", "75", "kW", 75e3),
             ("1.2e3 N·m", "1.2e3", "N·m", 1.2e3),
             ("520 N m", "520", "N·m", 520.0),
@@ -207,7 +214,7 @@ mod tests {
                 "12",
                 Length,
                 "missing-unit",
-                "12: no unit; write 12 mm, or another unit of length (mm, µm, cm, dm, m, km, in)",
+                "12: no unit; write 12 mm, or another unit of length (mm, µm, cm, dm, m, km, in, ft, DP)",
             ),
             (
                 "12 KW",
@@ -222,16 +229,16 @@ mod tests {
                 "12 furlong: unknown unit furlong (units of power: kW, mW, W, MW, PS, hp(I))",
             ),
             (
-                "12 hp",
-                Power,
+                "12 1/s",
+                AngularSpeed,
                 "ambiguous-unit",
-                "12 hp: hp may be several units; write PS (metric, 735.49875 W) or hp(I) (550 ft·lbf/s, 745.69987 W)",
+                "12 1/s: 1/s may be several units; write rad/s for an angular speed, rev/s for turns, Hz for a frequency",
             ),
             (
                 "520 J",
                 Torque,
                 "wrong-dimension",
-                "520 J: J is a unit of energy, and a torque is due; its units are N·m, mN·m, N·mm, N·cm, kN·m, MN·m, kgf·m",
+                "520 J: J is a unit of energy, and a torque is due; its units are N·m, mN·m, N·mm, N·cm, kN·m, MN·m, kgf·m, lbf·ft, lbf·in",
             ),
             ("nan kW", Power, "not-finite", "nan kW: not a finite number; write one such as 3.94"),
             ("1e308 MW", Power, "not-finite", "1e308 MW: not a finite number; write one such as 3.94"),
@@ -252,7 +259,7 @@ mod tests {
                 "1.1 Gm\u{1b}\n",
                 Length,
                 "unknown-unit",
-                "1.1 Gm\\u001b: unknown unit Gm\\u001b (units of length: mm, µm, cm, dm, m, km, in)",
+                "1.1 Gm\\u001b: unknown unit Gm\\u001b (units of length: mm, µm, cm, dm, m, km, in, ft, DP)",
             ),
             (
                 "5 mm",

@@ -115,11 +115,17 @@ impl schemars::JsonSchema for Number {
     }
 }
 
-/// The value of a text that is a plain number and nothing else.
+/// The value of a text that is a plain number and nothing else, or a fraction of two: `17/3`, `6:1`.
 ///
 /// # Errors
 /// [`QuantityError::UnexpectedUnit`] for `520 N·m`, and those of a number.
 pub fn parse_number(text: &str) -> Result<f64, QuantityError> {
+    if let Some((above, below)) = text.split_once(['/', ':'])
+        && let (Ok(above), Ok(below)) = (plain(above), plain(below))
+        && below != 0.0
+    {
+        return within(above / below, || text.trim().to_owned());
+    }
     let lexed = lex(text)?;
     if lexed.unit.is_empty() {
         return within(lexed.value, || text.trim().to_owned());
@@ -130,6 +136,13 @@ pub fn parse_number(text: &str) -> Result<f64, QuantityError> {
         Some(_) => Err(QuantityError::UnexpectedUnit { text: text.to_owned(), corrected }),
         None => Err(QuantityError::NotANumber { text: text.to_owned(), expected: None }),
     }
+}
+
+/// A number without a unit.
+fn plain(text: &str) -> Result<f64, QuantityError> {
+    let lexed = lex(text)?;
+    let not_plain = || QuantityError::NotANumber { text: text.to_owned(), expected: None };
+    if lexed.unit.is_empty() { Ok(lexed.value) } else { Err(not_plain()) }
 }
 
 /// The value, unless it is larger than any plain number may be.
@@ -311,6 +324,18 @@ mod tests {
             ("520 N·m", "520 N·m: a plain number is due here, without a unit; write 520"),
         ] {
             assert_eq!(parse_number(text).unwrap_err().to_string(), message);
+        }
+    }
+
+    #[test]
+    fn fractions_are_numbers() {
+        for (text, value) in
+            [("17/3", 17.0 / 3.0), ("6:1", 6.0), (" -17 / 3 ", -17.0 / 3.0), ("1.5:0.5", 3.0)]
+        {
+            assert_eq!(parse_number(text), Ok(value), "{text}");
+        }
+        for text in ["17/", "/3", "1/0", "17/3/2", "6:1:2", "1/min", "3 mm/2"] {
+            assert!(parse_number(text).is_err(), "{text}");
         }
     }
 

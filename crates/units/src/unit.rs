@@ -17,10 +17,18 @@ pub struct Unit {
     pub symbol: &'static str,
     /// Value of the unit in SI units.
     pub factor: f64,
+    /// Whether a number counts how many go into the quantity: 8 DP are 25.4 mm over 8.
+    pub is_reciprocal: bool,
     keys: &'static [&'static str],
 }
 
 impl Unit {
+    /// Value in SI units of a number of the unit, and the other way round.
+    #[must_use]
+    pub fn converted(&self, value: f64) -> f64 {
+        if self.is_reciprocal { self.factor / value } else { self.factor * value }
+    }
+
     /// The spellings understood, in their plain form; others that differ only in product signs, superscripts
     /// or `^` are understood too.
     #[must_use]
@@ -35,13 +43,16 @@ const fn unit(
     factor: f64,
     keys: &'static [&'static str],
 ) -> Unit {
-    Unit { dimension, symbol, factor, keys }
+    Unit { dimension, symbol, factor, is_reciprocal: false, keys }
 }
 
 const GRAVITY: f64 = 9.806_65; // standard gravity, exact by definition
 const METRIC_HP: f64 = 735.498_75; // 75 kgf·m/s, exact
 const IMPERIAL_HP: f64 = 745.699_871_582_270_2; // 550 ft·lbf/s
 const INCH: f64 = 0.0254; // exact
+const FOOT: f64 = 0.3048; // exact
+const POUND: f64 = 0.453_592_37; // exact
+const POUND_FORCE: f64 = POUND * GRAVITY;
 
 // The first unit of each table is the usual one: the one proposed for a bare number.
 
@@ -59,6 +70,9 @@ const LENGTH: &[Unit] = &[
     unit(Length, "m", 1.0, &["m"]),
     unit(Length, "km", 1e3, &["km"]),
     unit(Length, "in", INCH, &["in", "inch"]),
+    unit(Length, "ft", FOOT, &["ft"]),
+    // The diametral pitch counts teeth on an inch of diameter: a module of 25.4 mm over it.
+    Unit { dimension: Length, symbol: "DP", factor: INCH, is_reciprocal: true, keys: &["DP"] },
 ];
 
 const AREA: &[Unit] = &[
@@ -84,8 +98,12 @@ const VOLUME_RATE: &[Unit] = &[
     unit(VolumeRate, "m³/s", 1.0, &["m3/s"]),
 ];
 
-const MASS: &[Unit] =
-    &[unit(Mass, "kg", 1.0, &["kg"]), unit(Mass, "g", 1e-3, &["g"]), unit(Mass, "t", 1e3, &["t"])];
+const MASS: &[Unit] = &[
+    unit(Mass, "kg", 1.0, &["kg"]),
+    unit(Mass, "g", 1e-3, &["g"]),
+    unit(Mass, "t", 1e3, &["t"]),
+    unit(Mass, "lb", POUND, &["lb", "lbm"]),
+];
 
 const DENSITY: &[Unit] = &[
     unit(Density, "kg/m³", 1.0, &["kg/m3", "kg·m-3"]),
@@ -97,6 +115,8 @@ const INERTIA: &[Unit] = &[
     unit(Inertia, "kg·cm²", 1e-4, &["kg·cm2", "kgcm2"]),
     unit(Inertia, "kg·mm²", 1e-6, &["kg·mm2", "kgmm2"]),
     unit(Inertia, "g·cm²", 1e-7, &["g·cm2", "gcm2"]),
+    unit(Inertia, "lb·in²", POUND * INCH * INCH, &["lb·in2", "lb-in2"]),
+    unit(Inertia, "lb·ft²", POUND * FOOT * FOOT, &["lb·ft2", "lb-ft2"]),
 ];
 
 const SPEED: &[Unit] = &[
@@ -104,10 +124,17 @@ const SPEED: &[Unit] = &[
     unit(Speed, "mm/s", 1e-3, &["mm/s", "mm·s-1"]),
     unit(Speed, "m/min", 1.0 / 60.0, &["m/min", "m·min-1"]),
     unit(Speed, "km/h", 1.0 / 3.6, &["km/h"]),
+    unit(Speed, "ft/s", FOOT, &["ft/s"]),
+    unit(Speed, "ft/min", FOOT / 60.0, &["ft/min", "fpm"]),
 ];
 
 const ANGULAR_SPEED: &[Unit] = &[
-    unit(AngularSpeed, "rpm", PI / 30.0, &["rpm", "1/min", "min-1", "r/min", "rev/min", "rev·min-1"]),
+    unit(
+        AngularSpeed,
+        "rpm",
+        PI / 30.0,
+        &["rpm", "1/min", "min-1", "r/min", "rev/min", "rev·min-1", "RPM", "Rpm", "U/min", "tr/min"],
+    ),
     unit(AngularSpeed, "rad/s", 1.0, &["rad/s", "rad·s-1"]),
     unit(AngularSpeed, "deg/s", PI / 180.0, &["deg/s", "°/s", "deg·s-1"]),
     unit(AngularSpeed, "rev/s", TAU, &["rev/s", "r/s", "rps"]),
@@ -134,6 +161,7 @@ const FORCE: &[Unit] = &[
     unit(Force, "kN", 1e3, &["kN"]),
     unit(Force, "MN", 1e6, &["MN"]),
     unit(Force, "kgf", GRAVITY, &["kgf"]),
+    unit(Force, "lbf", POUND_FORCE, &["lbf"]),
 ];
 
 const STIFFNESS: &[Unit] = &[
@@ -152,6 +180,18 @@ const TORQUE: &[Unit] = &[
     unit(Torque, "kN·m", 1e3, &["kN·m", "kNm"]),
     unit(Torque, "MN·m", 1e6, &["MN·m", "MNm"]),
     unit(Torque, "kgf·m", GRAVITY, &["kgf·m", "kgfm"]),
+    unit(
+        Torque,
+        "lbf·ft",
+        POUND_FORCE * FOOT,
+        &["lbf·ft", "ft·lbf", "lbf-ft", "ft-lbf", "lb·ft", "ft·lb", "lb-ft", "ft-lb"],
+    ),
+    unit(
+        Torque,
+        "lbf·in",
+        POUND_FORCE * INCH,
+        &["lbf·in", "in·lbf", "lbf-in", "in-lbf", "lb·in", "in·lb", "lb-in", "in-lb"],
+    ),
 ];
 
 const TORSIONAL_STIFFNESS: &[Unit] = &[
@@ -167,7 +207,8 @@ const POWER: &[Unit] = &[
     unit(Power, "W", 1.0, &["W"]),
     unit(Power, "MW", 1e6, &["MW"]),
     unit(Power, "PS", METRIC_HP, &["PS", "hp(M)", "hp(metric)"]),
-    unit(Power, "hp(I)", IMPERIAL_HP, &["hp(I)", "hp(imperial)"]),
+    // In English a horsepower is this one; the metric one is written PS.
+    unit(Power, "hp(I)", IMPERIAL_HP, &["hp(I)", "hp", "HP", "hp(imperial)"]),
 ];
 
 const PRESSURE: &[Unit] = &[
@@ -177,6 +218,8 @@ const PRESSURE: &[Unit] = &[
     unit(Pressure, "GPa", 1e9, &["GPa", "kN/mm2"]),
     unit(Pressure, "bar", 1e5, &["bar"]),
     unit(Pressure, "kgf/cm²", GRAVITY * 1e4, &["kgf/cm2"]),
+    unit(Pressure, "psi", POUND_FORCE / (INCH * INCH), &["psi", "lbf/in2"]),
+    unit(Pressure, "ksi", 1e3 * POUND_FORCE / (INCH * INCH), &["ksi"]),
 ];
 
 const VISCOSITY: &[Unit] = &[
@@ -231,7 +274,6 @@ const ENERGY_PER_AREA: &[Unit] = &[
 
 /// Spellings that engineers use for different things; a reader must not choose between them.
 const AMBIGUOUS: &[(&str, &str)] = &[
-    ("hp", "PS (metric, 735.49875 W) or hp(I) (550 ft·lbf/s, 745.69987 W)"),
     ("1/s", "rad/s for an angular speed, rev/s for turns, Hz for a frequency"),
     ("s-1", "rad/s for an angular speed, rev/s for turns, Hz for a frequency"),
 ];
