@@ -639,7 +639,8 @@ mod tests {
             assert!(error.starts_with("set `P`: helical teeth need teeth in mesh"), "{error}");
         }
         let stepped = "kind: stepped_sun_ring, teeth: [20, 60], planet_teeth: [20, 10]";
-        let angles = spec(&format!("{stepped}, helix_angles: [8 deg, 0 deg]")).unwrap().toothing.helix_angles;
+        let angles =
+            spec(&format!("{stepped}, helix_angles: [8 deg, 0 deg]")).unwrap().tooth_shape.helix_angles;
         assert_eq!(
             angles.iter().map(|angle| epicyclic_units::Physical::degrees(*angle)).collect::<Vec<_>>(),
             [8.0, 0.0]
@@ -682,9 +683,9 @@ mod tests {
                 "gearbox: P\ninput: x\noutput: y\nsets: [{{ id: P, kind: external_pair, sun: x, ring: y, teeth: [20, 60], {key} }}]\ngears: [{{ name: only }}]\n"
             ))
         };
-        let shifts = pair("profile_shifts: [0.2, 0.1]").unwrap().sets()[0].toothing().shifts.clone();
+        let shifts = pair("profile_shifts: [0.2, 0.1]").unwrap().sets()[0].tooth_shape().shifts.clone();
         assert_eq!(shifts.unwrap().profile, [0.2, 0.1]);
-        let shifts = pair("profile_shifts: { gear 2: 0.1 }").unwrap().sets()[0].toothing().shifts.clone();
+        let shifts = pair("profile_shifts: { gear 2: 0.1 }").unwrap().sets()[0].tooth_shape().shifts.clone();
         assert_eq!(shifts.unwrap().profile, [0.0, 0.1]);
         assert!(pair("friction: [0.05]").unwrap().sets()[0].has_losses());
         for (key, message) in [

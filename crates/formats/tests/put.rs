@@ -272,7 +272,7 @@ fn scenario(document: &Document) -> Result<(), Error> {
 }
 
 /// Faults of one list are found together; those of values come before the others.
-const SOUND: [Sound; 11] = [
+const SOUND: [Sound; 12] = [
     Sound {
         text: BOX,
         read: gearbox,
@@ -346,6 +346,34 @@ const SOUND: [Sound; 11] = [
             ("[0 rpm, 100 rpm]", "[@-1 rpm@, 100 rpm]", "brakes[1].drag.speeds[0]", "drag"),
             ("{ id: seal", "@{ id: K2@", "drags[0]", "duplicate"),
             ("[20, 60]", "[20, 60], module: @-1 mm@", "sets[1].module", "not-positive"),
+        ],
+    },
+    Sound {
+        text: BOX,
+        read: gearbox,
+        cases: &[
+            ("[20, 60]", "[20, 60], tip_alterations: @[0, 0, 0]@", "sets[1].tip_alterations", "shifts"),
+            ("[24, 66]", "[24, 66], module: 1 mm, modules: @[1 mm, 1 mm]@", "sets[2].modules", "twice"),
+            ("[24, 66]", "[24, 66], modules: @[1 mm]@", "sets[2].modules", "values"),
+            ("[24, 66]", "[24, 66], face_widths: @{ gear 1: 1 mm }@", "sets[2].face_widths", "no-such-gear"),
+            (
+                "suns: { D: 20 }",
+                "suns: { D: 20 }, profile_shifts: @[0.1]@",
+                "compound_sets[0].profile_shifts",
+                "by-name",
+            ),
+            (
+                "gears: [D, p]",
+                "gears: [D, p], helix_angle: @80 deg@",
+                "compound_sets[0].meshes[0].helix_angle",
+                "out-of-range",
+            ),
+            (
+                "gears: [p, T3]",
+                "gears: [p, T3], efficiency: 99 %, friction: @0.05@",
+                "compound_sets[0].meshes[1].friction",
+                "twice",
+            ),
         ],
     },
     Sound {

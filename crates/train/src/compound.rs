@@ -35,7 +35,7 @@
 //! ```
 
 use crate::spacing::Spacing;
-use crate::toothing::Toothing;
+use crate::tooth_shape::ToothShape;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use std::fmt;
 
@@ -137,7 +137,7 @@ pub struct CompoundSpec {
     /// Spacing of the planets on the carrier.
     pub spacing: Spacing,
     /// Shifts, helix angles and tools of its gears.
-    pub toothing: Toothing,
+    pub tooth_shape: ToothShape,
     /// Whether the teeth are not known, only their proportions: those of central gears are any numbers above
     /// 0, those of planets are left out.
     pub proportional: bool,
@@ -181,7 +181,7 @@ impl CompoundSpec {
             meshes: vec![],
             planet_count: None,
             spacing: Spacing::default(),
-            toothing: Toothing::default(),
+            tooth_shape: ToothShape::default(),
             proportional: false,
         }
     }

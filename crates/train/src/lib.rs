@@ -107,7 +107,8 @@ pub mod state;
 pub mod sweep;
 pub mod tolerance;
 pub mod tooth_checks;
-pub mod toothing;
+mod tooth_shape;
+pub mod toothed;
 mod topology;
 pub mod torques;
 

@@ -20,7 +20,7 @@ use crate::planet_places::planet_of;
 use crate::planet_set::{GearOf, PlanetSet};
 
 /// Torques and relative speeds of the two gears of a mesh, in the order of
-/// [`ToothedMesh`](crate::toothing::ToothedMesh).
+/// [`ToothedMesh`](crate::toothed::ToothedMesh).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshLoad {
     /// Torque of one mesh on each gear, in the unit of the torques on the central gears.

@@ -375,7 +375,7 @@ impl PlanetSet {
             if let (Some(module), Some(teeth)) = (module, spec.coaxial_planet()) {
                 // The transverse module has less addendum than the normal one.
                 let usual = BasicRack::default();
-                let cos = libm::cos(spec.toothing.helix_angle(0).si());
+                let cos = libm::cos(spec.tooth_shape.helix_angle(0).si());
                 let rack =
                     BasicRack { addendum: usual.addendum * cos, clearance: usual.clearance * cos, ..usual };
                 let gear = ToothedGear::new(GearKind::External, module, teeth, rack)?;

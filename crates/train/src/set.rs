@@ -6,12 +6,12 @@
 //! by [`CompoundSpec`](crate::compound::CompoundSpec).
 
 pub use crate::set_kind::SetKind;
-pub use crate::toothing::Shifts;
+pub use crate::tooth_shape::Shifts;
 
 use crate::Error;
 use crate::spacing::Spacing;
 use crate::tolerance::BASIC_RATIO;
-use crate::toothing::Toothing;
+use crate::tooth_shape::ToothShape;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::simple_set::{BasicRatio, Fraction};
 use epicyclic_gears::teeth::ToothCount;
@@ -94,7 +94,7 @@ pub struct SetSpec {
     /// Spacing of the planets on the carrier.
     pub spacing: Spacing,
     /// Shifts, helix angles and tools of its gears.
-    pub toothing: Toothing,
+    pub tooth_shape: ToothShape,
 }
 
 impl SetSpec {
@@ -111,7 +111,7 @@ impl SetSpec {
             second_planet: None,
             planet_count: None,
             spacing: Spacing::default(),
-            toothing: Toothing::default(),
+            tooth_shape: ToothShape::default(),
         }
     }
 

@@ -1,7 +1,7 @@
 //! Checks whether the gears of a set fit: equal centre distances, clearance, assembly, undercut,
 //! interference.
 //!
-//! Sets with [shifts](crate::set::Shifts) or helical teeth are checked [in mesh](crate::toothing): limits,
+//! Sets with [shifts](crate::set::Shifts) or helical teeth are checked [in mesh](crate::toothed): limits,
 //! interference and clearance follow [`involute::set`](epicyclic_gears::involute::set). Flanks may then
 //! overlap by the rounding of printed shifts.
 //!
@@ -65,7 +65,7 @@ use crate::planet_places::{
 use crate::planet_set::{GearOf, MeshKind, PlanetSet};
 use crate::spacing::Spacing;
 use crate::tolerance::{MOST_ALIKE, TOUCH};
-use crate::toothing::{ToothedSet, Untoothed};
+use crate::toothed::{ToothedSet, Untoothed};
 use epicyclic_gears::involute::PlanetSet as InvoluteSet;
 use epicyclic_gears::involute::check::{Check, Rule};
 use epicyclic_gears::involute::set::Limits;
@@ -151,7 +151,7 @@ impl PlanetSet {
                 !checks.at_angles(&set).iter().any(|check| check.rule == Rule::PlanetGap && !check.holds()),
             ),
             (Err(Untoothed::Refused(_)), _) => None,
-            (Err(_), _) if self.toothing().is_helical() => None,
+            (Err(_), _) if self.tooth_shape().is_helical() => None,
             _ => checks.do_clear(),
         };
         let assembles = self.assembly_positions().map(|positions| match self.spacing() {
@@ -212,7 +212,7 @@ impl<'a> Checks<'a> {
             *first = Some(1.0);
         }
         let toothed = set.toothed(&rack, &stated);
-        if set.toothing().has_shape() {
+        if set.tooth_shape().has_shape() {
             for (mesh, own) in toothed.iter().flat_map(|set| &set.meshes).enumerate() {
                 given.distances[mesh] = Some(own.pair.centre_distance());
             }
@@ -330,7 +330,7 @@ impl<'a> Checks<'a> {
 
     /// The toothed gears, where shifts or helical teeth make them other than plain spur gears.
     fn by_shape(&self) -> Option<&ToothedSet> {
-        self.toothed.as_ref().ok().filter(|_| self.set.toothing().has_shape())
+        self.toothed.as_ref().ok().filter(|_| self.set.tooth_shape().has_shape())
     }
 
     fn gears_of(&self, planet: usize) -> impl Iterator<Item = GearOf> + use<> {

@@ -425,7 +425,7 @@ struct WheelPairGiven {
     first: u32,
     /// Teeth of the second wheel.
     second: u32,
-    /// Toothing of the second wheel, external unless given.
+    /// ToothShape of the second wheel, external unless given.
     #[serde(default)]
     second_kind: GearKindGiven,
 }

@@ -45,7 +45,7 @@ pub const GONE: &[Word] = &[
     word("capacity", "load_rating", Keys),
     word("row parameter", "ring-to-sun ratio", All),
     word("two row", "two sets", All),
-    word("toothing", "external gear, internal gear", All),
+    word("tooth_shape", "external gear, internal gear", All),
     word("tooth set", "tooth numbers", Book),
     word("control", "shift element", Book),
     word("control", "shift element", Code),

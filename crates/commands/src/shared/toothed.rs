@@ -7,7 +7,7 @@ use epicyclic_formats::gearbox::{GearboxFile, SetData, SetEntry};
 use epicyclic_gears::involute::PlanetSet;
 use epicyclic_train as train;
 use epicyclic_train::set::{SetKind, SetSpec};
-use epicyclic_train::toothing::{ToothedSet, Untoothed};
+use epicyclic_train::toothed::{ToothedSet, Untoothed};
 use epicyclic_units::Physical;
 
 /// Sun, planets and ring of a set at a place of the file, in mesh, as their tools leave them; `None` where

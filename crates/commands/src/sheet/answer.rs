@@ -24,7 +24,7 @@ use epicyclic_formats::gearbox::{GearboxFile, PerGear, SetData};
 use epicyclic_gears::involute::play::Deviation;
 use epicyclic_gears::{Error as GearError, Quantity};
 use epicyclic_train::PlanetSet;
-use epicyclic_train::toothing::{ToothedMesh, ToothedSet};
+use epicyclic_train::toothed::{ToothedMesh, ToothedSet};
 use epicyclic_units::Physical;
 use epicyclic_units::format::significant;
 use output::Known;

@@ -16,6 +16,7 @@
 //! | `duty` | the steps of a duty, and a set over them |
 //! | `overload` | a set against an overload |
 //! | `bearings` | planet bearings over a duty |
+//! | `partly` | results of the meshes of a set |
 //! | `place` | where in the file a fault is |
 //!
 //! Torques are those without losses, speeds are relative to the carrier. Each mesh is rated alone with the load
@@ -31,6 +32,7 @@ pub(crate) mod materials;
 pub(crate) mod names;
 mod not_rated;
 pub(crate) mod overload;
+mod partly;
 pub(crate) mod place;
 pub(crate) mod prepared;
 pub(crate) mod rated_set;
@@ -55,7 +57,8 @@ use epicyclic_strength::rating::rate;
 use epicyclic_train::{Gear, PlanetSet};
 use epicyclic_units::Physical;
 use load::SetLoad;
-use place::{Fault, Partly, located, refused};
+use partly::Partly;
+use place::{Fault, located, refused};
 use rated_set::RatedSet;
 use records::{
     Against, AxialForce, BearingOverDuty, DutyStep, Governing, LoadSharing, MeshAtPoint, NotRated, OverDuty,

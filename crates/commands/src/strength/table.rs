@@ -151,7 +151,10 @@ fn duty(all: &[DutyStep]) -> Records {
 }
 
 fn at_point(all: &[Rated]) -> Records {
-    let note = "F_t, F_a: of one mesh, without losses. n: of its first gear relative to the carrier.";
+    let is_helical = all.iter().any(|one| one.axial_force_n != 0.0);
+    let forces = if is_helical { "F_t, F_a" } else { "F_t" };
+    let note =
+        format!("{forces}: of one mesh, without losses. n: of its first gear relative to the carrier.");
     Table::new("at_point", all.iter())
         .text("gear", "gear", |one| &one.gear)
         .text("set", "set", |one| &one.set)
@@ -166,7 +169,7 @@ fn at_point(all: &[Rated]) -> Records {
         .headed("root_limit", "σ_FG", Dimension::Pressure, |one| one.root_limit_pa)
         .quantity("tangential_force", "F_t", Dimension::Force, |one| one.tangential_force_n)
         .quantity("axial_force", "F_a", Dimension::Force, |one| one.axial_force_n)
-        .only_if(all.iter().any(|one| one.axial_force_n != 0.0))
+        .only_if(is_helical)
         .quantity("mesh_torque", "T", Dimension::Torque, |one| one.mesh_torque_n_m)
         .quantity("mesh_speed", "n", Dimension::AngularSpeed, |one| one.mesh_speed_rad_s)
         .number("cycles", "N_L", |one| one.cycles)

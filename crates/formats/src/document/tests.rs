@@ -116,7 +116,7 @@ fn quantity_errors_keep_their_name_and_place() {
         ),
         (
             "given:\n  power: 1 W\n  shafts:\n  - torque: 1 N·m\n  - torque: 5 J\n",
-            "wrong-dimension | c.yaml:5:13: given.shafts[1].torque: 5 J: J is a unit of energy, and a torque is due; its units are N·m, mN·m, N·mm, N·cm, kN·m, MN·m, kgf·m",
+            "wrong-dimension | c.yaml:5:13: given.shafts[1].torque: 5 J: J is a unit of energy, and a torque is due; its units are N·m, mN·m, N·mm, N·cm, kN·m, MN·m, kgf·m, lbf·ft, lbf·in",
         ),
         (
             "given:\n  power: 1 W\n  wheels:\n    7: 8,5 mm\n",

@@ -31,6 +31,7 @@ use uom::si::f64::{Angle, Force, Length, Mass, Ratio};
 /// planet's gear is named as the planet, or `planet.1`, `planet.2`… where it has several.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(bound = "P: PlanetSized + JsonSchema", transform = without_unread::<P>)]
 pub struct CompoundEntry<P = PlanetSizeEntry> {
     /// Name of the set.
     pub id: String,
@@ -195,13 +196,39 @@ pub struct ListedPlanetEntry {
     pub bearing_rolling: RollingEntry,
 }
 
+/// Keys of a compound set that gearbox files alone read.
+const OF_GEARBOXES: [&str; 9] = [
+    "helix_angle",
+    "profile_shifts",
+    "tip_alterations",
+    "tools",
+    "face_width",
+    "face_widths",
+    "strength",
+    "data_sheet",
+    "floating",
+];
+
+/// Leaves the keys that gearbox files alone read out of the schema of lists of transmissions.
+fn without_unread<P: PlanetSized>(schema: &mut Schema) {
+    let properties = schema.get_mut("properties").and_then(|value| value.as_object_mut());
+    if let Some(properties) = properties.filter(|_| !P::IS_OF_GEARBOX) {
+        properties.retain(|key, _| !OF_GEARBOXES.contains(&key.as_str()));
+    }
+}
+
 /// Entry that states the size of a planet.
 pub trait PlanetSized {
+    /// Whether it is of a gearbox file, not of a list of transmissions.
+    const IS_OF_GEARBOX: bool;
+
     /// The size.
     fn size(&self) -> PlanetSize;
 }
 
 impl PlanetSized for PlanetSizeEntry {
+    const IS_OF_GEARBOX: bool = true;
+
     fn size(&self) -> PlanetSize {
         PlanetSize {
             carrier_radius: self.carrier_radius.map(|radius| radius.0),
@@ -214,6 +241,8 @@ impl PlanetSized for PlanetSizeEntry {
 }
 
 impl PlanetSized for ListedPlanetEntry {
+    const IS_OF_GEARBOX: bool = false;
+
     fn size(&self) -> PlanetSize {
         let Self { carrier_radius, face_widths, bore, mass, load_rating, bearing_rolling } = self.clone();
         let entry = PlanetSizeEntry {
@@ -320,13 +349,13 @@ impl<P: PlanetSized> CompoundEntry<P> {
             helix_angles: self.meshes.iter().enumerate().map(helix_angle).collect(),
             is_known: !self.proportional && self.planet_gears.values().all(|teeth| !teeth.is_empty()),
         };
-        let toothing = shape.toothing(rack, faults);
+        let tooth_shape = shape.tooth_shape(rack, faults);
         if let Some(widths) = &self.face_widths {
             faults.keep("face_widths", widths.given(&self.id, "face_widths", &gears));
         }
         let spec = CompoundSpec {
             id: self.id.clone(),
-            toothing,
+            tooth_shape,
             carrier,
             centrals,
             planets: self.planet_gears.iter().map(planet).collect(),
@@ -420,18 +449,26 @@ impl<P: PlanetSized> CompoundEntry<P> {
         }
     }
 
-    /// Keys given that gearbox files alone read.
-    pub(super) fn keys_of_gearboxes(&self) -> impl Iterator<Item = &'static str> {
-        let has_friction = self.meshes.iter().any(|mesh| mesh.friction.is_some());
-        let keys = [
-            ("strength", self.strength.is_some()),
-            ("data_sheet", self.data_sheet.is_some()),
-            ("face_width", self.face_width.is_some()),
-            ("face_widths", self.face_widths.is_some()),
-            ("floating", self.floating.is_some()),
-            ("meshes", has_friction),
+    /// Keys given that gearbox files alone read, with their paths.
+    pub(super) fn keys_of_gearboxes(&self) -> impl Iterator<Item = (Path, &'static str)> {
+        let is_given = [
+            self.helix_angle.is_some(),
+            self.profile_shifts.is_some(),
+            self.tip_alterations.is_some(),
+            !self.tools.is_empty(),
+            self.face_width.is_some(),
+            self.face_widths.is_some(),
+            self.strength.is_some(),
+            self.data_sheet.is_some(),
+            self.floating.is_some(),
         ];
-        keys.into_iter().filter(|one| one.1).map(|one| one.0)
+        let of_set = OF_GEARBOXES.into_iter().zip(is_given).filter(|one| one.1);
+        let of_meshes = self.meshes.iter().enumerate().flat_map(|(place, mesh)| {
+            let given = [("friction", mesh.friction.is_some()), ("helix_angle", mesh.helix_angle.is_some())];
+            let at = Path::root().key("meshes").index(place);
+            given.into_iter().filter(|one| one.1).map(move |(key, _)| (at.clone().key(key), key))
+        });
+        of_set.map(|(key, _)| (Path::root().key(key), key)).chain(of_meshes)
     }
 
     /// Its gears: the central ones, then those of the planets.

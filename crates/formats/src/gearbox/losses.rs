@@ -8,7 +8,7 @@ use crate::faults::{At, Faults};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
-use epicyclic_train::toothing::Untoothed;
+use epicyclic_train::toothed::Untoothed;
 use epicyclic_units::{Number, Quantity};
 use uom::si::f64::Ratio;
 

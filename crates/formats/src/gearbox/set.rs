@@ -80,7 +80,7 @@ impl SetEntry {
             helix_angles: self.helix_angles(kind, faults),
             is_known: self.teeth.is_some() && known == planet_gears && kind != SetKind::Bevel,
         };
-        spec.toothing = shape.toothing(rack, faults);
+        spec.tooth_shape = shape.tooth_shape(rack, faults);
         self.of_each_mesh("modules", kind, self.modules.as_deref(), faults);
         if self.modules.is_some() && self.module.is_some() {
             let twice = DescriptionError::Twice { set: set(), first: "module", second: "modules" };
@@ -92,7 +92,7 @@ impl SetEntry {
         {
             let at = &["helix_angle", "helix_angles"][..];
             faults.push(at, DescriptionError::HelixAngle { set: set(), missing });
-            spec.toothing.helix_angles.clear();
+            spec.tooth_shape.helix_angles.clear();
         }
         let whole = self.with_friction(spec.clone(), rack, friction, faults);
         Some(whole.unwrap_or(spec))

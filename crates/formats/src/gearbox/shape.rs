@@ -8,7 +8,7 @@ use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::Profile;
 use epicyclic_gears::involute::profile::Cutting;
 use epicyclic_gears::rack::BasicRack;
-use epicyclic_train::toothing::{Shifts, Toothing, Untoothed};
+use epicyclic_train::toothed::{Shifts, ToothShape, Untoothed};
 use epicyclic_units::{Number, Physical};
 use std::collections::BTreeMap;
 use uom::si::f64::Angle;
@@ -33,8 +33,8 @@ pub(super) struct Shape<'e> {
 impl Shape<'_> {
     /// Teeth of the set beyond their numbers; what has a fault is left out. Tools are checked with a rack
     /// alone.
-    pub(super) fn toothing(&self, rack: Option<&BasicRack>, faults: &mut Faults) -> Toothing {
-        Toothing {
+    pub(super) fn tooth_shape(&self, rack: Option<&BasicRack>, faults: &mut Faults) -> ToothShape {
+        ToothShape {
             shifts: self.shifts(faults),
             helix_angles: self.checked_angles(faults),
             cutting: self.cutting(rack, faults).unwrap_or_default(),

@@ -67,7 +67,7 @@ impl GearboxFile {
         };
         if let Some(entry) = self.sets.iter().find(|entry| entry.id == set.id()) {
             return SetSize {
-                module: entry.module.map(|module| set.toothing().transverse_module(0, module.0)),
+                module: entry.module.map(|module| set.tooth_shape().transverse_module(0, module.0)),
                 carrier_radius: entry.carrier_radius.map(|radius| radius.0),
                 face_width: entry.face_width.map(|width| width.0),
                 planet_bore: entry.planet_bore.map(|bore| bore.0),
@@ -95,7 +95,7 @@ impl GearboxFile {
                 }
             }
         }
-        let toothed = self.rack().ok().filter(|_| set.toothing().has_shape());
+        let toothed = self.rack().ok().filter(|_| set.tooth_shape().has_shape());
         let Some(Ok(toothed)) = toothed.map(|rack| set.toothed(&rack, &modules)) else { return size };
         let has_modules = modules.iter().any(Option::is_some);
         size.meshes.resize_with(set.meshes().len(), MeshSize::default);
@@ -106,7 +106,7 @@ impl GearboxFile {
         for (place, (own, mesh)) in size.meshes.iter_mut().zip(&toothed.meshes).enumerate() {
             // Centre distances, and diameters but for addenda, are as with spur teeth of the transverse
             // module.
-            let transverse = set.toothing().transverse_module(place, Length::from_si(mesh.module));
+            let transverse = set.tooth_shape().transverse_module(place, Length::from_si(mesh.module));
             own.module = has_modules.then_some(transverse);
             own.pressure_angle = Some(Angle::from_si(mesh.pair.working_angle_rad()));
             own.centre_distance = Some(mesh.pair.centre_distance() * mesh.module / transverse.si());

@@ -271,8 +271,8 @@ impl Transmission {
             let node = |member: &str| link_of.get(member).copied();
             let at = of_set(self.sets.len(), place);
             let spec = faults.below(&at, |faults| {
-                for key in set.keys_of_gearboxes() {
-                    faults.push(key, DescriptionError::NotListed { set: set.id.clone(), key });
+                for (at, key) in set.keys_of_gearboxes() {
+                    faults.push(at, DescriptionError::NotListed { set: set.id.clone(), key });
                 }
                 set.spec(node, None, None, faults)
             });

@@ -167,20 +167,20 @@ fn of_set(spec: &SetSpec) -> String {
         keys.push(format!("planets: {count}"));
     }
     keys.extend(of_spacing(&spec.spacing));
-    if let Some(Shifts { profile, tips }) = &spec.toothing.shifts {
+    if let Some(Shifts { profile, tips }) = &spec.tooth_shape.shifts {
         keys.push(format!("profile_shifts: [{}]", list(profile.iter().map(ToString::to_string))));
         if let Some(tips) = tips {
             keys.push(format!("tip_alterations: [{}]", list(tips.iter().map(ToString::to_string))));
         }
     }
     let gears = spec.kind.gears();
-    let tools = gears.iter().map(|gear| gear.0).zip(&spec.toothing.cutting);
+    let tools = gears.iter().map(|gear| gear.0).zip(&spec.tooth_shape.cutting);
     let tools: Vec<String> = tools.filter_map(|(gear, cutting)| of_tool(gear, cutting)).collect();
     if !tools.is_empty() {
         keys.push(format!("tools: {{ {} }}", tools.join(", ")));
     }
     if spec.is_helical() {
-        let angles = (0..spec.kind.meshes()).map(|mesh| angle(spec.toothing.helix_angle(mesh)));
+        let angles = (0..spec.kind.meshes()).map(|mesh| angle(spec.tooth_shape.helix_angle(mesh)));
         let angles: Vec<String> = angles.collect();
         keys.push(match angles.iter().all(|one| *one == angles[0]) {
             true => format!("helix_angle: {}", angles[0]),
@@ -270,7 +270,7 @@ fn of_compound_set(spec: &CompoundSpec) -> Result<Vec<String>, NotWritable> {
             1.0 => String::new(),
             eta => format!(", efficiency: {eta}"),
         };
-        let of_helix = match spec.toothing.helix_angle(place) {
+        let of_helix = match spec.tooth_shape.helix_angle(place) {
             none if none.si() == 0.0 => String::new(),
             of_mesh => format!(", helix_angle: {}", angle(of_mesh)),
         };
@@ -282,11 +282,11 @@ fn of_compound_set(spec: &CompoundSpec) -> Result<Vec<String>, NotWritable> {
         let values = names.iter().zip(values).map(|(gear, value)| format!("{}: {value}", scalar(gear)));
         format!("    {key}: {{ {} }}", list(values))
     };
-    if let Some(Shifts { profile, tips }) = &spec.toothing.shifts {
+    if let Some(Shifts { profile, tips }) = &spec.tooth_shape.shifts {
         lines.push(by_gear("profile_shifts", profile));
         lines.extend(tips.iter().map(|tips| by_gear("tip_alterations", tips)));
     }
-    let tools = names.iter().zip(&spec.toothing.cutting);
+    let tools = names.iter().zip(&spec.tooth_shape.cutting);
     let tools = list(tools.filter_map(|(gear, cutting)| of_tool(&scalar(gear), cutting)));
     lines.extend((!tools.is_empty()).then(|| format!("    tools: {{ {tools} }}")));
     lines.extend(spec.planet_count.map(|count| format!("    planets: {count}")));

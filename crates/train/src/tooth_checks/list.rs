@@ -6,7 +6,7 @@ use crate::planet_places::{central_mesh, planet_of, teeth_of};
 use crate::planet_set::{GearOf, MeshKind, PlanetSet};
 use crate::set::SetKind;
 use crate::tolerance::PRINTED_SHIFTS;
-use crate::toothing::{ToothedMesh, Untoothed};
+use crate::toothed::{ToothedMesh, Untoothed};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::involute::check::{Check, Place as SimplePlace, Rule, Severity};
 use epicyclic_gears::involute::checks::{Limits, gear_checks, mesh_checks};
@@ -126,7 +126,7 @@ impl Checks<'_> {
         let mut all: Vec<SetCheck> = vec![];
         let simple = self.simple();
         let is_refused = matches!(self.toothed, Err(Untoothed::Refused(_)))
-            && (self.set.toothing().has_shape() || self.is_simple());
+            && (self.set.tooth_shape().has_shape() || self.is_simple());
         match (&simple, &self.toothed) {
             (Some(set), _) => {
                 for check in self.at_angles(set) {
@@ -229,7 +229,7 @@ impl Checks<'_> {
 
     /// Check of the shortening of a ring's tips against its basic rack, if the file states no tips.
     fn ring_tips(&self, pair: &Pair, names: &[String; 2]) -> Option<SetCheck> {
-        let has_tips = self.set.toothing().shifts.as_ref().is_some_and(|shifts| shifts.tips.is_some());
+        let has_tips = self.set.tooth_shape().shifts.as_ref().is_some_and(|shifts| shifts.tips.is_some());
         if has_tips || !pair.is_internal() {
             return None;
         }
@@ -267,7 +267,7 @@ impl Checks<'_> {
     /// Meshes of gears without profile shift, each on its own centre distance, as far as the teeth are known.
     fn plain_meshes(&self) -> Vec<ToothedMesh> {
         // Helical sets of which teeth are missing have no spur teeth.
-        if self.set.toothing().is_helical() {
+        if self.set.tooth_shape().is_helical() {
             return vec![];
         }
         let profile = Profile::of_rack(self.rack);
@@ -317,7 +317,7 @@ impl Checks<'_> {
                 found.extend(self.half_tooth());
                 found.extend(self.centre_distances());
             }
-            if by_shape || !self.set.toothing().is_helical() {
+            if by_shape || !self.set.tooth_shape().is_helical() {
                 if !by_shape {
                     found.extend(self.steps());
                 }

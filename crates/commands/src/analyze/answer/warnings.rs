@@ -132,7 +132,7 @@ pub(crate) fn tilted(subject: &Gearbox) -> Option<Warning> {
         let own = subject.planet_bearings.iter().filter(|bearing| bearing.set == place);
         own.into_iter().any(|bearing| bearing.radius.is_some() && bearing.planets.is_some())
     };
-    let is_helical = |set: &PlanetSet| set.toothing().is_helical();
+    let is_helical = |set: &PlanetSet| set.tooth_shape().is_helical();
     let sets = subject.train.sets().iter().enumerate();
     let sets = sets.filter(|(place, set)| is_helical(set) && is_borne(*place)).map(|(_, set)| set.id());
     let names: Vec<&str> = sets.collect();

@@ -14,7 +14,7 @@ use crate::shared::gearbox::Gearbox;
 use crate::tolerance::ROUNDED;
 use epicyclic_gears::involute::play::Deviation;
 use epicyclic_strength::load::mesh_stiffness;
-use epicyclic_train::toothing::ToothedSet;
+use epicyclic_train::toothed::ToothedSet;
 use epicyclic_train::{Analysis, Gear, PlanetSet};
 use epicyclic_units::Physical;
 use uom::si::f64::Length;

@@ -9,7 +9,7 @@ use epicyclic_gears::involute::InvoluteGear;
 use epicyclic_gears::involute::play::Deviation;
 use epicyclic_train::PlanetSet;
 use epicyclic_train::planet_set::GearOf;
-use epicyclic_train::toothing::{ToothedMesh, ToothedSet};
+use epicyclic_train::toothed::{ToothedMesh, ToothedSet};
 use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;

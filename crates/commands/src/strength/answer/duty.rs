@@ -1,7 +1,8 @@
 //! Steps of a duty, and the rating of a set over them.
 
 use super::load::SetLoad;
-use super::place::{Fault, Partly, refused};
+use super::partly::Partly;
+use super::place::{Fault, refused};
 use super::rated_set::RatedSet;
 use super::records::{NotRated, OverDuty, Reason};
 use crate::analyze::answer::{Input, Worked};

@@ -1,7 +1,8 @@
 //! Rating of a set against the overloads of a file.
 
 use super::load::{SetLoad, torque};
-use super::place::{Fault, Partly, refused};
+use super::partly::Partly;
+use super::place::{Fault, refused};
 use super::rated_set::RatedSet;
 use super::records::{NotRated, Overloaded, Reason, Required};
 use crate::analyze::answer::{Input, Worked};

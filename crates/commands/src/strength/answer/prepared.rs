@@ -133,7 +133,7 @@ impl<'a> Of<'a> {
                 teeth: [sun, planet, ring],
                 planets: spec.planet_count,
                 least_planet_angle: self.set.least_planet_angle(),
-                shifts: spec.toothing.shifts.clone(),
+                shifts: spec.tooth_shape.shifts.clone(),
                 profiles: spec.profiles(&self.subject.rack),
                 materials: [0, 1, 2].map(|gear| per_gear.material(gear).to_owned()),
                 gears: [gear(0)?, gear(1)?, gear(2)?],

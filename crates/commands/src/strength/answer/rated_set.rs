@@ -19,7 +19,7 @@ use epicyclic_strength::root::factors::Bending;
 use epicyclic_strength::root::section::Shaper;
 use epicyclic_train::PlanetSet;
 use epicyclic_train::planet_set::GearOf;
-use epicyclic_train::toothing::{ToothedMesh, ToothedSet};
+use epicyclic_train::toothed::{ToothedMesh, ToothedSet};
 use epicyclic_units::{Number, Physical, Quantity};
 use std::collections::BTreeMap;
 use uom::si::f64::{KinematicViscosity, Length};
@@ -50,7 +50,7 @@ pub(crate) struct RatedMesh {
 impl RatedSet<'_> {
     /// Whether any teeth are helical.
     pub(crate) fn is_helical(&self) -> bool {
-        self.set.toothing().is_helical()
+        self.set.tooth_shape().is_helical()
     }
 
     /// Whether `K_γ` of all meshes is given.

@@ -24,6 +24,7 @@ use crate::planet_places::{Given, Places, central_mesh, places, planet_of, teeth
 use crate::planet_set::{Description, GearOf, MeshKind, PlanetSet, parts_of_short};
 use crate::set::{Gearing, MeshLoss, SetKind, SetSpec};
 use crate::tolerance::TOUCH;
+pub use crate::tooth_shape::{Shifts, ToothShape};
 use crate::{GROUND, Gearbox, LinkId};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::profile::{Cutting, Profiles};
@@ -32,74 +33,7 @@ use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet as InvoluteSet, Pr
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::{Error, ToothCount};
 use epicyclic_units::Physical;
-use uom::si::f64::{Angle, Length};
-
-/// Profile shifts of the gears of a set, in the order of [`PlanetSet::gears`], with the sign of
-/// [`involute`](epicyclic_gears::involute): one above 0 moves the tips of a ring inwards.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Shifts {
-    /// Profile shift coefficients `x`, modules; 0 of gears at the end that are left out.
-    pub profile: Vec<f64>,
-    /// Tip alterations `k`, below 0 shorter, modules; where none are given the tips of rings are shortened to
-    /// stay out of the fillets of the planets.
-    pub tips: Option<Vec<f64>>,
-}
-
-/// Teeth of the gears of a set beyond their numbers.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Toothing {
-    /// Profile shifts.
-    pub shifts: Option<Shifts>,
-    /// Helix angle `β` at the reference cylinders of each mesh, in the order of [`PlanetSet::meshes`],
-    /// without its hand; 0 of meshes at the end that are left out.
-    pub helix_angles: Vec<Angle>,
-    /// Cutting of each gear, in the order of [`PlanetSet::gears`]; as usual of gears at the end that are left
-    /// out.
-    pub cutting: Vec<Cutting>,
-}
-
-impl Toothing {
-    /// Whether any mesh is helical.
-    #[must_use]
-    pub fn is_helical(&self) -> bool {
-        self.helix_angles.iter().any(|angle| angle.si() != 0.0)
-    }
-
-    /// Whether shifts or helical teeth make gears other than plain spur gears.
-    #[must_use]
-    pub fn has_shape(&self) -> bool {
-        self.shifts.is_some() || self.is_helical()
-    }
-
-    /// Helix angle of a mesh.
-    #[must_use]
-    pub fn helix_angle(&self, mesh: usize) -> Angle {
-        self.helix_angles.get(mesh).copied().unwrap_or_default()
-    }
-
-    /// Transverse module of a mesh, `m_t = m_n/cos β`.
-    #[must_use]
-    pub fn transverse_module(&self, mesh: usize, normal: Length) -> Length {
-        normal / libm::cos(self.helix_angle(mesh).si())
-    }
-
-    fn shift(&self, gear: usize) -> f64 {
-        self.shifts.as_ref().and_then(|shifts| shifts.profile.get(gear)).copied().unwrap_or_default()
-    }
-
-    fn tip(&self, gear: usize) -> f64 {
-        let tips = self.shifts.as_ref().and_then(|shifts| shifts.tips.as_ref());
-        tips.and_then(|tips| tips.get(gear)).copied().unwrap_or_default()
-    }
-
-    fn has_tips(&self) -> bool {
-        self.shifts.as_ref().is_some_and(|shifts| shifts.tips.is_some())
-    }
-
-    fn cutting(&self, gear: usize) -> Cutting {
-        self.cutting.get(gear).copied().unwrap_or_default()
-    }
-}
+use uom::si::f64::Angle;
 
 /// Reason why a set has no teeth in mesh.
 #[derive(Debug, Clone, PartialEq)]
@@ -181,10 +115,10 @@ impl PlanetSet {
 
     /// Teeth of its gears beyond their numbers.
     #[must_use]
-    pub fn toothing(&self) -> &Toothing {
+    pub fn tooth_shape(&self) -> &ToothShape {
         match self.description() {
-            Description::Short(spec) => &spec.toothing,
-            Description::Compound(spec) => &spec.toothing,
+            Description::Short(spec) => &spec.tooth_shape,
+            Description::Compound(spec) => &spec.tooth_shape,
         }
     }
 
@@ -207,7 +141,7 @@ impl PlanetSet {
     /// What is missing, or [`Untoothed::Refused`] with the errors of [`InvoluteGear::new`] and
     /// [`Pair::at_centre_distance`].
     pub fn toothed(&self, rack: &BasicRack, modules: &[Option<f64>]) -> Result<ToothedSet, Untoothed> {
-        let toothing = self.toothing();
+        let tooth_shape = self.tooth_shape();
         let order = self.gears();
         let mut gears = vec![];
         for (place, gear) in order.iter().enumerate() {
@@ -216,11 +150,15 @@ impl PlanetSet {
             let teeth = teeth_of(self, *gear).filter(|teeth| teeth.fract() == 0.0 && *teeth >= 1.0);
             let teeth = ToothCount::new(teeth.ok_or(missing)? as u32)?;
             let mesh = self.meshes().iter().position(|mesh| mesh.gears.contains(gear));
-            let helix_angle = mesh.map_or_else(Angle::default, |mesh| toothing.helix_angle(mesh));
+            let helix_angle = mesh.map_or_else(Angle::default, |mesh| tooth_shape.helix_angle(mesh));
             let profile = Profile { helix_angle, ..Profile::of_rack(*rack) };
-            let own =
-                InvoluteGear::new(kind, teeth, toothing.cutting(place).of(profile), toothing.shift(place))?;
-            gears.push(own.with_tip_alteration(toothing.tip(place))?);
+            let own = InvoluteGear::new(
+                kind,
+                teeth,
+                tooth_shape.cutting(place).of(profile),
+                tooth_shape.shift(place),
+            )?;
+            gears.push(own.with_tip_alteration(tooth_shape.tip(place))?);
         }
         let gear = |gears: &[InvoluteGear], of: GearOf| {
             gears[order.iter().position(|one| *one == of).unwrap_or_default()]
@@ -249,7 +187,7 @@ impl PlanetSet {
                 None => *pair,
             });
         }
-        if !toothing.has_tips() {
+        if !tooth_shape.has_tips() {
             for mesh in 0..pairs.len() {
                 let cleared = pairs[mesh].with_clear_ring_tips()?;
                 for (other, ends) in ends.iter().enumerate().filter(|(_, other)| other[1] == ends[mesh][1]) {
@@ -283,7 +221,7 @@ impl PlanetSet {
         let Some(radius) = places.radii[planet] else { return Ok(None) };
         let own = module(mesh) * free[mesh].centre_distance();
         let off = (own - radius).abs() / module(mesh);
-        if self.toothing().shifts.is_none() && off > TOUCH {
+        if self.tooth_shape().shifts.is_none() && off > TOUCH {
             return Err(Untoothed::Shifts);
         }
         let gives_radius = |mesh: &usize| {
@@ -337,7 +275,7 @@ impl SetSpec {
     /// Returns the set with profile shifts of its gears.
     #[must_use]
     pub fn shifted(mut self, shifts: Shifts) -> Self {
-        self.toothing.shifts = Some(shifts);
+        self.tooth_shape.shifts = Some(shifts);
         self
     }
 
@@ -345,7 +283,7 @@ impl SetSpec {
     /// module, as in ISO 21771.
     #[must_use]
     pub fn helical(mut self, helix_angle: Angle) -> Self {
-        self.toothing.helix_angles =
+        self.tooth_shape.helix_angles =
             if helix_angle.si() == 0.0 { vec![] } else { vec![helix_angle; self.kind.meshes()] };
         self
     }
@@ -353,14 +291,14 @@ impl SetSpec {
     /// Returns the set with this cutting of its gears.
     #[must_use]
     pub fn cut(mut self, cutting: Vec<Cutting>) -> Self {
-        self.toothing.cutting = cutting;
+        self.tooth_shape.cutting = cutting;
         self
     }
 
     /// Whether any of its teeth are helical.
     #[must_use]
     pub fn is_helical(&self) -> bool {
-        self.toothing.is_helical()
+        self.tooth_shape.is_helical()
     }
 
     /// The gears of a simple set with profile shifts or helical teeth; `None` of other sets, and where teeth
@@ -370,7 +308,7 @@ impl SetSpec {
     /// As [`PlanetSet::toothed`].
     #[must_use]
     pub fn involute_set(&self, rack: &BasicRack) -> Option<Result<InvoluteSet, Error>> {
-        if self.toothing.has_shape() { self.toothed_set(rack) } else { None }
+        if self.tooth_shape.has_shape() { self.toothed_set(rack) } else { None }
     }
 
     /// The gears of a simple set as they are drawn: with their shifts, or without any where equal centre
@@ -437,7 +375,7 @@ impl SetSpec {
     /// Basic racks and tools of sun, planets and ring of a simple set.
     #[must_use]
     pub fn profiles(&self, rack: &BasicRack) -> Profiles {
-        let profile = Profile { helix_angle: self.toothing.helix_angle(0), ..Profile::of_rack(*rack) };
-        Profiles::cut(profile, [0, 1, 2].map(|gear| self.toothing.cutting(gear)))
+        let profile = Profile { helix_angle: self.tooth_shape.helix_angle(0), ..Profile::of_rack(*rack) };
+        Profiles::cut(profile, [0, 1, 2].map(|gear| self.tooth_shape.cutting(gear)))
     }
 }
