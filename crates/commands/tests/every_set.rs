@@ -286,3 +286,32 @@ proptest! {
         tried(&file("sets", &set, gears, ""));
     }
 }
+
+/// What stands under the name of no gear or mesh is refused and not passed over.
+#[test]
+fn values_of_gears_that_there_are_not_are_refused() {
+    let text = simple("0 deg");
+    for (key, named) in [
+        ("rims: { rong: 9 mm }", "rims"),
+        ("gear_factors: { moon: { Y_ST: 2 } }", "gear_factors"),
+        ("mesh_factors: { sun-ring: { K_A: 1.2 } }", "mesh_factors"),
+        (
+            "accuracy: { pitch_deviations: [8 µm, 8 µm, 8 µm], profile_deviations: [8 µm, 8 µm, 8 µm], bores: { moon: 9 mm } }",
+            "accuracy.bores",
+        ),
+        (
+            "accuracy: { pitch_deviations: { sun: 8 µm }, profile_deviations: [8 µm, 8 µm, 8 µm] }",
+            "pitch_deviations",
+        ),
+    ] {
+        let wrong = text.replace("shaper: { teeth: 30 }", &format!("shaper: {{ teeth: 30 }}, {key}"));
+        let load = Load {
+            torque: Some("100 N·m".parse().unwrap()),
+            speed: Some("1000 rpm".parse().unwrap()),
+            ..Load::default()
+        };
+        let request = strength::Request { load, ..strength::Request::default() };
+        let error = request.answer(&read(&wrong)).unwrap_err().to_string();
+        assert!(error.contains(named), "{error}");
+    }
+}

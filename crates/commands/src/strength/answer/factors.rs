@@ -11,7 +11,7 @@ use epicyclic_strength::factor::Symbol;
 pub(crate) const KEYS: [&str; 6] =
     ["factors", "sun_mesh_factors", "ring_mesh_factors", "sun_factors", "planet_factors", "ring_factors"];
 
-/// Refuses names that are not factors, a factor given twice under one key, such as `K_A` and `KA`, and factors
+/// Refuses names that are not factors, a factor given twice under one key, such as `K_A` and `KA`, and values
 /// of gears and meshes that the set has not.
 pub(crate) fn check(
     document: &Document,
@@ -22,15 +22,23 @@ pub(crate) fn check(
     for key in KEYS {
         check_names(document, &strength.clone().key(key))?;
     }
-    for (key, names) in [("gear_factors", gears), ("mesh_factors", meshes)] {
-        let path = strength.clone().key(key);
+    let lists = [
+        (&["gear_factors"][..], gears),
+        (&["mesh_factors"], meshes),
+        (&["rims"], gears),
+        (&["accuracy", "bores"], gears),
+    ];
+    for (keys, names) in lists {
+        let path = keys.iter().fold(strength.clone(), |path, key| path.key(*key));
         let given = document.value_at(&path).and_then(Value::as_mapping).into_iter().flatten();
         for name in given.filter_map(|(name, _)| name.as_str()) {
             if !names.iter().any(|one| one == name) {
-                let message = format!("`{key}` has no `{name}`; there are {}", names.join(", "));
+                let message = format!("`{}` has no `{name}`; there are {}", keys.join("."), names.join(", "));
                 return Err(refused(document, &path, &[name], &Named("no-such-gear", message)));
             }
-            check_names(document, &path.clone().key(name))?;
+            if keys[0].ends_with("factors") {
+                check_names(document, &path.clone().key(name))?;
+            }
         }
     }
     Ok(())
