@@ -80,7 +80,7 @@ pub fn pairs<X: Copy, Y: Copy>(
 /// let points = read_csv::<AngularVelocity, Torque>("motor.csv", "rpm,N·m\n0,120\n1500,95\n")?;
 /// assert_eq!(points[1].1.get::<newton_meter>(), 95.0);
 /// let error = read_csv::<AngularVelocity, Torque>("motor.csv", "rpm,kW\n0,120\n").unwrap_err();
-/// assert_eq!(error.to_string(), "motor.csv:2:3: 120 kW: kW is a unit of power, and a torque is due; its units are N·m, mN·m, N·mm, N·cm, kN·m, MN·m, kgf·m");
+/// assert_eq!(error.to_string(), "motor.csv:2:3: 120 kW: kW is a unit of power, and a torque is due; its units are N·m, mN·m, N·mm, N·cm, kN·m, MN·m, kgf·m, lbf·ft, lbf·in");
 /// # Ok::<(), epicyclic_formats::Error>(())
 /// ```
 ///
