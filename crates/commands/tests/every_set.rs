@@ -1,7 +1,11 @@
 //! Teeth, data sheets and strength of every kind of set: what is one set in two descriptions has one answer, published
 //! stages have their figures, and no kind of set stops an answer.
 
-#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests, which clippy does not know for such"
+)]
 
 use epicyclic_commands::shared::gearbox::Gearbox;
 use epicyclic_commands::shared::load::Load;

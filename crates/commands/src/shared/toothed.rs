@@ -34,8 +34,7 @@ pub(crate) fn toothed(
     data: &SetData<'_>,
     set: &train::PlanetSet,
 ) -> Result<Result<ToothedSet, Option<&'static str>>, crate::error::Error> {
-    let modules: Vec<Option<f64>> =
-        data.modules.iter().map(|module| module.map(|module| module.si())).collect();
+    let modules: Vec<Option<f64>> = data.modules.iter().map(|module| module.map(Physical::si)).collect();
     Ok(match set.toothed(&subject.rack, &modules) {
         Ok(toothed) => Ok(toothed),
         Err(Untoothed::Teeth) => Err(Some("teeth")),

@@ -92,7 +92,7 @@ fn table(
         .text("symbol", "", |Line(_, _, symbol, _)| symbol)
         .for_people()
         .each(headings.iter().zip(keys).enumerate(), |table, (place, (heading, key))| {
-            table.number(key, &**heading, |Line(.., figures)| figures.get(place).cloned())
+            table.number(key, heading, |Line(.., figures)| figures.get(place).cloned())
         })
         .view_of(title, &[&["quantity", "symbol"], &keys[..headings.len().min(keys.len())]].concat())
         .note(note)

@@ -126,7 +126,7 @@ pub(crate) fn answer(
                 | strength::Error::SpaceTooLarge { .. }),
             ) => return Err(error.into()),
             Err(error) => match Fault::of(&subject.document, set.id, &set.path, &error) {
-                Fault::Row(row) => not_sized.push(NotSized::of(row)),
+                Fault::Row(row) => not_sized.push(NotSized::of(*row)),
                 Fault::Refused(error) => return Err(*error),
             },
         }

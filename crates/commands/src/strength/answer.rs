@@ -196,7 +196,7 @@ impl Found {
                     row(one).join(&mut self.not_rated);
                 }
             }
-            Err(Fault::Row(missing)) => row(missing).join(&mut self.not_rated),
+            Err(Fault::Row(missing)) => row(*missing).join(&mut self.not_rated),
             Err(Fault::Refused(error)) => return Err(*error),
         }
         Ok(())
@@ -350,7 +350,7 @@ fn at_point(
         let worked = Worked::new(&subject.train, name, input)?;
         for set in sets {
             let load = SetLoad::of(set, &worked, Some(speed));
-            let load = load.map_err(|reason| Fault::Row(NotRated::new(set.id, reason)));
+            let load = load.map_err(|reason| Fault::Row(NotRated::new(set.id, reason).into()));
             if let Ok(load) = &load {
                 found.axial.extend(axial::of(set, name, None, load, life));
             }
@@ -379,7 +379,7 @@ fn at_load(
     Partly::of_meshes(set, |place, mesh| {
         let load = loads[place];
         if load.torque.si() == 0.0 {
-            return Err(Fault::Row(NotRated::new(set.id, Reason::NoTorque)));
+            return Err(Fault::Row(NotRated::new(set.id, Reason::NoTorque).into()));
         }
         let rating = rate(&mesh.mesh, &load, &mesh.method).map_err(fault)?;
         let (name, materials) = (mesh.name.clone(), mesh.materials.clone());

@@ -68,7 +68,7 @@ pub(super) fn rated(
     for WorkedStep(entry, worked) in duty {
         let load = match worked.as_ref().map(|worked| SetLoad::of(set, worked, Some(entry.speed.0))) {
             Some(Err(Reason::NoTorquesFollow)) => {
-                return Err(Fault::Row(NotRated::new(set.id, Reason::NoTorquesFollow)));
+                return Err(Fault::Row(NotRated::new(set.id, Reason::NoTorquesFollow).into()));
             }
             None | Some(Err(_)) => SetLoad::idle(set),
             Some(Ok(load)) => load,

@@ -81,12 +81,12 @@ pub(super) fn rated(
 ) -> Result<Partly<Overloaded>, Fault> {
     let fault = |error: epicyclic_strength::Error| Fault::of(&subject.document, set.id, &set.path, &error);
     let load = SetLoad::of(set, &peak.worked, None);
-    let load = load.map_err(|reason| Fault::Row(NotRated::new(set.id, reason)))?;
+    let load = load.map_err(|reason| Fault::Row(NotRated::new(set.id, reason).into()))?;
     let loads = load.meshes(set, life);
     Partly::of_meshes(set, |place, mesh| {
         let torque = loads[place].torque;
         if torque.si() == 0.0 {
-            return Err(Fault::Row(NotRated::new(set.id, Reason::NoTorque)));
+            return Err(Fault::Row(NotRated::new(set.id, Reason::NoTorque).into()));
         }
         let rating = overload(&mesh.mesh, torque, &mesh.method).map_err(fault)?;
         let parts = rating

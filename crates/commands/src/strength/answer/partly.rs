@@ -33,7 +33,7 @@ impl<T> Partly<T> {
         let of_set = |row: &NotRated| NotRated { mesh: None, ..row.clone() };
         let is_one_reason = all.not_rated.iter().all(|row| of_set(row) == of_set(&all.not_rated[0]));
         if all.rated.is_empty() && all.not_rated.len() == set.meshes.len() && is_one_reason {
-            return Err(Fault::Row(of_set(&all.not_rated[0])));
+            return Err(Fault::Row(of_set(&all.not_rated[0]).into()));
         }
         Ok(all)
     }

@@ -9,7 +9,7 @@ use epicyclic_strength::{self as strength, Quantity};
 /// Reasons why a set cannot be rated.
 pub(crate) enum Fault {
     /// Something is missing for this set; the others are rated.
-    Row(NotRated),
+    Row(Box<NotRated>),
     /// The input is invalid.
     Refused(Box<Error>),
 }
@@ -18,7 +18,7 @@ impl Fault {
     /// Classifies an error of a set at its path.
     pub(crate) fn of(document: &Document, set: &str, path: &Path, error: &strength::Error) -> Self {
         match NotRated::of_error(set, error) {
-            Some(row) => Self::Row(row),
+            Some(row) => Self::Row(Box::new(row)),
             None => Self::Refused(Box::new(located(document, path, error))),
         }
     }

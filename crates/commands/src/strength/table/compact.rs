@@ -97,7 +97,7 @@ fn table(title: String, note: &str, all: &[InMesh]) -> Records {
     Table::new("factors", rows)
         .text("symbol", "factor", |(symbol, ..)| symbol)
         .each(all.iter().enumerate(), |table, (place, one)| {
-            table.number("value", &*one.heading, |(_, formula, told)| {
+            table.number("value", &one.heading, |(_, formula, told)| {
                 told[place].filter(|one| one.formula.as_deref() == *formula).map(|one| &*one.value)
             })
         })
