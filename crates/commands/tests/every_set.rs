@@ -1,5 +1,5 @@
-//! Teeth, data sheets and strength of every kind of set: what is one set in two descriptions has one answer, published
-//! stages have their figures, and no kind of set stops an answer.
+//! Teeth, data sheets and strength of every kind of set: what is one set in two descriptions has one answer,
+//! published stages have their figures, and no kind of set stops an answer.
 
 #![allow(
     clippy::unwrap_used,
@@ -161,8 +161,8 @@ fn a_step_of_one_diameter_is_a_planet_bent_one_way() {
     }
 }
 
-/// The mesh of sun and planet as a pair on fixed axes, with the torque of one planet: the same stresses; the sun
-/// has a third of the cycles, and no planet shares its load.
+/// The mesh of sun and planet as a pair on fixed axes, with the torque of one planet: the same stresses; the
+/// sun has a third of the cycles, and no planet shares its load.
 #[test]
 fn a_mesh_is_rated_as_a_lone_pair() {
     let in_set = rated(&simple("12 deg").replace("K_A: 1.25", "K_A: 1.25, K_gamma: 1"), "450 N·m");
@@ -183,8 +183,8 @@ fn a_mesh_is_rated_as_a_lone_pair() {
     assert!(alone.load_sharing.is_empty());
 }
 
-/// The parallel stage of a wind gearbox, behind two planetary ones in one file: forces, limits and safeties of a
-/// commercial calculation.
+/// The parallel stage of a wind gearbox, behind two planetary ones in one file: forces, limits and safeties
+/// of a commercial calculation.
 #[test]
 fn a_published_parallel_stage_has_its_safeties() {
     let text = std::fs::read_to_string("../../examples/wind-gearbox.yaml").unwrap();
@@ -208,8 +208,8 @@ fn a_published_parallel_stage_has_its_safeties() {
     assert!(near(sheets.sets[2].centre_distance_m.unwrap(), 0.861, 1e-6));
 }
 
-/// Both sides of a published stepped planet lie on one centre distance with the sign of a ring's shift that ISO
-/// 21771 has; with the printed sign they do not.
+/// Both sides of a published stepped planet lie on one centre distance with the sign of a ring's shift that
+/// ISO 21771 has; with the printed sign they do not.
 #[test]
 fn a_published_stepped_planet_closes_on_both_sides() {
     let stage = |shift: &str| {

@@ -30,8 +30,8 @@
 //! their bearings `load_rating`; the gearbox `density` and `pressure_angle`.
 //!
 //! # Real transmissions
-//! [`TransmissionsFile`]: a list `transmissions`, each with sets, links that join members, shift elements that join links
-//! when engaged, and gears with what is published of them.
+//! [`TransmissionsFile`]: a list `transmissions`, each with sets, links that join members, shift elements
+//! that join links when engaged, and gears with what is published of them.
 //!
 //! ```
 //! use epicyclic_formats::Document;

@@ -25,8 +25,8 @@ pub enum Place {
 }
 
 impl Place {
-    /// Family of motors with these numbers, and the arcs at this place of it; `None` for a rotor by the cosine
-    /// law.
+    /// Family of motors with these numbers, and the arcs at this place of it; `None` for a rotor by the
+    /// cosine law.
     ///
     /// # Errors
     /// Errors of [`Family::new`], [`Family::at`] and its sisters.

@@ -1,6 +1,6 @@
 //! Checks of inputs, which refuse a value outside its range with [`Error::NotPositive`] or
-//! [`Error::OutOfRange`]. The public ones are of quantities whose range no other value decides; they return the
-//! value in SI units.
+//! [`Error::OutOfRange`]. The public ones are of quantities whose range no other value decides; they return
+//! the value in SI units.
 
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, AngularVelocity, Area, DynamicViscosity, Length, MassDensity, Pressure};

@@ -32,8 +32,8 @@ pub struct MeshLoad {
 }
 
 impl PlanetSet {
-    /// Torques of all meshes of a kind together on each of their two gears, as [`MeshLoad::torques`] times the
-    /// number of planets; `None` where the teeth of a planet are not known.
+    /// Torques of all meshes of a kind together on each of their two gears, as [`MeshLoad::torques`] times
+    /// the number of planets; `None` where the teeth of a planet are not known.
     #[must_use]
     pub fn mesh_torques(&self, torques: &[f64]) -> Option<Vec<[f64; 2]>> {
         let torques = torques.get(..self.centrals().len())?;

@@ -13,10 +13,10 @@
 //! | `ψ` | angle between them about the main axis | rad |
 //! | `m` | module of the mesh; meshes of one gear have one module | any |
 //!
-//! Gears with profile shift have their working centre distances in place of these. A given radius takes precedence over that of module and teeth, and gives
-//! the module of meshes for which none is given. If meshes of one planet give different radii, a mesh with a
-//! module of its own takes precedence over one with the set's module. Among equals the earlier mesh takes
-//! precedence.
+//! Gears with profile shift have their working centre distances in place of these. A given radius takes
+//! precedence over that of module and teeth, and gives the module of meshes for which none is given. If
+//! meshes of one planet give different radii, a mesh with a module of its own takes precedence over one with
+//! the set's module. Among equals the earlier mesh takes precedence.
 
 use crate::planet_set::{GearOf, MeshKind, PlanetSet};
 use crate::set::SetKind;

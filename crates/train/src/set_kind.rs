@@ -52,8 +52,8 @@ impl SetKind {
         }
     }
 
-    /// Names of the gears, in the order of [`PlanetSet::gears`](crate::PlanetSet::gears), and whether they are
-    /// external or internal; `None` of bevel gears.
+    /// Names of the gears, in the order of [`PlanetSet::gears`](crate::PlanetSet::gears), and whether they
+    /// are external or internal; `None` of bevel gears.
     #[must_use]
     pub fn gears(self) -> Vec<(&'static str, Option<GearKind>)> {
         let (external, internal) = (Some(GearKind::External), Some(GearKind::Internal));

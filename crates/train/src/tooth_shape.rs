@@ -4,7 +4,8 @@ use epicyclic_gears::involute::profile::Cutting;
 use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Length};
 
-/// Profile shifts of the gears of a set, in the order of [`PlanetSet::gears`](crate::PlanetSet::gears), with the sign of
+/// Profile shifts of the gears of a set, in the order of [`PlanetSet::gears`](crate::PlanetSet::gears), with
+/// the sign of
 /// [`involute`](epicyclic_gears::involute): one above 0 moves the tips of a ring inwards.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Shifts {
@@ -20,11 +21,12 @@ pub struct Shifts {
 pub struct ToothShape {
     /// Profile shifts.
     pub shifts: Option<Shifts>,
-    /// Helix angle `β` at the reference cylinders of each mesh, in the order of [`PlanetSet::meshes`](crate::PlanetSet::meshes),
-    /// without its hand; 0 of meshes at the end that are left out.
+    /// Helix angle `β` at the reference cylinders of each mesh, in the order of
+    /// [`PlanetSet::meshes`](crate::PlanetSet::meshes), without its hand; 0 of meshes at the end that are
+    /// left out.
     pub helix_angles: Vec<Angle>,
-    /// Cutting of each gear, in the order of [`PlanetSet::gears`](crate::PlanetSet::gears); as usual of gears at the end that are left
-    /// out.
+    /// Cutting of each gear, in the order of [`PlanetSet::gears`](crate::PlanetSet::gears); as usual of gears
+    /// at the end that are left out.
     pub cutting: Vec<Cutting>,
 }
 

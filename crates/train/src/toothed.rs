@@ -88,8 +88,8 @@ impl ToothedSet {
 }
 
 impl PlanetSet {
-    /// Sun, planets and ring of a simple set, in mesh; planets of an unknown number are taken as one. `None` of
-    /// other sets.
+    /// Sun, planets and ring of a simple set, in mesh; planets of an unknown number are taken as one. `None`
+    /// of other sets.
     #[must_use]
     pub fn simple_involutes(&self, toothed: &ToothedSet) -> Option<InvoluteSet> {
         let [of_sun, of_ring] = toothed.meshes.as_slice() else { return None };
@@ -204,8 +204,8 @@ impl PlanetSet {
         Ok(ToothedSet { meshes: meshes.collect(), radii: places.radii })
     }
 
-    /// Centre distance of a mesh in its modules, where another mesh of its planet gives it; `None` of a mesh that
-    /// has the one at which its gears have no backlash.
+    /// Centre distance of a mesh in its modules, where another mesh of its planet gives it; `None` of a mesh
+    /// that has the one at which its gears have no backlash.
     fn distance_of(
         &self,
         mesh: usize,
@@ -346,8 +346,8 @@ impl SetSpec {
         set.map_err(|_| Untoothed::Teeth)?.toothed(rack, modules)
     }
 
-    /// Losses of the set by the sliding of its teeth, at coefficients of friction of its meshes from the first
-    /// central gear to the second.
+    /// Losses of the set by the sliding of its teeth, at coefficients of friction of its meshes from the
+    /// first central gear to the second.
     ///
     /// ```text
     /// η_j = 1 − H_V,j·μ_m,j

@@ -1,5 +1,5 @@
-//! The book's pictures are what the program draws. `UPDATE_BOOK=1 cargo test -p epicyclic --test all pictures`
-//! renews them.
+//! The book's pictures are what the program draws. `UPDATE_BOOK=1 cargo test -p epicyclic --test all
+//! pictures` renews them.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 

@@ -61,8 +61,8 @@ pub(crate) fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-/// A change of a text as tables of cases have it: `old → new`, with `\\n` for a line break and `\\s` for a space
-/// at an end.
+/// A change of a text as tables of cases have it: `old → new`, with `\\n` for a line break and `\\s` for a
+/// space at an end.
 pub(crate) fn change(written: &str) -> Option<(String, String)> {
     let (from, to) = written.split_once(" →")?;
     let plain = |text: &str| text.replace("\\n", "\n").replace("\\s", " ");

@@ -79,7 +79,8 @@ fn table(
     headings: &[String],
     lines: Vec<Line>,
 ) -> Records {
-    // As many as the gears in mesh of the largest compound set that anyone has written; more are left to JSON.
+    // As many as the gears in mesh of the largest compound set that anyone has written; more are left to
+    // JSON.
     let keys = [
         "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth",
         "eleventh", "twelfth",

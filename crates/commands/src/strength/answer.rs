@@ -19,8 +19,8 @@
 //! | `partly` | results of the meshes of a set |
 //! | `place` | where in the file a fault is |
 //!
-//! Torques are those without losses, speeds are relative to the carrier. Each mesh is rated alone with the load
-//! that the solver finds of it: the damage of two meshes on one flank of a gear is not added.
+//! Torques are those without losses, speeds are relative to the carrier. Each mesh is rated alone with the
+//! load that the solver finds of it: the damage of two meshes on one flank of a gear is not added.
 
 mod axial;
 mod bearing_records;

@@ -1,5 +1,5 @@
-//! Faults of a specification, as far as neither the search for tooth numbers nor the sizes of the parts decide
-//! them.
+//! Faults of a specification, as far as neither the search for tooth numbers nor the sizes of the parts
+//! decide them.
 
 use super::spec::{CarrierSpec, DriveSpec, Given, TeethSpec};
 use crate::Error;

@@ -115,8 +115,8 @@ fn refused(name: &'static str, reason: impl std::fmt::Display) -> Problem {
     Problem::refused(name, reason.to_string())
 }
 
-/// The teeth, and the ratio of a set given in full; `None` where that has a fault. A range with a fault counts
-/// as not given.
+/// The teeth, and the ratio of a set given in full; `None` where that has a fault. A range with a fault
+/// counts as not given.
 fn teeth(file: &TeethFile, rack: BasicRack, faults: &mut Faults) -> Option<(TeethSpec, Option<f64>)> {
     let single = |span: Option<Span<u32>>| span.and_then(|span| span.single());
     let (sun, planet, ring) = (single(file.sun), single(file.planet), single(file.ring));

@@ -7,8 +7,8 @@ use epicyclic_gears::teeth::ToothCount;
 use epicyclic_train::set::SetSpec;
 use epicyclic_train::{Error, Gearbox, Located, Site};
 
-/// Link of refused entries. A refused entry keeps its number and name, so that others may refer to it; a fault
-/// of this link only follows from that refusal.
+/// Link of refused entries. A refused entry keeps its number and name, so that others may refer to it; a
+/// fault of this link only follows from that refusal.
 pub(super) const NO_LINK: &str = "\u{ffff}";
 
 /// A set in place of one that was refused, with this number of planets.

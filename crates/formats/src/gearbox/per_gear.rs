@@ -14,8 +14,9 @@ use std::marker::PhantomData;
 /// Values of the gears of a set: a list from the first central gear over the planets to the second, or a map
 /// from gears to values.
 ///
-/// Gears have the names that answers give them: `sun`, `planet`, `ring`; `planet 1`, `planet 2` of two planets
-/// or two steps; `gear 1`, `gear 2` of a pair. Those of compound sets have the names that its meshes use.
+/// Gears have the names that answers give them: `sun`, `planet`, `ring`; `planet 1`, `planet 2` of two
+/// planets or two steps; `gear 1`, `gear 2` of a pair. Those of compound sets have the names that its meshes
+/// use.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PerGear<T> {
     /// In the order of the gears.
@@ -28,8 +29,8 @@ impl<T> PerGear<T> {
     /// The values in the order of these gears, as far as they are given.
     ///
     /// # Errors
-    /// [`DescriptionError::Values`] for a list of another length, [`DescriptionError::ByName`] for a list of a
-    /// compound set, [`DescriptionError::NoSuchGear`].
+    /// [`DescriptionError::Values`] for a list of another length, [`DescriptionError::ByName`] for a list of
+    /// a compound set, [`DescriptionError::NoSuchGear`].
     pub fn given(
         &self,
         set: &str,

@@ -80,8 +80,8 @@ impl GearboxFile {
         entry.map_or_else(|| usual.clone(), |entry| entry.size(set, &usual))
     }
 
-    /// Size of a set with the face widths of its gears; shifts or helical teeth move its planets from where spur
-    /// teeth alone would have them.
+    /// Size of a set with the face widths of its gears; shifts or helical teeth move its planets from where
+    /// spur teeth alone would have them.
     fn moved(&self, set: &PlanetSet, size: SetSize) -> SetSize {
         let modules = self.stated_modules(set);
         let mut size = size;

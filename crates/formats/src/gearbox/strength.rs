@@ -49,7 +49,8 @@ pub struct StrengthEntry {
     /// Factors given for the ring alone, such as `Y_delta_rel_T_stat`.
     #[serde(default)]
     pub ring_factors: BTreeMap<String, Number>,
-    /// Factors given for single meshes, by their gears: `planet-ring`, `long.2-ring`; they go before `factors`.
+    /// Factors given for single meshes, by their gears: `planet-ring`, `long.2-ring`; they go before
+    /// `factors`.
     #[serde(default)]
     pub mesh_factors: BTreeMap<String, BTreeMap<String, Number>>,
     /// Factors given for single gears, in all their meshes; they go before all others.

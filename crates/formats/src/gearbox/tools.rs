@@ -11,9 +11,9 @@ use epicyclic_units::Number;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// Tool that cuts a gear: the basic rack of its hob, a shaper in its place, or a form tool. Default: a hob for
-/// external gears, for internal ones a shaper of 30 teeth with corners of 0.3 modules, or of 18 teeth less than
-/// a smaller gear; a form tool for those of fewer than 42 teeth.
+/// Tool that cuts a gear: the basic rack of its hob, a shaper in its place, or a form tool. Default: a hob
+/// for external gears, for internal ones a shaper of 30 teeth with corners of 0.3 modules, or of 18 teeth
+/// less than a smaller gear; a form tool for those of fewer than 42 teeth.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ToolEntry {

@@ -106,7 +106,8 @@ impl Pair {
         Ok([self.deviating(upper, near)?.play(), self.deviating(lower, far)?.play()])
     }
 
-    /// The mesh of gears with thickness allowances at a centre distance that is off by so much, all in modules.
+    /// The mesh of gears with thickness allowances at a centre distance that is off by so much, all in
+    /// modules.
     ///
     /// # Errors
     /// [`Error::ShiftOutOfRange`], [`Error::NotAbove`] for allowances and deviations that leave no mesh.

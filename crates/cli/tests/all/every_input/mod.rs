@@ -1,6 +1,7 @@
 //! Every key of a file and every option of a command changes the answer.
 //!
-//! The keys are those of the schemas, the options those of the help, so that no new one can be forgotten here.
+//! The keys are those of the schemas, the options those of the help, so that no new one can be forgotten
+//! here.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 

@@ -329,8 +329,8 @@ impl Inputs {
     }
 }
 
-/// Axial gaps at the operating temperature, reduced by thermal expansion; `None` if that needs the width, which
-/// has a fault.
+/// Axial gaps at the operating temperature, reduced by thermal expansion; `None` if that needs the width,
+/// which has a fault.
 fn warm_gaps(
     gaps: &GapsGroup,
     given_width: Option<Length>,

@@ -4,8 +4,9 @@
 //! φ = Σ N·|T_x|·φ_x        1/k = Σ N·(T_x/r_b,x)²/(c_γ·b)
 //! ```
 //!
-//! `T_x` is the torque of a mesh on one of its gears over that on the output, `φ_x` the angle by which its play
-//! lets this gear turn, `N` the number of planets, `c_γ·b` the stiffness of the mesh along its line of action.
+//! `T_x` is the torque of a mesh on one of its gears over that on the output, `φ_x` the angle by which its
+//! play lets this gear turn, `N` the number of planets, `c_γ·b` the stiffness of the mesh along its line of
+//! action.
 
 use super::records::{Allowed, AtOutput, Limits};
 use crate::analyze::answer::analysis;
@@ -89,7 +90,8 @@ impl Known<'_> {
             for ((mesh, torques), gears) in self.toothed.meshes.iter().zip(torques).zip(&self.gears) {
                 let allowance =
                     |gear: usize| self.allowed.as_ref().map_or(0.0, |all| limit(&all.thickness[gear]));
-                // By virtual work: what a mesh gives way, times the torque that it carries of one on the output.
+                // By virtual work: what a mesh gives way, times the torque that it carries of one on the
+                // output.
                 let play = mesh.pair.deviating(gears.map(allowance), deviation_m / mesh.module)?.play();
                 angle += torques[0].abs() * play.rotation_rad[0];
             }

@@ -84,8 +84,8 @@ pub struct SetSheet {
     pub centre_distance_m: Option<f64>,
     /// Lower and upper deviation of the centre distance in m; null if the file gives none.
     pub centre_distance_deviations_m: Option<Limits>,
-    /// Lower and upper allowance of the normal tooth thickness of each gear, `E_sni` and `E_sns`, in m; null if
-    /// the file gives none.
+    /// Lower and upper allowance of the normal tooth thickness of each gear, `E_sni` and `E_sns`, in m; null
+    /// if the file gives none.
     pub thickness_allowances_m: Option<Vec<Limits>>,
     /// Data of the gears; of a simple set sun, planet and ring.
     pub gears: Vec<GearSheet>,

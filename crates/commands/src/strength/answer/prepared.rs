@@ -152,7 +152,8 @@ impl<'a> Of<'a> {
     }
 }
 
-/// Planet that satisfies equal centre distances without profile shift; `None` if it has no whole tooth number.
+/// Planet that satisfies equal centre distances without profile shift; `None` if it has no whole tooth
+/// number.
 fn coaxial(spec: &SetSpec) -> Option<ToothCount> {
     let Gearing::Teeth(sun, ring) = spec.gearing else { return None };
     let planet = coaxial_planet(sun, ring);
