@@ -129,10 +129,14 @@ fn check(of: &str, table: &str, file: &str, elsewhere: &str, files: impl Fn(&str
     assert_eq!(keys, due.collect::<BTreeSet<_>>(), "the keys of the table, and those of the schema");
 }
 
-/// Whether a refusal names a key; it has the places of the entries besides.
+/// Whether a refusal names a key; it has the places of the entries of lists and the names of those of maps
+/// besides.
 fn names(told: &str, key: &str) -> bool {
     let is_place = |c: char| matches!(c, '[' | ']') || c.is_ascii_digit();
-    told.replace(is_place, "").contains(&format!("{key}: "))
+    told.replace(is_place, "").split(": ").any(|path| {
+        let mut given = path.split('.');
+        key.split('.').all(|part| given.any(|one| one == part))
+    })
 }
 
 fn example(name: &str) -> String {
