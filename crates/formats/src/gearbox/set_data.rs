@@ -4,6 +4,7 @@ use super::compound::PlanetSized;
 use super::per_gear::{Gears, PerGear};
 use super::{DataSheetEntry, FloatingEntry, GearboxFile, StrengthEntry, ToolEntry};
 use crate::Path;
+use epicyclic_gears::geometry::GearKind;
 use epicyclic_train::PlanetSet;
 use epicyclic_train::planet_set::GearOf;
 use epicyclic_units::{Physical, Quantity};
@@ -99,7 +100,10 @@ impl GearboxFile {
         let accuracy = entry.strength.as_ref().and_then(|strength| strength.accuracy.as_ref());
         let bore = |(gear, name): (&GearOf, &String)| {
             let own = accuracy.and_then(|accuracy| accuracy.bores.get(name).map(|bore| bore.0));
-            own.or_else(|| size(gear).and_then(|size| size.1))
+            let is_sun =
+                matches!(gear, GearOf::Central(_)) && set.gear_kind(*gear) == Some(GearKind::External);
+            let of_suns = accuracy.and_then(|accuracy| accuracy.sun_bore).filter(|_| is_sun);
+            own.or_else(|| size(gear).and_then(|size| size.1)).or(of_suns.map(|bore| bore.0))
         };
         let stated = widths(entry.face_width, entry.face_widths.as_ref(), &gears);
         let widths = of.iter().zip(stated).map(|(gear, width)| {
