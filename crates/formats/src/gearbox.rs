@@ -133,7 +133,7 @@ pub enum DescriptionError {
     Friction {
         /// The set.
         set: String,
-        /// What is missing.
+        /// Missing data, in words.
         missing: &'static str,
     },
     /// The basic rack.
@@ -171,7 +171,7 @@ pub enum DescriptionError {
     HelixAngle {
         /// The set.
         set: String,
-        /// What is missing.
+        /// Missing data, in words.
         missing: &'static str,
     },
     /// A value of a gear that the set has not.

@@ -179,7 +179,7 @@ impl MotorFile {
         Err(faults)
     }
 
-    /// Which of the motors of its numbers is meant.
+    /// Place of the motor in the family of motors with the same numbers.
     #[must_use]
     pub fn place(&self) -> Place {
         if self.law == Some(Law::Cosine) {

@@ -5,8 +5,7 @@ use epicyclic_units::Physical;
 use uom::si::f64::{Angle, Length};
 
 /// Profile shifts of the gears of a set, in the order of [`PlanetSet::gears`](crate::PlanetSet::gears), with
-/// the sign of
-/// [`involute`](epicyclic_gears::involute): one above 0 moves the tips of a ring inwards.
+/// the sign of [`involute`](epicyclic_gears::involute): one above 0 moves the tips of a ring inwards.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Shifts {
     /// Profile shift coefficients `x`, modules; 0 of gears at the end that are left out.

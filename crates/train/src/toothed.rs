@@ -46,7 +46,7 @@ pub enum Untoothed {
     Shifts,
     /// Bevel gears.
     Bevel,
-    /// What is given leaves no teeth or no mesh.
+    /// The given values leave no teeth or no mesh.
     Refused(Error),
 }
 
@@ -85,6 +85,14 @@ impl ToothedSet {
             Some(&mesh.pair.gears()[end])
         })
     }
+
+    /// Sun, planets and ring of a simple set, in mesh; `None` of other meshes than its two.
+    fn simple(&self, planet_count: Option<u32>) -> Option<Result<InvoluteSet, Error>> {
+        let [of_sun, of_ring] = self.meshes.as_slice() else { return None };
+        let ([sun, planet], [_, ring]) = (*of_sun.pair.gears(), *of_ring.pair.gears());
+        let planets = planet_count.unwrap_or(1);
+        Some(InvoluteSet::new([sun, planet, ring], planets, of_sun.pair.centre_distance()))
+    }
 }
 
 impl PlanetSet {
@@ -92,11 +100,8 @@ impl PlanetSet {
     /// of other sets.
     #[must_use]
     pub fn simple_involutes(&self, toothed: &ToothedSet) -> Option<InvoluteSet> {
-        let [of_sun, of_ring] = toothed.meshes.as_slice() else { return None };
         let spec = self.short().filter(|spec| spec.kind == SetKind::Simple)?;
-        let ([sun, planet], [_, ring]) = (*of_sun.pair.gears(), *of_ring.pair.gears());
-        let planets = spec.planet_count.unwrap_or(1);
-        InvoluteSet::new([sun, planet, ring], planets, of_sun.pair.centre_distance()).ok()
+        toothed.simple(spec.planet_count)?.ok()
     }
 
     /// The gears of the set. Of a short description from the first central gear over the planets to the
@@ -189,13 +194,13 @@ impl PlanetSet {
         }
         if !tooth_shape.has_tips() {
             for mesh in 0..pairs.len() {
-                let cleared = pairs[mesh].with_clear_ring_tips()?;
-                for (other, ends) in ends.iter().enumerate().filter(|(_, other)| other[1] == ends[mesh][1]) {
-                    let [first, _] = pairs[other].gears().map(|gear| gear.tip_alteration());
-                    if cleared.is_internal() && self.gear_kind(ends[1]) == Some(GearKind::Internal) {
-                        let ring = cleared.gears()[1].tip_alteration();
-                        pairs[other] = pairs[other].with_tip_alterations([first, ring])?;
-                    }
+                if !pairs[mesh].is_internal() {
+                    continue;
+                }
+                let ring = pairs[mesh].with_clear_ring_tips()?.gears()[1].tip_alteration();
+                for other in (0..pairs.len()).filter(|other| ends[*other][1] == ends[mesh][1]) {
+                    let planet = pairs[other].gears()[0].tip_alteration();
+                    pairs[other] = pairs[other].with_tip_alterations([planet, ring])?;
                 }
             }
         }
@@ -323,15 +328,11 @@ impl SetSpec {
         if self.kind != SetKind::Simple || matches!(self.gearing, Gearing::BasicRatio(_)) {
             return None;
         }
-        let toothed = match self.toothed(rack, &[]) {
-            Ok(toothed) => toothed,
-            Err(Untoothed::Refused(error)) => return Some(Err(error)),
-            Err(_) => return None,
-        };
-        let [of_sun, of_ring] = toothed.meshes.as_slice() else { return None };
-        let ([sun, planet], [_, ring]) = (*of_sun.pair.gears(), *of_ring.pair.gears());
-        let planets = self.planet_count.unwrap_or(1);
-        Some(InvoluteSet::new([sun, planet, ring], planets, of_sun.pair.centre_distance()))
+        match self.toothed(rack, &[]) {
+            Ok(toothed) => toothed.simple(self.planet_count),
+            Err(Untoothed::Refused(error)) => Some(Err(error)),
+            Err(_) => None,
+        }
     }
 
     /// As [`PlanetSet::toothed`], of a set that no gearbox has yet.

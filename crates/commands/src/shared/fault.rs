@@ -1,6 +1,7 @@
 //! Refusals with names, for their places in files.
 
-use epicyclic_formats::Problem;
+use crate::error::Error;
+use epicyclic_formats::{Document, Path, Problem};
 use std::fmt::Display;
 
 /// A refusal with a name that does not change with its message.
@@ -25,7 +26,7 @@ macro_rules! faults {
 }
 
 faults!(
-    crate::error::Error,
+    Error,
     epicyclic_formats::gearbox::DescriptionError,
     epicyclic_dynamics::Error,
     epicyclic_gears::Error,
@@ -53,4 +54,14 @@ impl<M: Display> Fault for Named<M> {
     fn name(&self) -> &'static str {
         self.0
     }
+}
+
+/// Error at the longest part of a path that exists in the file.
+pub(crate) fn refused(document: &Document, path: &Path, keys: &[&str], why: &dyn Fault) -> Error {
+    let deeper = |path: Path, key: &&str| {
+        let inner = path.clone().key(*key);
+        if document.value_at(&inner).is_some() { inner } else { path }
+    };
+    let place = keys.iter().fold(path.clone(), deeper);
+    document.error(&place, why.problem()).into()
 }

@@ -1,7 +1,7 @@
-//! The toothed gears of a simple set as a file has them.
+//! Toothed gears of the sets of a file, in mesh.
 
+use crate::shared::fault::refused;
 use crate::shared::gearbox::Gearbox;
-use crate::strength::answer::place::refused;
 use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::{GearboxFile, SetData, SetEntry};
 use epicyclic_gears::involute::PlanetSet;

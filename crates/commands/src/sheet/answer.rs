@@ -13,12 +13,11 @@ pub mod records;
 
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
-use crate::shared::fault::{Fault, Named};
+use crate::shared::fault::{Fault, Named, refused};
 use crate::shared::gearbox::Gearbox;
 use crate::shared::tooth_checks::answer::ToothChecks;
 use crate::shared::toothed::{lacking, toothed};
 use crate::strength::answer::names::MeshName;
-use crate::strength::answer::place::refused;
 use epicyclic_formats::Document;
 use epicyclic_formats::gearbox::{GearboxFile, PerGear, SetData};
 use epicyclic_gears::involute::play::Deviation;

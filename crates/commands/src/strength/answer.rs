@@ -44,7 +44,7 @@ use crate::analyze::answer::warnings::tilting;
 use crate::analyze::answer::{OperatingPoint, Worked};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
-use crate::shared::fault::Named;
+use crate::shared::fault::{Named, refused};
 use crate::shared::gearbox::Gearbox;
 use crate::shared::load::Load;
 use crate::shared::tooth_checks::answer::ToothChecks;
@@ -58,7 +58,7 @@ use epicyclic_train::{Gear, PlanetSet};
 use epicyclic_units::Physical;
 use load::SetLoad;
 use partly::Partly;
-use place::{Fault, located, refused};
+use place::{Fault, located};
 use rated_set::RatedSet;
 use records::{
     Against, AxialForce, BearingOverDuty, DutyStep, Governing, LoadSharing, MeshAtPoint, NotRated, OverDuty,

@@ -14,7 +14,7 @@ use std::ops::RangeInclusive;
 use uom::si::f64::{Length, MassDensity, MomentOfInertia};
 
 impl DriveSpec {
-    /// All independent faults of the values, each by itself or with those that it is given with; none for a
+    /// All independent faults of the values, each by itself or with the values beside it; none for a
     /// drive that can be designed if teeth are found and its parts have room.
     #[must_use]
     pub fn faults(&self) -> Vec<Error> {

@@ -344,15 +344,13 @@ impl<P: PlanetSized> CompoundEntry<P> {
             gears: &gears,
             profile_shifts: self.profile_shifts.as_ref(),
             tip_alterations: self.tip_alterations.as_ref(),
+            face_widths: self.face_widths.as_ref(),
             tools: &self.tools,
             shaper: self.strength.as_ref().and_then(|strength| strength.shaper.as_ref()),
             helix_angles: self.meshes.iter().enumerate().map(helix_angle).collect(),
             is_known: !self.proportional && self.planet_gears.values().all(|teeth| !teeth.is_empty()),
         };
         let tooth_shape = shape.tooth_shape(rack, faults);
-        if let Some(widths) = &self.face_widths {
-            faults.keep("face_widths", widths.given(&self.id, "face_widths", &gears));
-        }
         let spec = CompoundSpec {
             id: self.id.clone(),
             tooth_shape,
@@ -388,9 +386,7 @@ impl<P: PlanetSized> CompoundEntry<P> {
             }
         }
         let Some(rack) = rack.filter(|_| is_asked) else { return };
-        let modules: Vec<Option<f64>> =
-            self.meshes.iter().map(|mesh| mesh.module.or(self.module).map(|module| module.0.si())).collect();
-        let toothed = match spec.toothed(rack, &modules) {
+        let toothed = match spec.toothed(rack, &self.stated_modules()) {
             Ok(toothed) => toothed,
             Err(why) => {
                 let place = self.meshes.iter().position(|mesh| mesh.friction.is_some());
@@ -409,6 +405,11 @@ impl<P: PlanetSized> CompoundEntry<P> {
             let at = Path::root().key("meshes").index(place).first_of(&["friction", "gears"]);
             mesh.efficiency = faults.keep(at, eta).unwrap_or(MeshEfficiency::IDEAL);
         }
+    }
+
+    /// Module of each mesh in m, as far as it is stated.
+    pub(super) fn stated_modules(&self) -> Vec<Option<f64>> {
+        self.meshes.iter().map(|mesh| mesh.module.or(self.module).map(|module| module.0.si())).collect()
     }
 
     /// Path of a part of the set.
@@ -471,7 +472,7 @@ impl<P: PlanetSized> CompoundEntry<P> {
         of_set.map(|(key, _)| (Path::root().key(key), key)).chain(of_meshes)
     }
 
-    /// Its gears: the central ones, then those of the planets.
+    /// Gears of the set: the central ones, then those of the planets.
     pub(super) fn gears(&self) -> Gears {
         let central = |(_, kind, name, _): (&str, CentralKind, &String, f64)| {
             let kind = match kind {

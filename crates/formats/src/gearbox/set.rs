@@ -65,9 +65,6 @@ impl SetEntry {
         }
         let mut spec = spec.spaced(spacing);
         let gears = Gears::of_kind(kind);
-        if let Some(widths) = &self.face_widths {
-            faults.keep("face_widths", widths.given(&self.id, "face_widths", &gears));
-        }
         let planet_gears = gears.names.len() - 2;
         let known = [spec.planet, spec.second_planet].into_iter().flatten().count();
         let shape = Shape {
@@ -75,6 +72,7 @@ impl SetEntry {
             gears: &gears,
             profile_shifts: self.profile_shifts.as_ref(),
             tip_alterations: self.tip_alterations.as_ref(),
+            face_widths: self.face_widths.as_ref(),
             tools: &self.tools,
             shaper: self.strength.as_ref().and_then(|strength| strength.shaper.as_ref()),
             helix_angles: self.helix_angles(kind, faults),

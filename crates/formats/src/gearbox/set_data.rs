@@ -1,8 +1,8 @@
-//! What a file says of the gears and meshes of a set of any form, in one form.
+//! Data of a file for the gears and meshes of a set, in one form for all kinds of sets.
 
 use super::compound::PlanetSized;
 use super::per_gear::{Gears, PerGear};
-use super::{DataSheetEntry, FloatingEntry, GearboxFile, StrengthEntry, ToolEntry};
+use super::{AccuracyEntry, DataSheetEntry, FloatingEntry, GearboxFile, StrengthEntry, ToolEntry};
 use crate::Path;
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_train::PlanetSet;
@@ -11,7 +11,7 @@ use epicyclic_units::{Physical, Quantity};
 use std::collections::BTreeMap;
 use uom::si::f64::Length;
 
-/// What a file says of the gears of a set beyond their teeth. Lists of gears are in the order of
+/// Data of a file for the gears of a set beyond their teeth. Lists of gears are in the order of
 /// [`PlanetSet::gears`].
 #[derive(Debug, Clone)]
 pub struct SetData<'f> {
@@ -54,30 +54,25 @@ impl SetData<'_> {
 }
 
 impl GearboxFile {
-    /// What the file says of a set; `None` of a set that is not of this file.
+    /// Data of the file for a set; `None` of a set that is not of this file.
     #[must_use]
     pub fn set_data(&self, set: &PlanetSet) -> Option<SetData<'_>> {
         let of = set.gears();
         let modules =
             self.stated_modules(set).into_iter().map(|module| module.map(Length::from_si)).collect();
-        let is_planet = |gear: &GearOf| matches!(gear, GearOf::Planet(..));
         if let Some(place) = self.sets.iter().position(|entry| entry.id == set.id()) {
             let entry = &self.sets[place];
             let gears = Gears::of_kind(entry.kind.into());
-            let accuracy = entry.strength.as_ref().and_then(|strength| strength.accuracy.as_ref());
-            let bore = |(place, gear): (usize, &GearOf)| {
-                let own = accuracy.and_then(|accuracy| accuracy.bores.get(&gears.names[place]).copied());
-                own.or_else(|| match gear {
-                    _ if is_planet(gear) => entry.planet_bore,
-                    _ if place == 0 => accuracy?.sun_bore,
-                    _ => None,
-                })
+            let of_kind = |(place, gear): (usize, &GearOf)| match gear {
+                GearOf::Planet(..) => entry.planet_bore,
+                GearOf::Central(_) if place == 0 => accuracy(entry.strength.as_ref())?.sun_bore,
+                GearOf::Central(_) => None,
             };
-            let bores = of.iter().enumerate().map(|one| bore(one).map(|bore| bore.0)).collect();
+            let of_kind = of.iter().enumerate().map(|gear| of_kind(gear).map(|bore| bore.0));
             return Some(SetData {
                 path: Path::root().key("sets").index(place),
                 face_widths: widths(entry.face_width, entry.face_widths.as_ref(), &gears),
-                bores,
+                bores: bores(entry.strength.as_ref(), &gears, of_kind),
                 gears,
                 of,
                 modules,
@@ -97,13 +92,12 @@ impl GearboxFile {
             }
             GearOf::Central(_) => None,
         };
-        let accuracy = entry.strength.as_ref().and_then(|strength| strength.accuracy.as_ref());
-        let bore = |(gear, name): (&GearOf, &String)| {
-            let own = accuracy.and_then(|accuracy| accuracy.bores.get(name).map(|bore| bore.0));
-            let is_sun =
-                matches!(gear, GearOf::Central(_)) && set.gear_kind(*gear) == Some(GearKind::External);
-            let of_suns = accuracy.and_then(|accuracy| accuracy.sun_bore).filter(|_| is_sun);
-            own.or_else(|| size(gear).and_then(|size| size.1)).or(of_suns.map(|bore| bore.0))
+        let of_kind = |gear: &GearOf| match gear {
+            GearOf::Planet(..) => size(gear)?.1,
+            GearOf::Central(_) if set.gear_kind(*gear) == Some(GearKind::External) => {
+                accuracy(entry.strength.as_ref())?.sun_bore.map(|bore| bore.0)
+            }
+            GearOf::Central(_) => None,
         };
         let stated = widths(entry.face_width, entry.face_widths.as_ref(), &gears);
         let widths = of.iter().zip(stated).map(|(gear, width)| {
@@ -113,7 +107,7 @@ impl GearboxFile {
         Some(SetData {
             path: Path::root().key("compound_sets").index(place),
             face_widths: widths.collect(),
-            bores: of.iter().zip(&gears.names).map(bore).collect(),
+            bores: bores(entry.strength.as_ref(), &gears, of.iter().map(of_kind)),
             gears,
             of,
             modules,
@@ -123,6 +117,20 @@ impl GearboxFile {
             floating: entry.floating,
         })
     }
+}
+
+fn accuracy(strength: Option<&StrengthEntry>) -> Option<&AccuracyEntry> {
+    strength?.accuracy.as_ref()
+}
+
+/// Bore of each gear: its own, otherwise that of its kind.
+fn bores(
+    strength: Option<&StrengthEntry>,
+    gears: &Gears,
+    of_kind: impl Iterator<Item = Option<Length>>,
+) -> Vec<Option<Length>> {
+    let own = |name| accuracy(strength)?.bores.get(name).map(|bore| bore.0);
+    gears.names.iter().zip(of_kind).map(|(name, of_kind)| own(name).or(of_kind)).collect()
 }
 
 /// Face width of each gear; those of wrong names are refused where the set is read.

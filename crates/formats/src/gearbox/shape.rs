@@ -1,4 +1,4 @@
-//! Keys of a set that shape its teeth: profile shifts, tip alterations, helix angles, tools.
+//! Keys of a set that shape its teeth: profile shifts, tip alterations, helix angles, tools, face widths.
 
 use super::per_gear::{Gears, PerGear};
 use super::{DescriptionError, ShaperEntry, ToolEntry, ToolMisfit};
@@ -9,18 +9,20 @@ use epicyclic_gears::involute::Profile;
 use epicyclic_gears::involute::profile::Cutting;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::toothed::{Shifts, ToothShape, Untoothed};
-use epicyclic_units::{Number, Physical};
+use epicyclic_units::{Number, Physical, Quantity};
 use std::collections::BTreeMap;
-use uom::si::f64::Angle;
+use uom::si::f64::{Angle, Length};
 
 /// The keys of a set.
 pub(super) struct Shape<'e> {
     /// Name of the set.
     pub(super) set: &'e str,
-    /// Its gears.
+    /// Gears of the set.
     pub(super) gears: &'e Gears,
     pub(super) profile_shifts: Option<&'e PerGear<Number>>,
     pub(super) tip_alterations: Option<&'e PerGear<Number>>,
+    /// They shape no profile, but their names are checked here.
+    pub(super) face_widths: Option<&'e PerGear<Quantity<Length>>>,
     pub(super) tools: &'e BTreeMap<String, ToolEntry>,
     /// Shaper of the strength, which cuts internal gears without a tool of their own.
     pub(super) shaper: Option<&'e ShaperEntry>,
@@ -34,6 +36,9 @@ impl Shape<'_> {
     /// Teeth of the set beyond their numbers; what has a fault is left out. Tools are checked with a rack
     /// alone.
     pub(super) fn tooth_shape(&self, rack: Option<&BasicRack>, faults: &mut Faults) -> ToothShape {
+        if let Some(widths) = self.face_widths {
+            faults.keep("face_widths", widths.given(self.set, "face_widths", self.gears));
+        }
         ToothShape {
             shifts: self.shifts(faults),
             helix_angles: self.checked_angles(faults),
@@ -55,12 +60,10 @@ impl Shape<'_> {
             Some(values.into_iter().map(|value| value.map_or(0.0, |value| value.get())).collect::<Vec<_>>())
         };
         let tips = self.tip_alterations.map(|tips| of("tip_alterations", tips));
-        let profile = of("profile_shifts", profile)?;
-        let tips = match tips {
-            Some(tips) => Some(tips?),
-            None => None,
-        };
-        Some(Shifts { profile, tips })
+        let profile = of("profile_shifts", profile);
+        // Tips with a fault leave no shifts, as shifts with a fault do.
+        let tips = tips.map_or(Some(None), |tips| tips.map(Some));
+        Some(Shifts { profile: profile?, tips: tips? })
     }
 
     fn checked_angles(&self, faults: &mut Faults) -> Vec<Angle> {
@@ -135,7 +138,7 @@ impl Shape<'_> {
     }
 }
 
-/// What teeth in mesh lack, in words; `None` of teeth that are refused, which the checks of teeth report.
+/// Missing data of teeth in mesh, in words; `None` of refused teeth, which the checks of teeth report.
 pub(super) fn missing(why: &Untoothed) -> Option<&'static str> {
     Some(match why {
         Untoothed::Teeth => "`teeth` are missing",

@@ -1,7 +1,7 @@
 //! Sizes of the sets of a gearbox file: planets and their bearings, the basic rack, the density.
 
 use super::place::{keys_of, of_set};
-use super::{DescriptionError, GearboxFile, MeshEntry, SetEntry};
+use super::{DescriptionError, GearboxFile, SetEntry};
 use crate::Path;
 use crate::faults::Faults;
 use epicyclic_gears::rack::BasicRack;
@@ -51,8 +51,7 @@ impl GearboxFile {
             );
         }
         if let Some(entry) = self.compound_sets.iter().find(|entry| entry.id == set.id()) {
-            let module = |mesh: &MeshEntry| mesh.module.or(entry.module).map(|module| module.0.si());
-            return entry.meshes.iter().map(module).collect();
+            return entry.stated_modules();
         }
         vec![None; set.meshes().len()]
     }

@@ -2,9 +2,8 @@
 
 use super::records::BasisKey;
 use crate::error::Error;
-use crate::shared::fault::Named;
+use crate::shared::fault::{Named, refused};
 use crate::strength::answer::factors;
-use crate::strength::answer::place::refused;
 use epicyclic_formats::gearbox::Gears;
 use epicyclic_formats::yaml::Value;
 use epicyclic_formats::{Document, Path};

@@ -32,9 +32,9 @@ impl Limits {
 
 /// Allowances, in modules, and deviations.
 pub(super) struct Allowed {
-    /// Of the normal tooth thickness of each gear.
+    /// Allowances of the normal tooth thickness of each gear.
     pub(super) thickness: Vec<Deviation>,
-    /// Lower and upper one of the centre distance, in m.
+    /// Lower and upper deviation of the centre distance, in m.
     pub(super) centre_distance_m: [f64; 2],
 }
 

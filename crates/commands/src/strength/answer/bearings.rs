@@ -11,12 +11,11 @@
 use super::duty::WorkedStep;
 use super::materials::{floating, given_sharing};
 use super::overload::Peak;
-use super::place::refused;
 use super::records::{BearingOverDuty, BearingStepFigures, ModifiedLife};
 use crate::analyze::answer::Worked;
 use crate::analyze::answer::records::planet_name;
 use crate::error::Error;
-use crate::shared::fault::Named;
+use crate::shared::fault::{Named, refused};
 use crate::shared::gearbox::Gearbox;
 use crate::shared::toothed::lacking;
 use crate::tolerance::{ROUNDED, rounded};

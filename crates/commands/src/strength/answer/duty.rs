@@ -2,12 +2,12 @@
 
 use super::load::SetLoad;
 use super::partly::Partly;
-use super::place::{Fault, refused};
+use super::place::Fault;
 use super::rated_set::RatedSet;
 use super::records::{NotRated, OverDuty, Reason};
 use crate::analyze::answer::{Input, Worked};
 use crate::error::Error;
-use crate::shared::fault::Named;
+use crate::shared::fault::{Named, refused};
 use crate::shared::gearbox::Gearbox;
 use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::DutyEntry;
@@ -94,7 +94,7 @@ pub(super) fn rated(
             .gears
             .each_ref()
             .map(|gear| (gear.contact.as_ref().err().cloned(), gear.root.as_ref().err().cloned()));
-        let both = OverDuty::both(set.id, mesh, &rating, &of_steps);
+        let both = OverDuty::both(set.id, (&mesh.name, &mesh.materials), &rating, &of_steps);
         Ok((both.into(), NotRated::parts(set.id, &mesh.name, parts)))
     })
 }

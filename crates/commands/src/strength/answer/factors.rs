@@ -1,8 +1,7 @@
 //! Factors that a file gives by their symbols, each once in any spelling.
 
-use super::place::refused;
 use crate::error::Error;
-use crate::shared::fault::Named;
+use crate::shared::fault::{Named, refused};
 use epicyclic_formats::yaml::Value;
 use epicyclic_formats::{Document, Path};
 use epicyclic_strength::factor::Symbol;

@@ -9,10 +9,16 @@ use epicyclic_train::mesh_loads::MeshLoad;
 use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Time, Torque};
 
+/// Torques on the central gears of a set without losses; each is 0 if only a rounding error is left.
+fn torques<'w>(place: usize, worked: &'w Worked<'_>) -> Option<impl Iterator<Item = Torque> + use<'w>> {
+    let (operation, case) = worked.operation.as_ref().zip(worked.analysis.ideal())?;
+    let members = case.members[place].as_ref()?;
+    Some(members.iter().map(move |of| operation.input * rounded(of / case.input)))
+}
+
 /// Torque on the sun of a set without losses; 0 if only a rounding error is left.
 pub(super) fn torque(place: usize, worked: &Worked<'_>) -> Option<Torque> {
-    let (operation, case) = worked.operation.as_ref().zip(worked.analysis.ideal())?;
-    Some(operation.input * rounded(case.members[place].as_ref()?[0] / case.input))
+    torques(place, worked)?.next()
 }
 
 /// Torque on the sun without losses, its speed relative to the carrier, and the carrier speed. Each is 0 if
@@ -42,11 +48,8 @@ impl SetLoad {
         worked: &Worked<'_>,
         speed: Option<AngularVelocity>,
     ) -> Result<Self, Reason> {
-        let case = worked.operation.as_ref().zip(worked.analysis.ideal());
-        let (operation, case) = case.ok_or(Reason::NoTorquesFollow)?;
-        let members = case.members[set.place].as_ref().ok_or(Reason::NoTorquesFollow)?;
-        let torque = |of: &f64| (operation.input * rounded(of / case.input)).si();
-        let torques: Vec<f64> = members.iter().map(torque).collect();
+        let torques = torques(set.place, worked).ok_or(Reason::NoTorquesFollow)?;
+        let torques: Vec<f64> = torques.map(Physical::si).collect();
         if torques.iter().all(|torque| *torque == 0.0) {
             return Err(Reason::NoTorque);
         }

@@ -1,8 +1,7 @@
 //! Materials of a file, and what else of its strength several answers read alike.
 
-use super::place::refused;
 use crate::error::Error;
-use crate::shared::fault::Named;
+use crate::shared::fault::{Named, refused};
 use crate::shared::gearbox::Gearbox;
 use epicyclic_formats::gearbox::{FloatingEntry, GearboxFile, MaterialClass, MaterialEntry, StrengthEntry};
 use epicyclic_formats::{Document, Path};

@@ -2,12 +2,12 @@
 
 use super::load::{SetLoad, torque};
 use super::partly::Partly;
-use super::place::{Fault, refused};
+use super::place::Fault;
 use super::rated_set::RatedSet;
 use super::records::{NotRated, Overloaded, Reason, Required};
 use crate::analyze::answer::{Input, Worked};
 use crate::error::Error;
-use crate::shared::fault::{Fault as Refusal, Named};
+use crate::shared::fault::{Fault as Refusal, Named, refused};
 use crate::shared::gearbox::Gearbox;
 use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::OverloadEntry;

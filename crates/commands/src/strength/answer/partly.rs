@@ -1,4 +1,4 @@
-//! Results of the meshes of a set, of which some may not be rated.
+//! Results of the rated meshes of a set, and the reasons of the others.
 
 use super::place::Fault;
 use super::rated_set::{RatedMesh, RatedSet};

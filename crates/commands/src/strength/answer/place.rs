@@ -2,7 +2,7 @@
 
 use super::records::NotRated;
 use crate::error::Error;
-use crate::shared::fault::Fault as Refusal;
+use crate::shared::fault::refused;
 use epicyclic_formats::{Document, Path};
 use epicyclic_strength::{self as strength, Quantity};
 
@@ -22,16 +22,6 @@ impl Fault {
             None => Self::Refused(Box::new(located(document, path, error))),
         }
     }
-}
-
-/// Error at the longest part of a path that exists in the file.
-pub(crate) fn refused(document: &Document, path: &Path, keys: &[&str], why: &dyn Refusal) -> Error {
-    let deeper = |path: Path, key: &&str| {
-        let inner = path.clone().key(*key);
-        if document.value_at(&inner).is_some() { inner } else { path }
-    };
-    let place = keys.iter().fold(path.clone(), deeper);
-    document.error(&place, why.problem()).into()
 }
 
 /// Error of a set's strength, at the key that caused it.

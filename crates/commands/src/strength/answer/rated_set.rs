@@ -3,10 +3,9 @@
 use super::factors;
 use super::materials::{check_materials, floating, material};
 use super::names::MeshName;
-use super::place::refused;
 use super::records::{NotRated, Reason};
 use crate::error::Error;
-use crate::shared::fault::Named;
+use crate::shared::fault::{Fault, Named, refused};
 use crate::shared::gearbox::Gearbox;
 use crate::shared::toothed::{lacking, toothed};
 use epicyclic_formats::Path;
@@ -173,8 +172,17 @@ impl<'a> Of<'a> {
     }
 
     fn given<T>(&self, key: &'static str, values: &'a PerGear<T>) -> Result<Vec<Option<&'a T>>, Error> {
+        self.given_at(&["strength", key], key, values)
+    }
+
+    fn given_at<T>(
+        &self,
+        keys: &[&str],
+        key: &'static str,
+        values: &'a PerGear<T>,
+    ) -> Result<Vec<Option<&'a T>>, Error> {
         let given = values.given(self.set.id(), key, &self.data.gears);
-        given.map_err(|error| self.refused(&["strength", key], &error))
+        given.map_err(|error| self.refused(keys, &error))
     }
 
     /// Keys of gears for which nothing is given.
@@ -310,12 +318,11 @@ impl<'a> Of<'a> {
         key: &'static str,
         values: &'a PerGear<Quantity<Length>>,
     ) -> Result<Vec<Length>, Error> {
-        let refuse =
-            |why: &dyn crate::shared::fault::Fault| self.refused(&["strength", "accuracy", key], why);
-        let given = values.given(self.set.id(), key, &self.data.gears).map_err(|error| refuse(&error))?;
+        let keys = ["strength", "accuracy", key];
+        let given = self.given_at(&keys, key, values)?;
         let names = given.iter().zip(&self.data.gears.names);
         if let Some((_, gear)) = names.into_iter().find(|(value, _)| value.is_none()) {
-            return Err(refuse(&Named("missing-key", format!("`{key}` of {gear} is missing"))));
+            return Err(self.refused(&keys, &Named("missing-key", format!("`{key}` of {gear} is missing"))));
         }
         Ok(given.into_iter().flatten().map(|value| value.0).collect())
     }
@@ -389,7 +396,7 @@ impl<'a> Of<'a> {
         keys.iter().fold(self.data.path.clone().key("strength"), |path, key| path.key(*key))
     }
 
-    fn refused(&self, keys: &[&str], why: &dyn crate::shared::fault::Fault) -> Error {
+    fn refused(&self, keys: &[&str], why: &dyn Fault) -> Error {
         refused(&self.subject.document, &self.data.path, keys, why)
     }
 }

@@ -3,7 +3,6 @@
 pub use super::bearing_records::{BearingOverDuty, BearingStepFigures, ModifiedLife};
 pub use super::names::{Against, MeshName};
 pub use super::not_rated::{NotRated, Reason};
-use super::rated_set::RatedMesh;
 pub use super::sharing::{LoadSharing, SharingBasis};
 use crate::answer::Warning;
 use epicyclic_formats::gearbox::{DutyEntry, RequiredEntry};
@@ -279,15 +278,21 @@ pub struct OverDuty {
 }
 
 impl OverDuty {
-    /// Records of both gears of a mesh; `steps` are the ratings whose factors are listed.
-    pub(crate) fn both(set: &str, mesh: &RatedMesh, rating: &DutyRating, steps: &[MeshRating]) -> [Self; 2] {
+    /// Records of both gears of a mesh with their materials; `steps` are the ratings whose factors are
+    /// listed.
+    pub(crate) fn both(
+        set: &str,
+        (mesh, materials): (&MeshName, &[String; 2]),
+        rating: &DutyRating,
+        steps: &[MeshRating],
+    ) -> [Self; 2] {
         Side::BOTH.map(|side| {
             let own = &rating.gears[side as usize];
             Self {
                 set: set.to_owned(),
-                mesh: mesh.name.clone(),
-                toothed_gear: mesh.name.gears[side as usize].clone(),
-                material: mesh.materials[side as usize].clone(),
+                mesh: mesh.clone(),
+                toothed_gear: mesh.gears[side as usize].clone(),
+                material: materials[side as usize].clone(),
                 flank: own.contact.as_ref().ok().map(Wear::of),
                 root: own.root.as_ref().ok().map(Wear::of),
                 factors: FactorOverDuty::of(steps, side),

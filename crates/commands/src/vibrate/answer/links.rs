@@ -7,9 +7,8 @@
 use super::records::{NotCalculated, Reason, What};
 use super::{Of, Prepared, joined};
 use crate::error::Error;
-use crate::shared::fault::Named;
+use crate::shared::fault::{Named, refused};
 use crate::shared::gearbox::Gearbox;
-use crate::strength::answer::place::refused;
 use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::{GearboxFile, ShaftEntry, VibrationOfGearbox};
 use epicyclic_train::{Gear, LinkId, PlanetSet};

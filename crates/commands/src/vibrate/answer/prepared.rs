@@ -3,10 +3,9 @@
 use super::records::{StiffnessOrigin, Stiffnesses, VibratingBody};
 use super::spacing::Spacing;
 use crate::error::Error;
-use crate::shared::fault::{Fault, Named};
+use crate::shared::fault::{Fault, Named, refused};
 use crate::shared::gearbox::Gearbox;
 use crate::shared::toothed::{self, missing_teeth};
-use crate::strength::answer::place::refused;
 use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::{GearboxFile, SetEntry, Stiffness, VibrationEntry};
 use epicyclic_gears::involute::PlanetSet as ToothedSet;

@@ -2,9 +2,9 @@
 
 use crate::error::Error;
 use crate::shared::exciting::Exciting;
+use crate::shared::fault::refused;
 use crate::shared::gearbox::Gearbox;
 use crate::shared::places::Places;
-use crate::strength::answer::place::refused;
 use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::{GearboxFile, VibrationOfGearbox};
 use epicyclic_units::{Physical, Quantity};
