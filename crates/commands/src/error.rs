@@ -256,8 +256,8 @@ pub enum Error {
         /// The gears in their order.
         gears: Vec<String>,
     },
-    /// Strength at a load without a speed: its cycles follow from it.
-    #[error("the load cycles of teeth follow from a speed: give it, too")]
+    /// Strength at a load without a speed, or at rest: its cycles follow from it.
+    #[error("the load cycles of teeth follow from a speed: give one other than 0")]
     LoadWithoutSpeed,
     /// An option of one operating point, given with a duty.
     #[error(

@@ -27,6 +27,7 @@
 //! - `CIRCULATES`: circulating power, over the power that enters. Less has no practical meaning.
 //! - `RESTS`: the speed of a planet on its pin, over the input's. Rounding of a planet that does not turn.
 //! - `SHARES`: the sum of shares, less 1. Rounding of the numbers as written.
+//! - `PRESSED_M`: overlap of flanks within their tolerances, m. Half of the last digit that is printed.
 //! - `BESIDE`: an angle beside a jump, rad. Values right beside a jump are taken at this distance: 6·10⁻⁵
 //!   degrees.
 
@@ -107,3 +108,6 @@ pub(crate) const CIRCULATES: f64 = 1e-6;
 
 /// A planet that turns slower on its pin, over the input's speed, does not turn.
 pub(crate) const RESTS: f64 = 1e-12;
+
+/// The least backlash of a mesh is below 0 where it is below this, m: less prints as 0.
+pub(crate) const PRESSED_M: f64 = 5e-7;

@@ -13,8 +13,7 @@ use epicyclic_commands::sheet::answer::records::{GearSheet, MeshSheet};
 use epicyclic_commands::{sheet, strength};
 use proptest::prelude::*;
 
-const STRENGTH: &str =
-    "shaper: { teeth: 30 }, factors: { K_A: 1.25, K_v: 1.05, K_H_beta: 1.2, K_H_alpha: 1, K_F_alpha: 1 }";
+const STRENGTH: &str = "factors: { K_A: 1.25, K_v: 1.05, K_H_beta: 1.2, K_H_alpha: 1, K_F_alpha: 1 }";
 
 /// Values of gears by name.
 fn by_gear(key: &str, values: &[(&str, &str)]) -> String {
@@ -29,8 +28,10 @@ fn file(list: &str, set: &str, gears: &[&str], more: &str) -> String {
         let values: Vec<String> = gears.iter().map(value).collect();
         by_gear(key, &gears.iter().copied().zip(values.iter().map(String::as_str)).collect::<Vec<_>>())
     };
+    let is_internal = gears.iter().any(|gear| gear.contains("ring")) || set.contains("internal_pair");
+    let shaper = if is_internal { "shaper: { teeth: 30 }, " } else { "" };
     format!(
-        "gearbox: one\ninput: a\noutput: h\nlife: 10000 h\noil: {{ viscosity: 220 mm²/s }}\n{list}:\n  - {{ id: P, {set}, strength: {{ {}, {}, {}, {STRENGTH} }} }}\n{more}gears: [{{ name: only, engaged: [] }}]\n",
+        "gearbox: one\ninput: a\noutput: h\nlife: 10000 h\noil: {{ viscosity: 220 mm²/s }}\n{list}:\n  - {{ id: P, {set}, strength: {{ {}, {}, {}, {shaper}{STRENGTH} }} }}\n{more}gears: [{{ name: only, engaged: [] }}]\n",
         of_all("materials", "34CrNiMo6", "18CrNiMo7-6"),
         of_all("flank_roughness", "8 µm", "4 µm"),
         of_all("root_roughness", "20 µm", "16 µm"),
@@ -296,8 +297,13 @@ proptest! {
 fn values_of_gears_that_there_are_not_are_refused() {
     let text = simple("0 deg");
     for (key, named) in [
-        ("rims: { rong: 9 mm }", "rims"),
-        ("gear_factors: { moon: { Y_ST: 2 } }", "gear_factors"),
+        (
+            "rims: { rong: 9 mm }",
+            "strength.rims.rong: `rims` has no `rong`; there are sun, planet, ring; write ring?",
+        ),
+        ("gear_factors: { moon: { Y_ST: 2 } }", "strength.gear_factors.moon"),
+        ("gear_factors: { sun: { K_A: 2 } }", "strength.gear_factors.sun.K_A: K_A is of a mesh"),
+        ("mesh_factors: { sun-planet: { K_A: 2 }, planet-sun: { K_A: 2 } }", "`mesh_factors` is given twice"),
         ("mesh_factors: { sun-ring: { K_A: 1.2 } }", "mesh_factors"),
         (
             "accuracy: { pitch_deviations: [8 µm, 8 µm, 8 µm], profile_deviations: [8 µm, 8 µm, 8 µm], bores: { moon: 9 mm } }",
@@ -315,7 +321,73 @@ fn values_of_gears_that_there_are_not_are_refused() {
             ..Load::default()
         };
         let request = strength::Request { load, ..strength::Request::default() };
-        let error = request.answer(&read(&wrong)).unwrap_err().to_string();
+        let error = match Gearbox::parse("box.yaml", wrong.as_bytes()) {
+            Ok(gearbox) => request.answer(&gearbox).unwrap_err().to_string(),
+            Err(error) => error.to_string(),
+        };
         assert!(error.contains(named), "{error}");
     }
+}
+
+/// Keys for gears of a kind that a set has not, and misspelt gears, each at its place, all at once.
+#[test]
+fn keys_for_kinds_of_gears_that_there_are_not_are_refused() {
+    let given = "planet_rim: 9 mm, ring_rim: 9 mm, sun_mesh_factors: { K_v: 1.1 }, ring_mesh_factors: { K_v: 1.1 }, sun_factors: { Y_S: 2 }, \
+                 planet_factors: { Y_S: 2 }, ring_factors: { Y_S: 2 }, shaper: { teeth: 30 }";
+    let set = "kind: external_pair, sun: a, ring: h, teeth: [19, 40], module: 3 mm, face_width: 30 mm";
+    let wrong =
+        file("sets", set, &["gear 1", "gear 2"], "").replace("factors: {", &format!("{given}, factors: {{"));
+    let load = Load {
+        torque: Some("100 N·m".parse().unwrap()),
+        speed: Some("1000 rpm".parse().unwrap()),
+        ..Load::default()
+    };
+    let request = strength::Request { load, ..strength::Request::default() };
+    let error = request.answer(&read(&wrong)).unwrap_err().to_string();
+    for (key, _) in given.split(", ").filter_map(|one| one.trim().split_once(':')) {
+        assert!(error.contains(&format!("strength.{key}: set `P`: `{key}` is of")), "{key}: {error}");
+    }
+    let names = "profile_shifts: { gear1: 0.1 }, face_widths: { gear 3: 9 mm }";
+    let set = set.replace("face_width: 30 mm", names);
+    let wrong = Gearbox::parse("box.yaml", file("sets", &set, &["gear 1", "gear 2"], "").as_bytes())
+        .unwrap_err()
+        .to_string();
+    for at in ["profile_shifts.gear1: ", "face_widths[\"gear 3\"]: ", "write gear 1?"] {
+        assert!(wrong.contains(at), "{at}: {wrong}");
+    }
+}
+
+/// Allowances that leave flanks no room are warned of, in `sheet` and in its chapter of a report.
+#[test]
+fn flanks_that_overlap_within_their_allowances_are_warned_of() {
+    let sheet =
+        "data_sheet: { thickness_allowances: [[-0.05 mm, 0.02 mm], [-0.05 mm, 0 mm], [-0.05 mm, 0 mm]] }";
+    let text = simple("0 deg").replace("face_width:", &format!("{sheet}, face_width:"));
+    let found = sheet::Request::default().answer(&read(&text)).unwrap();
+    let warned: Vec<&str> =
+        found.warnings.iter().filter(|one| one.name == "backlash").map(|one| one.message.as_str()).collect();
+    assert_eq!(warned.len(), 1, "{:?}", found.warnings);
+    assert!(warned[0].contains("the flanks of sun and planet press into each other"), "{}", warned[0]);
+    let text = text.replace("0.02 mm]", "-0.01 mm]");
+    let found = sheet::Request::default().answer(&read(&text)).unwrap();
+    assert!(found.warnings.iter().all(|one| one.name != "backlash"), "{:?}", found.warnings);
+}
+
+/// In gear 2 the large sun is held: it and the ring load one flank of the long planet. In gear 1 it is free.
+#[test]
+fn several_meshes_on_one_flank_are_warned_of() {
+    let gears = ["s", "l", "r", "short", "long"];
+    let set = "carrier: h, suns: { s: 31, l: 38 }, rings: { r: 85 }, planet_gears: { short: [20], long: [23] }, planets: 3, module: 2 mm, face_width: 30 mm, \
+               meshes: [{ gears: [s, short] }, { gears: [short, long] }, { gears: [l, long] }, { gears: [long, r] }], \
+               profile_shifts: { s: 0.1, l: 0.1, short: 0.1, long: 0.1, r: 0.1 }";
+    let text = file("compound_sets", set, &gears, "brakes: [{ id: B1, link: l }, { id: B2, link: h }]\n");
+    let text = text
+        .replace("input: a\noutput: h", "input: s\noutput: r")
+        .replace("{ name: only, engaged: [] }", "{ name: '2', engaged: [B1] }, { name: '1', engaged: [B2] }")
+        .replace("factors: {", "shaper: { teeth: 30 }, factors: {");
+    let warned = rated(&text, "100 N·m").warnings;
+    let warned: Vec<&str> =
+        warned.iter().filter(|one| one.name == "shared-flank").map(|one| one.message.as_str()).collect();
+    assert_eq!(warned.len(), 1, "{warned:?}");
+    assert!(warned[0].contains("the long in gear 2"), "{warned:?}");
 }

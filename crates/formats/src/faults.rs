@@ -99,6 +99,13 @@ impl Faults {
         self
     }
 
+    /// The value of a part, and whether the part is without faults.
+    pub(crate) fn sound<T>(&mut self, part: impl FnOnce(&mut Self) -> T) -> (T, bool) {
+        let before = self.0.len();
+        let value = part(self);
+        (value, self.0.len() == before)
+    }
+
     /// Whether there are none.
     #[must_use]
     pub fn is_empty(&self) -> bool {

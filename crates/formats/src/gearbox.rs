@@ -81,7 +81,7 @@ pub use drag::{BeyondEntry, DragCurveEntry, DragEntry};
 pub use kind::{KindEntry, RollingEntry};
 use losses::losses;
 pub use per_gear::{Gears, PerGear};
-pub use place::{gear_place, part_place};
+pub use place::{gear_place, keys_of, part_place};
 pub use set_data::SetData;
 use spacing::spaced;
 pub use strength::{
@@ -175,7 +175,7 @@ pub enum DescriptionError {
         missing: &'static str,
     },
     /// A value of a gear that the set has not.
-    #[error("set `{set}`: `{key}` has a value of `{gear}`, and its gears are {gears}")]
+    #[error("set `{set}`: `{key}` has a value of `{gear}`, and its gears are {gears}{}", meant.as_ref().map(|one| format!("; write {one}?")).unwrap_or_default())]
     NoSuchGear {
         /// The set.
         set: String,
@@ -185,6 +185,18 @@ pub enum DescriptionError {
         gear: String,
         /// Names of its gears.
         gears: String,
+        /// The name that is most like it.
+        meant: Option<String>,
+    },
+    /// A gear without a value where each needs one.
+    #[error("set `{set}`: `{key}` of {gear} is missing")]
+    GearLacks {
+        /// The set.
+        set: String,
+        /// The key.
+        key: &'static str,
+        /// Name of the gear.
+        gear: String,
     },
     /// Values in a list of a compound set, whose gears have no order.
     #[error("set `{set}`: `{key}` needs the names of the gears, as `{key}: {{ {}: … }}`; they are {gears}", gears.split(',').next().unwrap_or_default())]

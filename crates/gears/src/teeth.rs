@@ -27,6 +27,26 @@ impl ToothCount {
         self.0.get()
     }
 
+    /// Greatest common factor with the teeth of a mate. Where it is 1, every tooth meets every tooth of the
+    /// mate (a hunting tooth); the same two teeth meet again after `z_mate/factor` turns.
+    ///
+    /// ```
+    /// use epicyclic_gears::ToothCount;
+    /// # fn main() -> Result<(), epicyclic_gears::Error> {
+    /// assert_eq!(ToothCount::new(18)?.common_factor(ToothCount::new(36)?), 18);
+    /// assert_eq!(ToothCount::new(24)?.common_factor(ToothCount::new(95)?), 1);
+    /// # Ok(())
+    /// # }
+    /// ```
+    #[must_use]
+    pub fn common_factor(self, mate: Self) -> u32 {
+        let (mut one, mut other) = (self.get(), mate.get());
+        while other != 0 {
+            (one, other) = (other, one % other);
+        }
+        one
+    }
+
     /// The count as a factor.
     #[must_use]
     pub fn as_f64(self) -> f64 {

@@ -239,15 +239,18 @@ impl<'a> Prepared<'a> {
         let application =
             must_be_given(Symbol::Application, "it is a property of the machines that drive and are driven")?;
         let floating = self.method.floating;
-        let sharing = given.or(Side::First, Symbol::LoadSharing, floating.reference(), || {
-            match self.method.planets {
+        let reference = match self.method.planets {
+            Some(1) => part1("the mesh load factor, of one path of power"),
+            _ => floating.reference(),
+        };
+        let sharing =
+            given.or(Side::First, Symbol::LoadSharing, reference, || match self.method.planets {
                 Some(planets) => load::load_sharing(planets, floating),
                 None => Err(Error::MissingFactor {
                     symbol: Symbol::LoadSharing,
                     because: "give it, or the number of planets",
                 }),
-            }
-        })?;
+            })?;
         let swinging = self.swinging(self.speed(speed_rpm));
         let line_load = force * application.value * sharing.value / self.face_mm;
         let needs = |symbol| Error::MissingFactor {

@@ -451,8 +451,10 @@ impl<'a> Checks<'a> {
     /// Gears that do not mesh and whose tip circles overlap.
     fn planes(&self) -> Vec<ToothWarning> {
         let mut found = vec![];
-        let mut note = |gears: [GearOf; 2]| {
-            found.push(ToothWarning::DifferentPlanes { gears: gears.map(|gear| self.set.gear_name(gear)) });
+        let mut note = |gears: [GearOf; 2], gap: f64| {
+            let gap = if gap.abs() <= TOUCH { 0.0 } else { gap / self.module(gears[0]).unwrap_or(1.0) };
+            let gears = gears.map(|gear| self.set.gear_name(gear));
+            found.push(ToothWarning::DifferentPlanes { gears, gap });
         };
         for planet in 0..self.set.planets().len() {
             let Some(radius) = self.places.radii[planet] else { continue };
@@ -466,7 +468,7 @@ impl<'a> Checks<'a> {
                     let is_ring = matches!(central, GearOf::Central(place) if self.set.centrals()[place].kind == CentralKind::Ring);
                     let gap = if is_ring { of_central - radius - tip } else { radius - tip - of_central };
                     if gap <= TOUCH {
-                        note([gear, central]);
+                        note([gear, central], gap);
                     }
                 }
             }
@@ -480,8 +482,9 @@ impl<'a> Checks<'a> {
                         let pair = Neighbours { gears: [one, two], angle_rad: other_at - at, mesh: false };
                         let own = self.gap_at(&pair);
                         let others = self.steps.as_ref().and_then(|steps| self.gap(&pair, steps));
-                        if own.into_iter().chain(others).any(|gap| gap <= TOUCH) {
-                            note([one, two]);
+                        let least = own.into_iter().chain(others).min_by(f64::total_cmp);
+                        if let Some(gap) = least.filter(|gap| *gap <= TOUCH) {
+                            note([one, two], gap);
                         }
                     }
                 }

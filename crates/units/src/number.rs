@@ -111,7 +111,8 @@ impl schemars::JsonSchema for Number {
     }
 
     fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-        schemars::json_schema!({ "type": "number" })
+        let fraction = "^ *[-+−]?[0-9.]+ *[/:] *[0-9.]+ *$";
+        schemars::json_schema!({ "anyOf": [{ "type": "number" }, { "type": "string", "pattern": fraction }] })
     }
 }
 
@@ -120,12 +121,6 @@ impl schemars::JsonSchema for Number {
 /// # Errors
 /// [`QuantityError::UnexpectedUnit`] for `520 N·m`, and those of a number.
 pub fn parse_number(text: &str) -> Result<f64, QuantityError> {
-    if let Some((above, below)) = text.split_once(['/', ':'])
-        && let (Ok(above), Ok(below)) = (plain(above), plain(below))
-        && below != 0.0
-    {
-        return within(above / below, || text.trim().to_owned());
-    }
     let lexed = lex(text)?;
     if lexed.unit.is_empty() {
         return within(lexed.value, || text.trim().to_owned());
@@ -136,13 +131,6 @@ pub fn parse_number(text: &str) -> Result<f64, QuantityError> {
         Some(_) => Err(QuantityError::UnexpectedUnit { text: text.to_owned(), corrected }),
         None => Err(QuantityError::NotANumber { text: text.to_owned(), expected: None }),
     }
-}
-
-/// A number without a unit.
-fn plain(text: &str) -> Result<f64, QuantityError> {
-    let lexed = lex(text)?;
-    let not_plain = || QuantityError::NotANumber { text: text.to_owned(), expected: None };
-    if lexed.unit.is_empty() { Ok(lexed.value) } else { Err(not_plain()) }
 }
 
 /// The value, unless it is larger than any plain number may be.
@@ -165,8 +153,23 @@ pub(super) struct Lexed<'a> {
     pub(super) unit: &'a str,
 }
 
-/// Parts a text into number and unit; knows no units.
+/// Parts a text into number, or a fraction of two numbers, and unit; knows no units.
 pub(super) fn lex(text: &str) -> Result<Lexed<'_>, QuantityError> {
+    let text = text.trim();
+    let above = lex_number(text)?;
+    // No unit begins with a mark and a digit: `1/min` has its own 1, and `/min` no digit.
+    let Some(rest) = above.unit.strip_prefix(['/', ':']) else { return Ok(above) };
+    match lex_number(rest) {
+        Ok(below) if below.value != 0.0 && !below.unit.starts_with(['/', ':']) => Ok(Lexed {
+            number: text[..text.len() - below.unit.len()].trim_end(),
+            value: above.value / below.value,
+            unit: below.unit,
+        }),
+        _ => Ok(above),
+    }
+}
+
+fn lex_number(text: &str) -> Result<Lexed<'_>, QuantityError> {
     let text = text.trim();
     if text.is_empty() {
         return Err(QuantityError::Empty { expected: None });
@@ -336,6 +339,16 @@ mod tests {
         }
         for text in ["17/", "/3", "1/0", "17/3/2", "6:1:2", "1/min", "3 mm/2"] {
             assert!(parse_number(text).is_err(), "{text}");
+        }
+        for (text, number, value) in
+            [("3/4 in", "3/4", 0.75), ("100/3N·m", "100/3", 100.0 / 3.0), ("5/2 1/min", "5/2", 2.5)]
+        {
+            let lexed = lex(text).unwrap();
+            assert_eq!((lexed.number, lexed.value), (number, value), "{text}");
+        }
+        // These are no fractions.
+        for text in ["5 1/min", "5/min"] {
+            assert_eq!(lex(text).unwrap().value, 5.0, "{text}");
         }
     }
 

@@ -228,6 +228,8 @@ fn objections(report: &GearboxReport) -> Vec<String> {
         let others = gear.warnings.iter().filter(|warning| !is_told(warning.name));
         all.extend(others.map(|warning| format!("gear {}: {}", gear.gear.gear, warning.message)));
     }
+    let of_sheets = report.sheets.iter().flat_map(|sheets| &sheets.warnings);
+    all.extend(of_sheets.filter(|warning| !is_told(warning.name)).map(|warning| warning.message.clone()));
     all.extend(strength::objections(&report.strength));
     if let Some(of_sets) = &report.vibration {
         all.extend(vibration::objections(of_sets, &report.gears));

@@ -3,7 +3,7 @@
 use crate::shared::fault::refused;
 use crate::shared::gearbox::Gearbox;
 use epicyclic_formats::Path;
-use epicyclic_formats::gearbox::{GearboxFile, SetData, SetEntry};
+use epicyclic_formats::gearbox::{GearboxFile, SetData, SetEntry, keys_of};
 use epicyclic_gears::involute::PlanetSet;
 use epicyclic_train as train;
 use epicyclic_train::set::{SetKind, SetSpec};
@@ -14,21 +14,25 @@ use epicyclic_units::Physical;
 /// the file does not say enough of them.
 ///
 /// # Errors
-/// [`Error::Document`](crate::error::Error::Document) at the shifts.
+/// [`Error::Document`](crate::error::Error::Document) at the key that may hold the cause.
 pub(crate) fn gears(
     subject: &Gearbox,
     path: &Path,
     spec: &SetSpec,
 ) -> Result<Option<PlanetSet>, crate::error::Error> {
-    spec.toothed_set(&subject.rack)
-        .transpose()
-        .map_err(|error| refused(&subject.document, path, &["profile_shifts"], &error))
+    spec.toothed_set(&subject.rack).transpose().map_err(|error| at_key(subject, path, &error))
+}
+
+/// Error of teeth, at the key of the set that may hold its cause.
+fn at_key(subject: &Gearbox, set: &Path, error: &epicyclic_gears::Error) -> crate::error::Error {
+    let keys = keys_of(error).iter().find(|key| subject.document.has(&set.clone().key(**key)));
+    refused(&subject.document, set, keys.map_or(&[], std::slice::from_ref), error)
 }
 
 /// The gears of a set of a file in mesh; the key of what is missing, or `None` of bevel gears.
 ///
 /// # Errors
-/// [`Error::Document`](crate::error::Error::Document) at the shifts.
+/// [`Error::Document`](crate::error::Error::Document) at the key that may hold the cause.
 pub(crate) fn toothed(
     subject: &Gearbox,
     data: &SetData<'_>,
@@ -43,9 +47,7 @@ pub(crate) fn toothed(
         }
         Err(Untoothed::Shifts) => Err(Some("profile_shifts")),
         Err(Untoothed::Bevel) => Err(None),
-        Err(Untoothed::Refused(error)) => {
-            return Err(refused(&subject.document, &data.path, &["profile_shifts"], &error));
-        }
+        Err(Untoothed::Refused(error)) => return Err(at_key(subject, &data.path, &error)),
     })
 }
 

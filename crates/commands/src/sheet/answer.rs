@@ -19,7 +19,7 @@ use crate::shared::tooth_checks::answer::ToothChecks;
 use crate::shared::toothed::{lacking, toothed};
 use crate::strength::answer::names::MeshName;
 use epicyclic_formats::Document;
-use epicyclic_formats::gearbox::{GearboxFile, PerGear, SetData};
+use epicyclic_formats::gearbox::{GearboxFile, SetData};
 use epicyclic_gears::involute::play::Deviation;
 use epicyclic_gears::{Error as GearError, Quantity};
 use epicyclic_train::PlanetSet;
@@ -107,7 +107,7 @@ fn described(subject: &Gearbox, wanted: Option<&str>) -> Result<DataSheets, Erro
     }
     let tooth_checks =
         ToothChecks::of(subject.tooth_checks(), |of| sets.iter().any(|set: &SetSheet| set.set == of));
-    let warnings = tooth_checks.warnings().collect();
+    let warnings = tooth_checks.warnings().chain(sets.iter().flat_map(SetSheet::warnings)).collect();
     let at_output =
         if wanted.is_none() && !sets.is_empty() { output::of_gears(subject, &known)? } else { vec![] };
     Ok(DataSheets {
@@ -140,7 +140,7 @@ impl<'a> Of<'a> {
             self.data.of.iter().filter_map(|gear| Toothed::of(self.set, self.toothed, *gear)).collect();
         let balls = self.balls(&gears)?;
         let allowances = of.and_then(|of| of.thickness_allowances.as_ref());
-        let allowances = allowances.map(|given| self.given("thickness_allowances", given)).transpose()?;
+        let allowances = allowances.map(|given| self.data.of_gears(given));
         let allowances: Option<Vec<[f64; 2]>> = allowances.map(|all| {
             all.into_iter()
                 .map(|own| own.map_or([0.0; 2], |limits| limits.map(|limit| limit.0.si())))
@@ -172,13 +172,13 @@ impl<'a> Of<'a> {
             };
             self.refused(&["data_sheet", key], &error)
         };
-        let materials = self.data.strength.map(|strength| self.given("materials", &strength.materials));
-        let materials = materials.transpose()?;
+        let materials = self.data.strength.map(|strength| self.data.of_gears(&strength.materials));
         let material = |place: usize| materials.as_ref().and_then(|all| all[place].cloned());
         let sheets = gears.iter().zip(&balls).enumerate().map(|(place, (gear, ball))| {
             let allowance = allowed.as_ref().map(|allowed| allowed.thickness[place]);
             let sheet = GearSheet::of(gear, *ball, allowance)?;
-            Ok(GearSheet { material: material(place), ..sheet })
+            let face_width_m = self.data.face_widths[place].map(Physical::si);
+            Ok(GearSheet { face_width_m, material: material(place), ..sheet })
         });
         let mesh = |mesh: &ToothedMesh| {
             let width = self.data.common_width(mesh.gears).map(Physical::si);
@@ -207,16 +207,10 @@ impl<'a> Of<'a> {
         Ok((sheet, allowed))
     }
 
-    fn given<T>(&self, key: &'static str, values: &'a PerGear<T>) -> Result<Vec<Option<&'a T>>, Error> {
-        let given = values.given(self.set.id(), key, &self.data.gears);
-        let of = if key == "materials" { "strength" } else { "data_sheet" };
-        given.map_err(|error| self.refused(&[of, key], &error))
-    }
-
     /// Diameters of measuring balls in metres.
     fn balls(&self, gears: &[Toothed<'_>]) -> Result<Vec<f64>, Error> {
         let given = self.data.data_sheet.and_then(|of| of.ball_diameters.as_ref());
-        let given = given.map(|given| self.given("ball_diameters", given)).transpose()?;
+        let given = given.map(|given| self.data.of_gears(given));
         let refused = |why: Named<String>| Err(self.refused(&["data_sheet", "ball_diameters"], &why));
         let mut balls = vec![];
         for (place, Toothed { gear, module_m, name, .. }) in gears.iter().enumerate() {

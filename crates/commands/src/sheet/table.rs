@@ -206,6 +206,13 @@ fn gears(set: &SetSheet) -> Records {
             "d",
             each(&|gear| length(gear.reference_diameter_m)),
         ),
+        Line(
+            "face_width",
+            "face width",
+            "b",
+            // One of all gears stands with the set.
+            each(&|gear| if set.face_width_m.is_some() { Figure::None } else { lengths(gear.face_width_m) }),
+        ),
         Line("base_diameter", "base diameter", "d_b", each(&|gear| length(gear.base_diameter_m))),
         Line("tip_diameter", "tip diameter", "d_a", each(&|gear| length(gear.tip_diameter_m))),
         Line("root_diameter", "root diameter", "d_f", each(&|gear| length(gear.root_diameter_m))),
@@ -359,12 +366,24 @@ fn meshes(set: &SetSheet) -> Records {
             "j_bn",
             limit(|mesh| mesh.normal_backlash_limits_m, LOWER),
         ),
+        Line(
+            "common_factor",
+            "common factor of the teeth",
+            "",
+            each(&|mesh| Figure::Count(mesh.common_factor)),
+        ),
+        Line(
+            "turns_to_same_teeth",
+            "turns until two teeth meet again",
+            "",
+            each(&|mesh| Figure::Count(mesh.turns_to_same_teeth)),
+        ),
     ];
     table(
         "meshes",
         &set.set,
         &format!("Meshes of set {}, lengths in mm", set.set),
-        "",
+        "Turns: of the first gear, seen from the carrier. A common factor of 1 is a hunting tooth: every tooth meets every tooth of the mate.",
         &set.meshes.iter().map(|mesh| mesh.mesh.to_string()).collect::<Vec<_>>(),
         lines,
     )

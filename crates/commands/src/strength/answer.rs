@@ -49,6 +49,7 @@ use crate::shared::gearbox::Gearbox;
 use crate::shared::load::Load;
 use crate::shared::tooth_checks::answer::ToothChecks;
 use crate::strength::options::Request;
+use duty::WorkedStep;
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::{Document, Path};
 use epicyclic_strength::factor::Edition;
@@ -56,7 +57,7 @@ use epicyclic_strength::load::Floating;
 use epicyclic_strength::rating::rate;
 use epicyclic_train::{Gear, PlanetSet};
 use epicyclic_units::Physical;
-use load::SetLoad;
+use load::{SetLoad, SharedFlanks};
 use partly::Partly;
 use place::{Fault, located};
 use rated_set::RatedSet;
@@ -178,6 +179,7 @@ pub(crate) fn chapters(subject: &Gearbox, load: Load) -> Result<Vec<Strength>, E
 struct Found {
     safeties: Safeties,
     axial: Vec<AxialForce>,
+    shared: SharedFlanks,
     not_rated: Vec<NotRated>,
 }
 
@@ -255,6 +257,15 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
     if is_over_duty {
         bearings = bearings::rated(subject, &file, &steps, &peaks)?;
         found.axial = axial::over_duty(&sets, &steps, life);
+        for (set, WorkedStep(entry, worked)) in
+            sets.iter().flat_map(|set| steps.iter().map(move |step| (set, step)))
+        {
+            if let Some(Ok(load)) =
+                worked.as_ref().map(|worked| SetLoad::of(set, worked, Some(entry.speed.0)))
+            {
+                found.shared.add(set, &entry.gear, &load);
+            }
+        }
         for set in &sets {
             let rated = duty::rated(subject, set, &steps, life, request.factors);
             found.take(rated, |all| &mut all.over_duty, |row| row.against(Against::Duty))?;
@@ -269,12 +280,12 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
             }
         }
     }
-    let Found { safeties, axial, not_rated } = found;
+    let Found { safeties, axial, shared, not_rated } = found;
     let governing = safeties.governing(required);
     let load_sharing = sharing(subject, &file, &sets, &bearings);
     let uneven = load_sharing.iter().filter_map(LoadSharing::warning);
     let short_lived = bearings.iter().filter_map(|bearing| bearing.warning(life));
-    let helical = sets.iter().filter(|set| set.is_helical());
+    let helical = sets.iter().filter(|set| set.is_helical() && !set.set.is_pair());
     let helical: Vec<&str> = helical.map(|set| set.id).collect();
     let turning: Vec<&Worked<'_>> = steps.iter().filter_map(|step| step.1.as_ref()).collect();
     let is_asked =
@@ -286,6 +297,7 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
         .chain(short_lived)
         .chain(uneven)
         .chain(pins::warning(subject, &turning))
+        .chain(shared.warnings())
         .chain(tilting(&helical))
         .chain(tooth_checks.warnings())
         .collect();
@@ -341,7 +353,7 @@ fn at_point(
     found: &mut Found,
 ) -> Result<(), Error> {
     let input = request.load.input();
-    let speed = input.speed.ok_or(Error::LoadWithoutSpeed)?;
+    let speed = input.speed.filter(|speed| speed.si() != 0.0).ok_or(Error::LoadWithoutSpeed)?;
     let names: Vec<&str> = match &request.gear {
         Some(name) => vec![name],
         None => subject.train.gears().iter().map(Gear::name).collect(),
@@ -353,6 +365,7 @@ fn at_point(
             let load = load.map_err(|reason| Fault::Row(NotRated::new(set.id, reason).into()));
             if let Ok(load) = &load {
                 found.axial.extend(axial::of(set, name, None, load, life));
+                found.shared.add(set, name, load);
             }
             let meshes = load.and_then(|load| at_load(subject, set, &load, life));
             let rated = meshes.map(|Partly { rated, mut not_rated }| {

@@ -346,11 +346,12 @@ impl<P: PlanetSized> CompoundEntry<P> {
             tip_alterations: self.tip_alterations.as_ref(),
             face_widths: self.face_widths.as_ref(),
             tools: &self.tools,
-            shaper: self.strength.as_ref().and_then(|strength| strength.shaper.as_ref()),
+            strength: self.strength.as_ref(),
+            data_sheet: self.data_sheet.as_ref(),
             helix_angles: self.meshes.iter().enumerate().map(helix_angle).collect(),
             is_known: !self.proportional && self.planet_gears.values().all(|teeth| !teeth.is_empty()),
         };
-        let tooth_shape = shape.tooth_shape(rack, faults);
+        let (tooth_shape, is_sound) = faults.sound(|faults| shape.tooth_shape(rack, faults));
         let spec = CompoundSpec {
             id: self.id.clone(),
             tooth_shape,
@@ -363,7 +364,10 @@ impl<P: PlanetSized> CompoundEntry<P> {
             proportional: self.proportional,
         };
         let mut spec = spec.spaced(spacing);
-        self.add_friction(&mut spec, rack, friction, faults);
+        // Friction of teeth with a fault would only repeat it.
+        if is_sound {
+            self.add_friction(&mut spec, rack, friction, faults);
+        }
         spec
     }
 

@@ -1,6 +1,8 @@
 //! Values of the gears of a set, in their order or by their names.
 
 use super::DescriptionError;
+use crate::faults::Faults;
+use crate::{Path, nearest};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_train::set::SetKind;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -79,7 +81,34 @@ impl Gears {
 
     pub(super) fn unknown(&self, set: &str, key: &'static str, gear: &str) -> DescriptionError {
         let gears = self.names.join(", ");
-        DescriptionError::NoSuchGear { set: set.to_owned(), key, gear: gear.to_owned(), gears }
+        // Answers put the kind before the name of a central gear: `ring drum`.
+        let meant = self.names.iter().find(|name| gear.ends_with(&format!(" {name}"))).map(String::as_str);
+        let meant = meant.or_else(|| nearest(gear, &self.names)).map(str::to_owned);
+        DescriptionError::NoSuchGear { set: set.to_owned(), key, gear: gear.to_owned(), gears, meant }
+    }
+
+    /// Adds what is wrong with the gears of values, at the name that is wrong; whether nothing is.
+    pub(super) fn check<T>(
+        &self,
+        set: &str,
+        (at, key): (Path, &'static str),
+        values: &PerGear<T>,
+        faults: &mut Faults,
+    ) -> bool {
+        match values.given(set, key, self) {
+            Ok(_) => true,
+            Err(DescriptionError::NoSuchGear { .. }) => {
+                let PerGear::Named(values) = values else { return false };
+                for gear in values.keys().filter(|gear| !self.names.contains(gear)) {
+                    faults.push(at.clone().key(gear), self.unknown(set, key, gear));
+                }
+                false
+            }
+            Err(error) => {
+                faults.push(at, error);
+                false
+            }
+        }
     }
 }
 

@@ -71,17 +71,23 @@ pub(super) const fn keys_of_part(part: SetPart) -> Keys {
 }
 
 /// Keys of a set that may hold the cause of an error of its gears.
-pub(super) fn keys_of(error: &epicyclic_gears::Error) -> Keys {
+#[must_use]
+pub fn keys_of(error: &epicyclic_gears::Error) -> Keys {
     use epicyclic_gears::Error as E;
     match error {
         E::Efficiency { .. } | E::EfficiencyTooSmall { .. } => &["efficiency", "meshes", "friction"],
         E::NoTeeth => &["teeth"],
         E::NotAbove { quantity: Quantity::ContactRatio, .. } => &["profile_shifts", "teeth"],
+        E::ShiftOutOfRange { tip_alteration, .. } if *tip_alteration != 0.0 => {
+            &["tip_alterations", "profile_shifts", "tools", "teeth"]
+        }
         E::ShiftOutOfRange { .. } | E::ShiftSumOutOfRange { .. } => &["profile_shifts", "tools", "teeth"],
+        E::NotAbove { quantity: Quantity::CentreDistance, .. } => &["modules", "profile_shifts", "teeth"],
+        E::HelixAnglesDiffer { .. } => &["helix_angles", "helix_angle"],
         E::Uncut { .. } => &["tools", "strength", "teeth"],
         E::NotPositive { quantity, .. } | E::OutOfRange { quantity, .. } => match quantity {
-            Quantity::Module => &["module"],
-            Quantity::HelixAngle => &["helix_angle"],
+            Quantity::Module => &["module", "modules"],
+            Quantity::HelixAngle => &["helix_angle", "helix_angles"],
             Quantity::CarrierRadius => &["carrier_radius"],
             Quantity::FaceWidth | Quantity::Width => &["face_width"],
             Quantity::PlanetBore | Quantity::BoreDiameter => &["planet_bore"],

@@ -74,11 +74,13 @@ impl SetEntry {
             tip_alterations: self.tip_alterations.as_ref(),
             face_widths: self.face_widths.as_ref(),
             tools: &self.tools,
-            shaper: self.strength.as_ref().and_then(|strength| strength.shaper.as_ref()),
+            strength: self.strength.as_ref(),
+            data_sheet: self.data_sheet.as_ref(),
             helix_angles: self.helix_angles(kind, faults),
             is_known: self.teeth.is_some() && known == planet_gears && kind != SetKind::Bevel,
         };
-        spec.tooth_shape = shape.tooth_shape(rack, faults);
+        let (tooth_shape, is_sound) = faults.sound(|faults| shape.tooth_shape(rack, faults));
+        spec.tooth_shape = tooth_shape;
         self.of_each_mesh("modules", kind, self.modules.as_deref(), faults);
         if self.modules.is_some() && self.module.is_some() {
             let twice = DescriptionError::Twice { set: set(), first: "module", second: "modules" };
@@ -91,6 +93,10 @@ impl SetEntry {
             let at = &["helix_angle", "helix_angles"][..];
             faults.push(at, DescriptionError::HelixAngle { set: set(), missing });
             spec.tooth_shape.helix_angles.clear();
+        }
+        // Friction of teeth with a fault would only repeat it.
+        if !is_sound {
+            return Some(spec);
         }
         let whole = self.with_friction(spec.clone(), rack, friction, faults);
         Some(whole.unwrap_or(spec))

@@ -44,6 +44,12 @@ impl SetData<'_> {
         self.of.iter().position(|one| *one == gear).unwrap_or_default()
     }
 
+    /// Values of the gears, as far as they are given; those of wrong names are refused where the set is read.
+    #[must_use]
+    pub fn of_gears<'v, T>(&self, values: &'v PerGear<T>) -> Vec<Option<&'v T>> {
+        of_gears(values, &self.gears)
+    }
+
     /// Common face width of two gears in mesh.
     #[must_use]
     pub fn common_width(&self, gears: [GearOf; 2]) -> Option<Length> {
@@ -133,13 +139,16 @@ fn bores(
     gears.names.iter().zip(of_kind).map(|(name, of_kind)| own(name).or(of_kind)).collect()
 }
 
-/// Face width of each gear; those of wrong names are refused where the set is read.
+fn of_gears<'v, T>(values: &'v PerGear<T>, gears: &Gears) -> Vec<Option<&'v T>> {
+    values.given("", "", gears).unwrap_or_else(|_| vec![None; gears.names.len()])
+}
+
+/// Face width of each gear.
 fn widths(
     of_all: Option<Quantity<Length>>,
     own: Option<&PerGear<Quantity<Length>>>,
     gears: &Gears,
 ) -> Vec<Option<Length>> {
-    let own = own.and_then(|own| own.given("", "face_widths", gears).ok());
-    let own = own.unwrap_or_else(|| vec![None; gears.names.len()]);
+    let own = own.map_or_else(|| vec![None; gears.names.len()], |own| of_gears(own, gears));
     own.into_iter().map(|own| own.copied().or(of_all).map(|width| width.0)).collect()
 }

@@ -1,7 +1,7 @@
 //! Keys of a set that shape its teeth: profile shifts, tip alterations, helix angles, tools, face widths.
 
 use super::per_gear::{Gears, PerGear};
-use super::{DescriptionError, ShaperEntry, ToolEntry, ToolMisfit};
+use super::{DataSheetEntry, DescriptionError, StrengthEntry, ToolEntry, ToolMisfit};
 use crate::Path;
 use crate::faults::Faults;
 use epicyclic_gears::geometry::GearKind;
@@ -21,11 +21,12 @@ pub(super) struct Shape<'e> {
     pub(super) gears: &'e Gears,
     pub(super) profile_shifts: Option<&'e PerGear<Number>>,
     pub(super) tip_alterations: Option<&'e PerGear<Number>>,
-    /// They shape no profile, but their names are checked here.
-    pub(super) face_widths: Option<&'e PerGear<Quantity<Length>>>,
     pub(super) tools: &'e BTreeMap<String, ToolEntry>,
-    /// Shaper of the strength, which cuts internal gears without a tool of their own.
-    pub(super) shaper: Option<&'e ShaperEntry>,
+    /// They shape no profile, but their names are checked here, as those of the strength and the data sheet.
+    pub(super) face_widths: Option<&'e PerGear<Quantity<Length>>>,
+    /// Its shaper cuts internal gears without a tool of their own.
+    pub(super) strength: Option<&'e StrengthEntry>,
+    pub(super) data_sheet: Option<&'e DataSheetEntry>,
     /// Helix angle of each mesh, with the path of its key.
     pub(super) helix_angles: Vec<(Angle, Path)>,
     /// Whether the teeth of all gears are known.
@@ -36,13 +37,48 @@ impl Shape<'_> {
     /// Teeth of the set beyond their numbers; what has a fault is left out. Tools are checked with a rack
     /// alone.
     pub(super) fn tooth_shape(&self, rack: Option<&BasicRack>, faults: &mut Faults) -> ToothShape {
-        if let Some(widths) = self.face_widths {
-            faults.keep("face_widths", widths.given(self.set, "face_widths", self.gears));
-        }
+        self.check_names(faults);
         ToothShape {
             shifts: self.shifts(faults),
             helix_angles: self.checked_angles(faults),
             cutting: self.cutting(rack, faults).unwrap_or_default(),
+        }
+    }
+
+    /// Adds values of gears that the set has not, and lists of another length.
+    fn check_names(&self, faults: &mut Faults) {
+        let (set, gears) = (self.set, self.gears);
+        let at = |keys: &[&'static str]| {
+            (keys.iter().fold(Path::root(), |path, key| path.key(*key)), keys[keys.len() - 1])
+        };
+        if let Some(widths) = self.face_widths {
+            gears.check(set, at(&["face_widths"]), widths, faults);
+        }
+        if let Some(of) = self.strength {
+            gears.check(set, at(&["strength", "materials"]), &of.materials, faults);
+            gears.check(set, at(&["strength", "flank_roughness"]), &of.flank_roughness, faults);
+            gears.check(set, at(&["strength", "root_roughness"]), &of.root_roughness, faults);
+        }
+        if let Some(of) = self.strength.and_then(|of| of.accuracy.as_ref()) {
+            let lists =
+                [("pitch_deviations", &of.pitch_deviations), ("profile_deviations", &of.profile_deviations)];
+            for (key, values) in lists {
+                let (at, key) = at(&["strength", "accuracy", key]);
+                let is_right = gears.check(set, (at.clone(), key), values, faults);
+                if let PerGear::Named(values) = values
+                    && let Some(gear) =
+                        gears.names.iter().find(|gear| is_right && !values.contains_key(*gear))
+                {
+                    let (set, gear) = (set.to_owned(), gear.clone());
+                    faults.push(at, DescriptionError::GearLacks { set, key, gear });
+                }
+            }
+        }
+        if let Some(balls) = self.data_sheet.and_then(|of| of.ball_diameters.as_ref()) {
+            gears.check(set, at(&["data_sheet", "ball_diameters"]), balls, faults);
+        }
+        if let Some(allowances) = self.data_sheet.and_then(|of| of.thickness_allowances.as_ref()) {
+            gears.check(set, at(&["data_sheet", "thickness_allowances"]), allowances, faults);
         }
     }
 
@@ -56,7 +92,10 @@ impl Shape<'_> {
             return None;
         };
         let mut of = |key: &'static str, values: &PerGear<Number>| {
-            let values = faults.keep(key, values.given(self.set, key, self.gears))?;
+            if !self.gears.check(self.set, (Path::root().key(key), key), values, faults) {
+                return None;
+            }
+            let values = values.given(self.set, key, self.gears).ok()?;
             Some(values.into_iter().map(|value| value.map_or(0.0, |value| value.get())).collect::<Vec<_>>())
         };
         let tips = self.tip_alterations.map(|tips| of("tip_alterations", tips));
@@ -84,7 +123,8 @@ impl Shape<'_> {
     }
 
     fn cutting(&self, rack: Option<&BasicRack>, faults: &mut Faults) -> Option<Vec<Cutting>> {
-        if self.tools.is_empty() && self.shaper.is_none() {
+        let shaper = self.strength.and_then(|strength| strength.shaper.as_ref());
+        if self.tools.is_empty() && shaper.is_none() {
             return None;
         }
         // Bevel gears have no tools here.
@@ -105,7 +145,7 @@ impl Shape<'_> {
         for (name, kind) in self.gears.names.iter().zip(&self.gears.kinds) {
             let Some(kind) = *kind else { continue };
             let (own, way) = (self.tools.get(name), Path::root().key("tools").key(name));
-            let shaper = self.shaper.filter(|_| kind == GearKind::Internal);
+            let shaper = shaper.filter(|_| kind == GearKind::Internal);
             let made = match (shaper, own) {
                 (Some(shaper), None) => shaper
                     .cutting()

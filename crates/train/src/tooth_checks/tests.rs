@@ -75,6 +75,7 @@ fn a_ravigneaux_set_has_the_slots_of_all_its_central_gears() {
     let all = gearbox.set_checks(&BasicRack::default(), |_| vec![]).checks;
     let planes = all.iter().find(|check| check.rule == "planes").unwrap();
     assert_eq!(planes.severity, Severity::Remark);
+    assert!(planes.value < -0.1 && planes.unit == "modules", "{planes:?}");
     assert_eq!(
         planes.miss.as_deref(),
         Some("short and sun b must lie in different planes: their tip circles overlap")

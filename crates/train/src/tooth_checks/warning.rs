@@ -118,6 +118,8 @@ pub(super) enum ToothWarning {
     DifferentPlanes {
         /// The gears.
         gears: [String; 2],
+        /// Gap of the tip circles, 0 or below, in modules of the first gear.
+        gap: f64,
     },
 }
 
@@ -189,7 +191,9 @@ impl ToothWarning {
             Self::ShiftsRefused { .. } => {
                 ("teeth", 0.0, 1.0, "", "change `profile_shifts` or `tip_alterations`")
             }
-            Self::DifferentPlanes { .. } => ("planes", 0.0, 0.0, "", "lay the gears beside each other"),
+            Self::DifferentPlanes { gap, .. } => {
+                ("planes", *gap, 0.0, "modules", "lay the gears beside each other")
+            }
         }
     }
 }

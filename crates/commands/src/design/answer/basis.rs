@@ -6,7 +6,7 @@ use crate::shared::fault::{Named, refused};
 use crate::strength::answer::factors;
 use epicyclic_formats::gearbox::Gears;
 use epicyclic_formats::yaml::Value;
-use epicyclic_formats::{Document, Path};
+use epicyclic_formats::{Document, Faults, Path};
 use epicyclic_strength::factor::Symbol;
 use epicyclic_train::set::SetKind;
 
@@ -56,8 +56,14 @@ impl Basis {
             refused(document, &Path::root(), &[], &Named("missing-key", message))
         })?;
         let gears = Gears::of_kind(SetKind::Simple).names;
-        let meshes = [0, 1].map(|first: usize| gears[first..first + 2].join("-"));
-        factors::check(document, &of.clone().key("strength"), &gears, &meshes)?;
+        let meshes = [0, 1].map(|first: usize| [first, first + 1].map(|gear| gears[gear].clone()));
+        let kinds = ["sun", "planet", "ring"];
+        let named = factors::Named { set: "of a design", gears: &gears, meshes: &meshes, kinds: &kinds };
+        let mut faults = Faults::default();
+        named.check(document, &of.clone().key("strength"), &mut faults);
+        if !faults.is_empty() {
+            return Err(faults.placed(document, &Path::root()).into());
+        }
         let tools = document.value_at(&of.key("tools")).cloned();
         let own = |key: &&str| Some(((*key).to_owned(), file.get(*key)?.clone()));
         Ok(Self { strength: strength.clone(), tools, keys: KEYS.iter().filter_map(own).collect() })

@@ -1,8 +1,9 @@
 //! Records of data sheets: gears, meshes, sets.
 
+use crate::answer::Warning;
 use crate::shared::tool::{CuttingTool, ToolKind};
 use crate::strength::answer::names::MeshName;
-use crate::tolerance::SAME;
+use crate::tolerance::{PRESSED_M, SAME};
 use epicyclic_gears::Error;
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::InvoluteGear;
@@ -11,6 +12,7 @@ use epicyclic_train::PlanetSet;
 use epicyclic_train::planet_set::GearOf;
 use epicyclic_train::toothed::{ToothedMesh, ToothedSet};
 use epicyclic_units::Physical;
+use epicyclic_units::format::significant;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -199,6 +201,8 @@ pub struct GearSheet {
     pub over_balls_m: Option<f64>,
     /// Measure over two balls `M_dK` with the allowances, in m; null without allowances.
     pub over_balls_limits_m: Option<Limits>,
+    /// Face width in m; null if the file gives none.
+    pub face_width_m: Option<f64>,
     /// Name of the material; null if the file gives none.
     pub material: Option<String>,
     /// Kind of the tool that cuts the gear.
@@ -246,6 +250,11 @@ pub struct MeshSheet {
     pub centre_distance_m: f64,
     /// Working transverse pressure angle `α_wt`, in rad.
     pub working_angle_rad: f64,
+    /// Greatest common factor of both tooth numbers; 1 where every tooth meets every tooth of the mate.
+    pub common_factor: u32,
+    /// Turns of the first gear after which the same two teeth meet again, of a planet set relative to the
+    /// carrier.
+    pub turns_to_same_teeth: u32,
     /// Transverse contact ratio `ε_α`.
     pub contact_ratio: f64,
     /// Overlap ratio `ε_β` of the face width, 0 for spur teeth; null if the file gives no face width.
@@ -287,6 +296,20 @@ impl SetSheet {
             gears,
             meshes,
         }
+    }
+
+    /// Meshes whose flanks overlap within the allowances and deviations of the file.
+    pub(super) fn warnings(&self) -> impl Iterator<Item = Warning> {
+        let tight = self.meshes.iter().filter_map(|mesh| Some((mesh, mesh.backlash_limits_m?)));
+        tight.filter(|(_, limits)| limits.lower < -PRESSED_M).map(|(mesh, limits)| {
+            let [least, most] = [limits.lower, limits.upper].map(|backlash| significant(1e3 * backlash, 3));
+            let message = format!(
+                "set `{}`: the flanks of {} press into each other within the allowances and deviations: backlash {least} to {most} mm; lower `thickness_allowances`, or raise `centre_distance_deviations`",
+                self.set,
+                mesh.mesh.gears.join(" and "),
+            );
+            Warning { name: "backlash", message }
+        })
     }
 }
 
@@ -334,6 +357,7 @@ impl GearSheet {
             ball_diameter_m: ball_m,
             over_balls_m: over(gear),
             over_balls_limits_m: over_limits.map(sorted),
+            face_width_m: None,
             material: None,
             tool: tool.kind,
             tool_stated: gear.profile().tool.is_some(),
@@ -364,6 +388,8 @@ impl MeshSheet {
         let overlap_ratio = face_width_m.map(|width| pair.overlap_ratio(width / module_m));
         let (working, roots) = (pair.working_diameters(), pair.active_root_diameters());
         let (clearances, sliding) = (pair.tip_clearances(), pair.specific_sliding());
+        let [first, second] = pair.gears().map(|gear| gear.teeth());
+        let common_factor = first.common_factor(second);
         let gears = mesh.gears.iter().enumerate().map(|(place, toothed_gear)| GearInMesh {
             toothed_gear: toothed_gear.clone(),
             working_diameter_m: module_m * working[place],
@@ -378,6 +404,8 @@ impl MeshSheet {
             helix_angle_rad: pair.gears()[0].profile().helix_angle.si(),
             centre_distance_m: module_m * pair.centre_distance(),
             working_angle_rad: pair.working_angle_rad(),
+            common_factor,
+            turns_to_same_teeth: second.get() / common_factor,
             contact_ratio: pair.transverse_contact_ratio(),
             overlap_ratio,
             total_contact_ratio: overlap_ratio.map(|overlap| overlap + pair.transverse_contact_ratio()),

@@ -3,9 +3,11 @@
 use super::rated_set::RatedSet;
 use super::records::Reason;
 use crate::analyze::answer::Worked;
+use crate::answer::Warning;
 use crate::tolerance::{ROUNDED, rounded};
 use epicyclic_strength::mesh::Load;
 use epicyclic_train::mesh_loads::MeshLoad;
+use epicyclic_train::planet_set::GearOf;
 use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Time, Torque};
 
@@ -67,21 +69,78 @@ impl SetLoad {
         Self { torques: vec![0.0; set.set.members().len()], speed: AngularVelocity::from_si(0.0) }
     }
 
+    /// Torques of the meshes of the set, in its order; 0 where only a rounding error is left.
+    fn of_meshes(&self, set: &RatedSet<'_>) -> Vec<MeshLoad> {
+        let largest = self.torques.iter().fold(0.0, |largest: f64, torque| largest.max(torque.abs()));
+        // A mesh without load has what rounding leaves of torques that cancel.
+        let clean = |torque: f64| if torque.abs() <= ROUNDED * largest { 0.0 } else { torque };
+        let loads = set.set.mesh_loads(&self.torques).unwrap_or_default().into_iter();
+        loads.map(|load| MeshLoad { torques: load.torques.map(clean), ..load }).collect()
+    }
+
+    /// Gears of which several meshes load one flank.
+    pub(super) fn shared_flanks(&self, set: &RatedSet<'_>) -> Vec<GearOf> {
+        let loads = self.of_meshes(set);
+        let is_shared = |gear: &GearOf| {
+            let torque = |(mesh, load): (usize, &MeshLoad)| {
+                let end = set.set.gears_of_mesh(mesh).iter().position(|one| one == gear)?;
+                Some(load.torques[end])
+            };
+            let torques: Vec<f64> = loads.iter().enumerate().filter_map(torque).collect();
+            [1.0, -1.0].iter().any(|flank| torques.iter().filter(|torque| **torque * flank > 0.0).count() > 1)
+        };
+        set.set.gears().into_iter().filter(is_shared).collect()
+    }
+
     /// Loads of the meshes of the set, in its order.
     pub(super) fn meshes(&self, set: &RatedSet<'_>, life: Time) -> Vec<Load> {
-        let loads = set.set.mesh_loads(&self.torques).unwrap_or_default();
-        let largest = self.torques.iter().fold(0.0, |largest: f64, torque| largest.max(torque.abs()));
         let load = |load: MeshLoad| Load {
-            // A mesh without load has what rounding leaves of torques that cancel.
-            torque: Torque::from_si(if load.torques[0].abs() <= ROUNDED * largest {
-                0.0
-            } else {
-                load.torques[0].abs()
-            }),
+            torque: Torque::from_si(load.torques[0].abs()),
             speed: AngularVelocity::from_si((self.speed.si() * load.speeds[0]).abs()),
             life,
             contacts: load.contacts,
         };
-        loads.into_iter().map(load).collect()
+        self.of_meshes(set).into_iter().map(load).collect()
+    }
+}
+
+/// A gear of which several meshes load one flank, and the gears of the gearbox in which they do.
+pub(super) struct SharedFlank {
+    set: String,
+    toothed_gear: String,
+    gears: Vec<String>,
+}
+
+/// Gears of which several meshes load one flank, each once.
+#[derive(Default)]
+pub(super) struct SharedFlanks(Vec<SharedFlank>);
+
+impl SharedFlanks {
+    /// Adds those of a set in a gear.
+    pub(super) fn add(&mut self, set: &RatedSet<'_>, gear: &str, load: &SetLoad) {
+        for of in load.shared_flanks(set) {
+            let name = set.set.gear_name(of);
+            let known = self.0.iter_mut().find(|one| one.set == set.id && one.toothed_gear == name);
+            match known {
+                Some(one) if one.gears.iter().any(|known| known == gear) => {}
+                Some(one) => one.gears.push(gear.to_owned()),
+                None => self.0.push(SharedFlank {
+                    set: set.id.to_owned(),
+                    toothed_gear: name,
+                    gears: vec![gear.to_owned()],
+                }),
+            }
+        }
+    }
+
+    pub(super) fn warnings(&self) -> impl Iterator<Item = Warning> {
+        self.0.iter().map(|SharedFlank { set, toothed_gear, gears }| Warning {
+            name: "shared-flank",
+            message: format!(
+                "set {set}: several meshes load the same flank of the {toothed_gear} in {} {}; each is rated alone, and their damage together is more",
+                if gears.len() == 1 { "gear" } else { "gears" },
+                gears.join(", ")
+            ),
+        })
     }
 }

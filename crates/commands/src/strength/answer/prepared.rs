@@ -1,7 +1,7 @@
 //! Simple sets of a file with all data that their strength needs but their size.
 
 use super::materials::check_materials;
-use super::rated_set::Of;
+use super::rated_set::{Of, check_factors};
 use super::records::{NotRated, Reason};
 use crate::error::Error;
 use crate::shared::gearbox::Gearbox;
@@ -52,6 +52,7 @@ pub(crate) fn sets_to_size<'g>(
     file: &'g GearboxFile,
 ) -> Result<(Vec<SetToSize<'g>>, Vec<NotRated>), Error> {
     check_materials(&subject.document, file)?;
+    check_factors(subject, file)?;
     let (mut all, mut not_rated) = (vec![], vec![]);
     for (place, set) in subject.train.sets().iter().enumerate() {
         let entry = file.sets.iter().find(|entry| entry.id == set.id());
@@ -61,7 +62,6 @@ pub(crate) fn sets_to_size<'g>(
             continue;
         };
         let of = Of { subject, file, set, data };
-        of.check_factors()?;
         match of.to_size(place, entry, spec)? {
             Ok(one) => all.push(one),
             Err(missing) => {
@@ -84,13 +84,9 @@ impl<'a> Of<'a> {
         let shaper = self.shaper();
         let viscosity = self.file.oil.as_ref().map(|oil| oil.viscosity.0);
         let planet = spec.planet.or_else(|| coaxial(spec));
-        let methods = match strength {
-            Some(strength) => {
-                let method = |first: usize| self.method(strength, [GEARS[first], GEARS[first + 1]]);
-                Some([method(0)?, method(1)?])
-            }
-            None => None,
-        };
+        let methods = strength.map(|strength| {
+            [0, 1].map(|first: usize| self.method(strength, [GEARS[first], GEARS[first + 1]]))
+        });
         // Allowed tooth deviations hold for one size, so they cannot replace given factors here.
         let is_given = |symbol| {
             strength.is_none_or(|strength| strength.accuracy.is_none())
@@ -119,7 +115,7 @@ impl<'a> Of<'a> {
             methods,
             factors.iter().all(|(_, is_given)| *is_given),
         ) {
-            let per_gear = self.per_gear(strength)?;
+            let per_gear = self.per_gear(strength);
             let lacks = self.lacks(&per_gear);
             if !lacks.is_empty() {
                 return Ok(Err(lacks));

@@ -5,11 +5,10 @@ use super::materials::{check_materials, floating, material};
 use super::names::MeshName;
 use super::records::{NotRated, Reason};
 use crate::error::Error;
-use crate::shared::fault::{Fault, Named, refused};
 use crate::shared::gearbox::Gearbox;
 use crate::shared::toothed::{lacking, toothed};
-use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::{GearboxFile, PerGear, SetData, StrengthEntry};
+use epicyclic_formats::{Faults, Path};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_strength::factor::{Given, Side, Symbol};
 use epicyclic_strength::load::{Arrangement, Dynamics, Floating};
@@ -65,11 +64,11 @@ pub(crate) fn sets<'g>(
     file: &'g GearboxFile,
 ) -> Result<(Vec<RatedSet<'g>>, Vec<NotRated>), Error> {
     check_materials(&subject.document, file)?;
+    check_factors(subject, file)?;
     let (mut all, mut not_rated) = (vec![], vec![]);
     for (place, set) in subject.train.sets().iter().enumerate() {
         let Some(data) = file.set_data(set) else { continue };
         let of = Of { subject, file, set, data };
-        of.check_factors()?;
         match of.meshes()? {
             Ok(meshes) => {
                 let path = of.data.path.clone();
@@ -81,11 +80,34 @@ pub(crate) fn sets<'g>(
     Ok((all, not_rated))
 }
 
+/// Refuses wrong names and values under the keys of factors, of all sets at once.
+pub(super) fn check_factors(subject: &Gearbox, file: &GearboxFile) -> Result<(), Error> {
+    let mut faults = Faults::default();
+    for set in subject.train.sets() {
+        let Some(data) = file.set_data(set) else { continue };
+        let meshes: Vec<[String; 2]> = (0..set.meshes().len())
+            .map(|mesh| set.gears_of_mesh(mesh).map(|gear| data.gears.names[data.place(gear)].clone()))
+            .collect();
+        let kind = |gear: &GearOf| match (gear, set.gear_kind(*gear)) {
+            (GearOf::Planet(..), _) => Some("planet"),
+            (_, Some(GearKind::Internal)) => Some("ring"),
+            // A gear of a pair is no sun.
+            (_, Some(GearKind::External)) if !set.is_pair() => Some("sun"),
+            _ => None,
+        };
+        let kinds: Vec<&str> = data.of.iter().filter_map(kind).collect();
+        let named =
+            factors::Named { set: set.id(), gears: &data.gears.names, meshes: &meshes, kinds: &kinds };
+        named.check(&subject.document, &data.path.clone().key("strength"), &mut faults);
+    }
+    if faults.is_empty() { Ok(()) } else { Err(faults.placed(&subject.document, &Path::root()).into()) }
+}
+
 /// Prepared part, or why the set is not rated.
 type Made<T> = Result<Result<T, NotRated>, Error>;
 
-/// Factors by their symbols, and the keys that lead to them.
-type Factors<'f> = (Vec<&'f str>, &'f BTreeMap<String, Number>);
+/// Factors by their symbols.
+type Factors<'f> = &'f BTreeMap<String, Number>;
 
 /// Set of the file.
 pub(super) struct Of<'a> {
@@ -110,16 +132,6 @@ impl PerGearData<'_> {
 }
 
 impl<'a> Of<'a> {
-    /// Refuses wrong names under the keys of factors.
-    pub(super) fn check_factors(&self) -> Result<(), Error> {
-        let name = |mesh: usize| {
-            let gears = self.set.gears_of_mesh(mesh).map(|gear| self.data.place(gear));
-            gears.map(|place| self.data.gears.names[place].as_str()).join("-")
-        };
-        let meshes: Vec<String> = (0..self.set.meshes().len()).map(name).collect();
-        factors::check(&self.subject.document, &self.strength_path(&[]), &self.data.gears.names, &meshes)
-    }
-
     fn meshes(&self) -> Made<Vec<RatedMesh>> {
         let missing = |keys: Vec<String>| NotRated {
             missing: keys,
@@ -141,7 +153,7 @@ impl<'a> Of<'a> {
             (&toothed, strength, viscosity, has_planets && has_widths && !(has_ring && shaper.is_none()))
             && data.modules.iter().any(Option::is_some)
         {
-            let per_gear = self.per_gear(strength)?;
+            let per_gear = self.per_gear(strength);
             let lacks = self.lacks(&per_gear);
             if !lacks.is_empty() {
                 return Ok(Err(missing(lacks)));
@@ -151,38 +163,29 @@ impl<'a> Of<'a> {
             return Ok(Ok(meshes.collect::<Result<_, _>>()?));
         }
         let key = toothed.as_ref().err().copied().unwrap_or_default();
+        // Where some gears have a width of their own, those of the others are named.
+        let is_any = data.face_widths.iter().any(Option::is_some);
+        let widths =
+            data.gears.names.iter().zip(&data.face_widths).filter(|(_, width)| is_any && width.is_none());
+        let widths = widths.map(|(gear, _)| format!("face_widths.{gear}"));
         let known = [
             (key, toothed.is_ok()),
             ("planets", has_planets),
             ("module", data.modules.iter().any(Option::is_some)),
-            ("face_width", has_widths),
+            ("face_width", has_widths || is_any),
             ("strength", strength.is_some()),
             ("strength.shaper", !has_ring || strength.is_none() || shaper.is_some()),
             ("oil", viscosity.is_some()),
         ];
-        Ok(Err(missing(lacking(&known))))
+        Ok(Err(missing(lacking(&known).into_iter().chain(widths).collect())))
     }
 
-    pub(super) fn per_gear(&self, strength: &'a StrengthEntry) -> Result<PerGearData<'a>, Error> {
-        Ok(PerGearData {
-            materials: self.given("materials", &strength.materials)?,
-            flank_roughness: self.given("flank_roughness", &strength.flank_roughness)?,
-            root_roughness: self.given("root_roughness", &strength.root_roughness)?,
-        })
-    }
-
-    fn given<T>(&self, key: &'static str, values: &'a PerGear<T>) -> Result<Vec<Option<&'a T>>, Error> {
-        self.given_at(&["strength", key], key, values)
-    }
-
-    fn given_at<T>(
-        &self,
-        keys: &[&str],
-        key: &'static str,
-        values: &'a PerGear<T>,
-    ) -> Result<Vec<Option<&'a T>>, Error> {
-        let given = values.given(self.set.id(), key, &self.data.gears);
-        given.map_err(|error| self.refused(keys, &error))
+    pub(super) fn per_gear(&self, strength: &'a StrengthEntry) -> PerGearData<'a> {
+        PerGearData {
+            materials: self.data.of_gears(&strength.materials),
+            flank_roughness: self.data.of_gears(&strength.flank_roughness),
+            root_roughness: self.data.of_gears(&strength.root_roughness),
+        }
     }
 
     /// Keys of gears for which nothing is given.
@@ -240,25 +243,25 @@ impl<'a> Of<'a> {
             },
             method: Method {
                 planets: if self.set.is_pair() { Some(1) } else { self.set.planet_count() },
-                dynamics: self.dynamics(strength, gears)?,
-                ..self.method(strength, gears)?
+                dynamics: self.dynamics(strength, gears),
+                ..self.method(strength, gears)
             },
         })
     }
 
     /// Method of calculation of a mesh, without the number of planets and what follows from the size.
-    pub(super) fn method(&self, strength: &'a StrengthEntry, gears: [GearOf; 2]) -> Result<Method, Error> {
+    pub(super) fn method(&self, strength: &'a StrengthEntry, gears: [GearOf; 2]) -> Method {
         let names = gears.map(|gear| self.data.gears.names[self.data.place(gear)].clone());
         let of_mesh = self.factors_of_mesh(strength, gears, &names);
         let usual = Method::default();
-        Ok(Method {
-            given: self.all_given(of_mesh, gears.map(|gear| self.factors_of(strength, gear)))?,
+        Method {
+            given: all_given(of_mesh, gears.map(|gear| self.factors_of(strength, gear))),
             floating: self.data.floating.map_or(Floating::Assumed, floating),
             pitting_allowed: strength.pitting_allowed.unwrap_or(usual.pitting_allowed),
             long_life_factor: strength.long_life_factor.map_or(usual.long_life_factor, Number::get),
             accuracy_grade: strength.accuracy_grade.unwrap_or(usual.accuracy_grade),
             ..usual
-        })
+        }
     }
 
     /// Data of a gear beyond its geometry.
@@ -292,10 +295,12 @@ impl<'a> Of<'a> {
     }
 
     /// Data from which `K_v`, `K_Hα` and `K_Fα` of a mesh follow by method B; `None` without accuracies.
-    fn dynamics(&self, strength: &'a StrengthEntry, gears: [GearOf; 2]) -> Result<Option<Dynamics>, Error> {
-        let Some(accuracy) = &strength.accuracy else { return Ok(None) };
-        let pitch = self.deviations("pitch_deviations", &accuracy.pitch_deviations)?;
-        let profile = self.deviations("profile_deviations", &accuracy.profile_deviations)?;
+    fn dynamics(&self, strength: &StrengthEntry, gears: [GearOf; 2]) -> Option<Dynamics> {
+        let accuracy = strength.accuracy.as_ref()?;
+        let deviations = |values: &PerGear<Quantity<Length>>| {
+            let given = self.data.of_gears(values);
+            gears.map(|gear| given[self.data.place(gear)].map_or_else(Length::default, |value| value.0))
+        };
         let places = gears.map(|gear| self.data.place(gear));
         let planets = self.set.planet_count().unwrap_or(1);
         let arrangement = match gears {
@@ -303,40 +308,25 @@ impl<'a> Of<'a> {
             [GearOf::Central(_), GearOf::Planet(..)] => Arrangement::SunAndPlanets(planets),
             _ => Arrangement::Pair,
         };
-        Ok(Some(Dynamics {
+        Some(Dynamics {
             arrangement,
-            pitch_deviations: places.map(|place| pitch[place]),
-            profile_deviations: places.map(|place| profile[place]),
+            pitch_deviations: deviations(&accuracy.pitch_deviations),
+            profile_deviations: deviations(&accuracy.profile_deviations),
             tip_relief: accuracy.tip_relief.map(|relief| relief.0),
             rims: places.map(|place| self.data.bores[place]),
             blank_factor: accuracy.blank_factor.map_or(1.0, Number::get),
-        }))
-    }
-
-    fn deviations(
-        &self,
-        key: &'static str,
-        values: &'a PerGear<Quantity<Length>>,
-    ) -> Result<Vec<Length>, Error> {
-        let keys = ["strength", "accuracy", key];
-        let given = self.given_at(&keys, key, values)?;
-        let names = given.iter().zip(&self.data.gears.names);
-        if let Some((_, gear)) = names.into_iter().find(|(value, _)| value.is_none()) {
-            return Err(self.refused(&keys, &Named("missing-key", format!("`{key}` of {gear} is missing"))));
-        }
-        Ok(given.into_iter().flatten().map(|value| value.0).collect())
+        })
     }
 
     /// Factors for a gear alone, those of its kind first.
     fn factors_of<'f>(&'f self, strength: &'f StrengthEntry, gear: GearOf) -> Vec<Factors<'f>> {
         let name = &self.data.gears.names[self.data.place(gear)];
         let of_kind = match (gear, self.set.gear_kind(gear)) {
-            (GearOf::Planet(..), _) => ("planet_factors", &strength.planet_factors),
-            (_, Some(GearKind::Internal)) => ("ring_factors", &strength.ring_factors),
-            _ => ("sun_factors", &strength.sun_factors),
+            (GearOf::Planet(..), _) => &strength.planet_factors,
+            (_, Some(GearKind::Internal)) => &strength.ring_factors,
+            _ => &strength.sun_factors,
         };
-        let own = strength.gear_factors.get(name).map(|own| (vec!["gear_factors", name.as_str()], own));
-        [(vec![of_kind.0], of_kind.1)].into_iter().chain(own).collect()
+        [of_kind].into_iter().chain(strength.gear_factors.get(name)).collect()
     }
 
     /// Factors for a mesh: those of all meshes, of meshes of its kind, its own.
@@ -349,54 +339,25 @@ impl<'a> Of<'a> {
         let of_kind = match gears {
             [GearOf::Planet(..), GearOf::Planet(..)] => None,
             [_, last] if self.set.gear_kind(last) == Some(GearKind::Internal) => {
-                Some(("ring_mesh_factors", &strength.ring_mesh_factors))
+                Some(&strength.ring_mesh_factors)
             }
-            _ => Some(("sun_mesh_factors", &strength.sun_mesh_factors)),
+            _ => Some(&strength.sun_mesh_factors),
         };
-        let of_kind = of_kind.map(|(key, factors)| (vec![key], factors));
-        let own = strength.mesh_factors.get_key_value(&names.join("-"));
-        let own = own.map(|(name, own)| (vec!["mesh_factors", name.as_str()], own));
-        [(vec!["factors"], &strength.factors)].into_iter().chain(of_kind).chain(own).collect()
+        let own = [names.join("-"), factors::reversed(names)];
+        let own = own.iter().find_map(|name| strength.mesh_factors.get(name));
+        [&strength.factors].into_iter().chain(of_kind).chain(own).collect()
     }
+}
 
-    fn all_given(&self, of_mesh: Vec<Factors<'_>>, of_gears: [Vec<Factors<'_>>; 2]) -> Result<Given, Error> {
-        let mut given = Given::default();
-        for (keys, factors) in of_mesh {
-            for (name, value) in factors {
-                let symbol = factors::symbol(&self.subject.document, &self.strength_path(&keys), name)?;
-                given = given.with(symbol, self.checked(&keys, name, symbol, *value)?);
-            }
-        }
-        for (side, of_gear) in Side::BOTH.into_iter().zip(of_gears) {
-            for (keys, factors) in of_gear {
-                for (name, value) in factors {
-                    let symbol = factors::symbol(&self.subject.document, &self.strength_path(&keys), name)?;
-                    if symbol.is_of_mesh() {
-                        let message = format!(
-                            "{symbol} is of a mesh: it stands in `factors`, `sun_mesh_factors`, `ring_mesh_factors` or `mesh_factors`"
-                        );
-                        let path = self.strength_path(&keys);
-                        let why = Named("factor-of-a-mesh", message);
-                        return Err(refused(&self.subject.document, &path, &[name], &why));
-                    }
-                    given = given.with_of(side, symbol, self.checked(&keys, name, symbol, *value)?);
-                }
-            }
-        }
-        Ok(given)
-    }
-
-    fn checked(&self, keys: &[&str], name: &str, symbol: Symbol, value: Number) -> Result<f64, Error> {
-        symbol
-            .checked(value.get())
-            .map_err(|error| refused(&self.subject.document, &self.strength_path(keys), &[name], &error))
-    }
-
-    fn strength_path(&self, keys: &[&str]) -> Path {
-        keys.iter().fold(self.data.path.clone().key("strength"), |path, key| path.key(*key))
-    }
-
-    fn refused(&self, keys: &[&str], why: &dyn Fault) -> Error {
-        refused(&self.subject.document, &self.data.path, keys, why)
-    }
+/// Factors of a mesh and of its gears; those of wrong names are refused before.
+fn all_given(of_mesh: Vec<Factors<'_>>, of_gears: [Vec<Factors<'_>>; 2]) -> Given {
+    let named = |factors: Vec<Factors<'_>>| {
+        let factors = factors.into_iter().flatten();
+        factors.filter_map(|(name, value)| Some((Symbol::named(name)?, value.get()))).collect::<Vec<_>>()
+    };
+    let given =
+        named(of_mesh).into_iter().fold(Given::default(), |given, (symbol, value)| given.with(symbol, value));
+    Side::BOTH.into_iter().zip(of_gears).fold(given, |given, (side, own)| {
+        named(own).into_iter().fold(given, |given, (symbol, value)| given.with_of(side, symbol, value))
+    })
 }
