@@ -128,10 +128,10 @@ impl<'a> DoublePlanetMeshes<'a> {
 }
 
 /// Names of the gears of a mesh, of the mesh itself and of the tips of each gear in it.
-struct Places<P> {
-    gears: [P; 2],
-    mesh: P,
-    tips: [P; 2],
+pub(crate) struct Places<P> {
+    pub(crate) gears: [P; 2],
+    pub(crate) mesh: P,
+    pub(crate) tips: [P; 2],
 }
 
 fn mesh_miss<P: Copy>(
@@ -143,6 +143,17 @@ fn mesh_miss<P: Copy>(
     let profile = Profile::of_rack(*rack);
     let one = InvoluteGear::searched(GearKind::External, teeth[0], profile);
     let other = InvoluteGear::searched(second, teeth[1], profile);
+    pair_miss([one, other], places)
+}
+
+/// The first check of two gears in mesh that does not hold and is an error; gears with errors have no teeth.
+///
+/// # Errors
+/// Those of [`Pair::without_backlash`].
+pub(crate) fn pair_miss<P: Copy>(
+    [one, other]: [Result<InvoluteGear, Error>; 2],
+    places: &Places<P>,
+) -> Result<Option<Check<P>>, Error> {
     // Pointed teeth and missing teeth are both faults of the gear.
     let (one, other) = match (one, other) {
         (Ok(one), Ok(other)) => (one, other),
