@@ -29,7 +29,7 @@
 mod numbers;
 mod search;
 
-pub use numbers::{ArrangedTeeth, ModuleRatio};
+pub use numbers::{ArrangedTeeth, ModuleRatio, least_angle_rad};
 pub use search::{ArrangedCandidate, ArrangementBounds};
 
 use crate::quantity::SimpleGear;
@@ -63,7 +63,7 @@ pub enum Arrangement {
 /// Gear of an arrangement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct GearPlace {
-    /// Name of the gear.
+    /// Name of the gear as a key, `first_ring`; displays as words.
     pub name: &'static str,
     /// Letter of the gear.
     pub symbol: char,
@@ -73,16 +73,22 @@ pub struct GearPlace {
     pub(crate) step: usize,
 }
 
+impl fmt::Display for GearPlace {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&self.name.replace('_', " "))
+    }
+}
+
 const fn gear(name: &'static str, symbol: char, role: SimpleGear, step: usize) -> GearPlace {
     GearPlace { name, symbol, role, step }
 }
 
 const SUN: GearPlace = gear("sun", 'a', SimpleGear::Sun, 0);
 const RING: GearPlace = gear("ring", 'b', SimpleGear::Ring, 0);
-const FIRST_RING: GearPlace = gear("first ring", 'b', SimpleGear::Ring, 0);
-const FIRST: GearPlace = gear("planet", 'g', SimpleGear::Planet, 0);
-const SECOND: GearPlace = gear("planet's second step", 'f', SimpleGear::Planet, 1);
-const SECOND_RING: GearPlace = gear("second ring", 'e', SimpleGear::Ring, 1);
+const FIRST_RING: GearPlace = gear("first_ring", 'b', SimpleGear::Ring, 0);
+const FIRST: GearPlace = gear("first_step", 'g', SimpleGear::Planet, 0);
+const SECOND: GearPlace = gear("second_step", 'f', SimpleGear::Planet, 1);
+const SECOND_RING: GearPlace = gear("second_ring", 'e', SimpleGear::Ring, 1);
 
 impl Arrangement {
     /// All arrangements.
@@ -103,23 +109,23 @@ impl Arrangement {
         match self {
             Self::Stepped => const { &[SUN, FIRST, SECOND, GearPlace { step: 1, ..RING }] },
             Self::TwoSuns => {
-                const { &[gear("first sun", 'a', Sun, 0), FIRST, SECOND, gear("second sun", 'c', Sun, 1)] }
+                const { &[gear("first_sun", 'a', Sun, 0), FIRST, SECOND, gear("second_sun", 'c', Sun, 1)] }
             }
             Self::TwoRings => const { &[FIRST_RING, FIRST, SECOND, SECOND_RING] },
             Self::Wolfrom => const { &[SUN, FIRST, FIRST_RING, SECOND, SECOND_RING] },
             Self::Ravigneaux => {
                 const {
                     &[
-                        gear("small sun", 'a', Sun, 0),
-                        gear("short planet", 'g', Planet, 0),
-                        gear("long planet", 'f', Planet, 0),
-                        gear("large sun", 'c', Sun, 0),
+                        gear("small_sun", 'a', Sun, 0),
+                        gear("short_planet", 'g', Planet, 0),
+                        gear("long_planet", 'f', Planet, 0),
+                        gear("large_sun", 'c', Sun, 0),
                         RING,
                     ]
                 }
             }
-            Self::ExternalPair => const { &[gear("gear 1", '1', Sun, 0), gear("gear 2", '2', Sun, 0)] },
-            Self::InternalPair => const { &[gear("gear 1", '1', Sun, 0), gear("gear 2", '2', Ring, 0)] },
+            Self::ExternalPair => const { &[gear("gear_1", '1', Sun, 0), gear("gear_2", '2', Sun, 0)] },
+            Self::InternalPair => const { &[gear("gear_1", '1', Sun, 0), gear("gear_2", '2', Ring, 0)] },
         }
     }
 
@@ -252,6 +258,16 @@ impl ArrangementMember {
         self.gear.map(usize::from)
     }
 
+    /// Name of the member as a key; the carrier of a pair is the housing.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self.gear() {
+            Some(gear) => self.arrangement.gears()[gear].name,
+            None if self.arrangement.is_pair() => "housing",
+            None => "carrier",
+        }
+    }
+
     /// Letter of the member, `H` for the carrier.
     #[must_use]
     pub fn symbol(self) -> char {
@@ -261,11 +277,7 @@ impl ArrangementMember {
 
 impl fmt::Display for ArrangementMember {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self.gear() {
-            Some(gear) => self.arrangement.gears()[gear].name,
-            None if self.arrangement.is_pair() => "housing",
-            None => "carrier",
-        })
+        f.pad(&self.name().replace('_', " "))
     }
 }
 

@@ -187,6 +187,12 @@ pub enum Error {
         /// The ratio given.
         ratio: num_rational::Ratio<u32>,
     },
+    /// Stated angles of planets that are too few or coincide.
+    #[error("{given} angles of planets: give 2 or more finite angles, no two the same")]
+    PlanetAngles {
+        /// Number of angles given.
+        given: usize,
+    },
     /// A count below its least value.
     #[error("{count} {what}: at least {at_least} needed")]
     TooFew {

@@ -11,6 +11,8 @@ use epicyclic_gears::synthesis::{Bounds, Placement, Ranked};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
 use trial::arranged_by_trial;
+use uom::si::angle::degree;
+use uom::si::f64::Angle;
 
 fn for_ratio(
     bounds: &ArrangementBounds,
@@ -107,6 +109,25 @@ fn more_sets_assemble_at_unequal_angles() {
     let [equal, unequal] =
         [equal, unequal].map(|bounds| for_ratio(&bounds, 14.0, "aH^b", 0.01).unwrap().found);
     assert!(unequal > equal, "{unequal} {equal}");
+}
+
+#[test]
+fn planets_stand_at_stated_angles_that_are_assembly_positions() {
+    let at = |degrees: &[f64]| {
+        let angles = degrees.iter().map(|angle| Angle::new::<degree>(*angle)).collect();
+        ArrangementBounds { angles, ..usual(Arrangement::Stepped) }
+    };
+    let equal = ArrangementBounds { planets: 4..=4, ..usual(Arrangement::Stepped) };
+    let [equal, stated] =
+        [equal, at(&[0.0, 90.0, 180.0, 270.0])].map(|bounds| for_ratio(&bounds, 14.0, "aH^b", 0.01).unwrap());
+    assert_eq!(equal, stated);
+    // Two pairs of planets opposite each other, 80° apart.
+    let pairs = for_ratio(&at(&[0.0, 80.0, 180.0, 260.0]), 14.0, "aH^b", 0.01).unwrap();
+    assert!(
+        pairs.first.iter().all(|set| set.teeth.assembly_positions().is_multiple_of(18)) && pairs.found > 0
+    );
+    let error = for_ratio(&at(&[0.0, 360.0]), 14.0, "aH^b", 0.01).unwrap_err().to_string();
+    assert_eq!(error, "2 angles of planets: give 2 or more finite angles, no two the same");
 }
 
 proptest! {

@@ -30,11 +30,13 @@ use crate::quantity::SimpleGear;
 use crate::rack::BasicRack;
 use crate::simple_set::Fraction;
 use crate::spacing::{PlanetSpacing, gcd};
-use crate::tolerance::TOUCH;
+use crate::tolerance::{AT_ANGLE, AT_POSITION, TOUCH};
 use crate::{Error, ToothCount};
 use epicyclic_units::Physical;
 use num_rational::Ratio;
+use std::f64::consts::TAU;
 use std::fmt;
+use uom::si::f64::Angle;
 
 /// Module of the planet's second step over that of its first.
 pub type ModuleRatio = Ratio<u32>;
@@ -257,6 +259,23 @@ impl ArrangedTeeth {
         self.gap(rack, self.spacing()?.smallest_gap().si())
     }
 
+    /// Least gap as by [`planet_gap`](Self::planet_gap), of planets at stated angles.
+    #[must_use]
+    pub fn gap_at(&self, rack: &BasicRack, angles: &[Angle]) -> Option<f64> {
+        self.gap(rack, least_angle_rad(angles)?)
+    }
+
+    /// Whether planets at stated angles are all at assembly positions, counted from the first.
+    #[must_use]
+    pub fn assembles_at(&self, angles: &[Angle]) -> bool {
+        let positions = self.assembly_positions() as f64;
+        angles.iter().all(|angle| {
+            let place = (angle.si() - angles[0].si()) / TAU * positions;
+            let away = (place - place.round()).abs();
+            away <= AT_POSITION && away * TAU <= AT_ANGLE * positions
+        })
+    }
+
     /// Whether the planets assemble, equally spaced or not, and gears that do not mesh are apart by more than
     /// `gap` modules. A pair always does, an internal one with the larger gear outside.
     #[must_use]
@@ -343,4 +362,14 @@ impl ArrangedTeeth {
             _ => reach.fold(0.0, f64::max),
         }
     }
+}
+
+/// Least angle between neighbouring planets, in rad; `None` for fewer than two or angles without a value.
+#[must_use]
+pub fn least_angle_rad(angles: &[Angle]) -> Option<f64> {
+    let mut turns: Vec<f64> = angles.iter().map(|angle| angle.si().rem_euclid(TAU)).collect();
+    turns.sort_by(f64::total_cmp);
+    let next = turns.iter().skip(1).copied().chain(turns.first().map(|first| first + TAU));
+    let least = turns.iter().zip(next).map(|(here, next)| next - here).reduce(f64::min)?;
+    (turns.len() > 1 && turns.iter().all(|turn| turn.is_finite())).then_some(least)
 }

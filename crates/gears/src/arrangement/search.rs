@@ -12,8 +12,8 @@
 //! `F(t, w_1)·F(t, w_2) ≤ 0`, so that the zeros of both bound the pieces in which `t` lies. Every `t` in such
 //! a piece and beside a zero is tried by its exact ratio: rounding loses none.
 
-use super::numbers::{ArrangedTeeth, ModuleRatio};
-use super::{Arrangement, ArrangementMode, MOST_GEARS};
+use super::numbers::{ArrangedTeeth, ModuleRatio, least_angle_rad};
+use super::{Arrangement, ArrangementMode, GearPlace, MOST_GEARS};
 use crate::checks::not_negative;
 use crate::error::Error;
 use crate::involute::check::{Check, Rule};
@@ -25,10 +25,11 @@ use crate::quantity::{Quantity, SimpleGear};
 use crate::rack::BasicRack;
 use crate::simple_set::Fraction;
 use crate::synthesis::{Bounds, MOST_TEETH, Placement, Ranked};
-use crate::tolerance::{BESIDE, WITHIN};
+use crate::tolerance::{BESIDE, TOUCH, WITHIN};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::{ControlFlow, RangeInclusive};
+use uom::si::f64::Angle;
 
 /// Bounds of a search for tooth numbers of an arrangement. All ranges include their ends.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,6 +51,9 @@ pub struct ArrangementBounds {
     pub tip_gap: f64,
     /// Permissible placement of the planets.
     pub placement: Placement,
+    /// Stated angles of the planets about the axis, which then give their number; empty for those of the
+    /// placement.
+    pub angles: Vec<Angle>,
     /// Leaves out sets with undercut gears.
     pub no_undercut: bool,
 }
@@ -70,9 +74,9 @@ pub struct ArrangedCandidate {
 /// Place of a check in an arrangement.
 #[derive(Debug, Clone, Copy)]
 enum Spot {
-    Gear(&'static str),
-    Mesh([&'static str; 2]),
-    Tips([&'static str; 2]),
+    Gear(GearPlace),
+    Mesh([GearPlace; 2]),
+    Tips([GearPlace; 2]),
 }
 
 impl fmt::Display for Spot {
@@ -103,6 +107,7 @@ impl ArrangementBounds {
             rack: bounds.rack,
             tip_gap: bounds.tip_gap,
             placement: bounds.placement,
+            angles: vec![],
             no_undercut: false,
         }
     }
@@ -121,6 +126,9 @@ impl ArrangementBounds {
             if range.is_empty() || to > MOST_TEETH {
                 return Err(Error::ToothRange { gear: gear.role, from, to, most: MOST_TEETH });
             }
+        }
+        if !self.angles.is_empty() && least_angle_rad(&self.angles).is_none_or(|least| least <= 0.0) {
+            return Err(Error::PlanetAngles { given: self.angles.len() });
         }
         for &ratio in &self.module_ratios {
             let is_one = ratio == ModuleRatio::from(1);
@@ -151,7 +159,8 @@ impl ArrangementBounds {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NoTeeth`], [`Error::ToothRange`], [`Error::PlanetNumber`], [`Error::ModuleRatio`],
+    /// [`Error::NoTeeth`], [`Error::ToothRange`], [`Error::PlanetNumber`], [`Error::PlanetAngles`],
+    /// [`Error::ModuleRatio`],
     /// [`Error::Negative`] for invalid bounds; [`Error::Tolerance`], [`Error::Ratio`];
     /// [`Error::NoArrangement`]; [`Error::Cancelled`].
     pub fn for_ratio(
@@ -456,10 +465,15 @@ impl<'a> Run<'a> {
             return Ok(());
         }
         let mut miss: Option<Option<Check<Spot>>> = None;
-        let planets = if bounds.arrangement.is_pair() { 1..=1 } else { bounds.planets.clone() };
+        let stated = bounds.angles.len() as u32;
+        let planets = match stated {
+            _ if bounds.arrangement.is_pair() => 1..=1,
+            0 => bounds.planets.clone(),
+            stated => stated..=stated,
+        };
         for planets in planets {
             set.planets = planets;
-            if !self.is_placed(&set) || !set.fits(&bounds.rack, bounds.tip_gap) {
+            if !self.fits(&set) {
                 continue;
             }
             let miss = match miss {
@@ -482,11 +496,20 @@ impl<'a> Run<'a> {
         Ok(())
     }
 
-    fn is_placed(&self, set: &ArrangedTeeth) -> bool {
-        set.arrangement.is_pair()
-            || set
+    /// Whether the planets can be put in at their angles, and gears that do not mesh are apart.
+    fn fits(&self, set: &ArrangedTeeth) -> bool {
+        let bounds = self.bounds;
+        if set.arrangement.is_pair() {
+            return set.fits(&bounds.rack, bounds.tip_gap);
+        }
+        if bounds.angles.is_empty() {
+            let is_placed = set
                 .spacing()
-                .is_some_and(|spacing| spacing.is_equal() || self.bounds.placement == Placement::LeastUnequal)
+                .is_some_and(|spacing| spacing.is_equal() || bounds.placement == Placement::LeastUnequal);
+            return is_placed && set.fits(&bounds.rack, bounds.tip_gap);
+        }
+        set.assembles_at(&bounds.angles)
+            && set.gap_at(&bounds.rack, &bounds.angles).is_some_and(|gap| gap > bounds.tip_gap + TOUCH)
     }
 
     /// The first check of the meshes that does not hold and is an error; [`Undercut`] where the bounds exclude
@@ -497,7 +520,7 @@ impl<'a> Run<'a> {
         let Ok(shifts) = set.profile_shifts(rack) else {
             // No shift closes a centre distance at which the gears have no line of action.
             let limit = Limits::default().contact_ratio;
-            let place = Spot::Gear("planet");
+            let place = Spot::Gear(gears[1]);
             return Ok(Ok(Some(Check { rule: Rule::ContactRatio, place, value: 0.0, limit })));
         };
         if self.bounds.no_undercut && (0..gears.len()).any(|gear| set.is_undercut(gear, &shifts, rack)) {
@@ -508,13 +531,13 @@ impl<'a> Run<'a> {
             let miss = match self.meshes.get(&key) {
                 Some(known) => *known,
                 None => {
-                    let [one, other] = mesh.map(|gear| gears[gear].name);
+                    let [one, other] = mesh.map(|gear| gears[gear]);
                     let places = Places {
                         gears: [Spot::Gear(one), Spot::Gear(other)],
                         mesh: Spot::Mesh([one, other]),
                         tips: [Spot::Tips([one, other]), Spot::Tips([other, one])],
                     };
-                    let miss = pair_miss(set.gears_of_mesh(mesh, &shifts, rack), &places)?;
+                    let miss = pair_miss(set.gears_of_mesh(mesh, &shifts, rack), &places, true)?;
                     self.meshes.insert(key, miss);
                     miss
                 }
