@@ -35,6 +35,7 @@ use epicyclic_commands::size::answer::Size;
 use epicyclic_commands::strength::answer::Strength;
 use epicyclic_commands::synthesize::answer::Synthesis;
 use epicyclic_commands::teeth::answer::Teeth;
+use epicyclic_commands::teeth::answer::arranged::ArrangedSets;
 use epicyclic_commands::teeth::answer::double_planet::DoublePlanetTeeth;
 use epicyclic_commands::teeth::answer::shifted::ShiftedTeeth;
 use epicyclic_commands::vibrate::answer::Vibration;
@@ -105,7 +106,9 @@ enum Of {
     AnswerMotorForms,
     /// The answer of `epicyclic teeth`.
     AnswerTeeth,
-    /// The answer of `epicyclic teeth --double-planet`.
+    /// The answer of `epicyclic teeth --kind` for all kinds but simple and double.
+    AnswerTeethArranged,
+    /// The answer of `epicyclic teeth --kind double`.
     AnswerTeethDoublePlanet,
     /// The answer of `epicyclic teeth --ring-offset`.
     AnswerTeethShifted,
@@ -179,6 +182,7 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         Of::AnswerMotorSearch => schema::<MotorSearch>(),
         Of::AnswerMotorForms => schema::<MotorForms>(),
         Of::AnswerTeeth => schema::<Teeth>(),
+        Of::AnswerTeethArranged => schema::<ArrangedSets>(),
         Of::AnswerTeethDoublePlanet => schema::<DoublePlanetTeeth>(),
         Of::AnswerTeethShifted => schema::<ShiftedTeeth>(),
         Of::AnswerSelect => schema::<Select>(),

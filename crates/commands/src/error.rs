@@ -17,6 +17,16 @@ pub enum Error {
     #[error("the answer cannot be written as text: {0}")]
     #[strum(serialize = "not-writable")]
     Json(String),
+    /// A mode of another kind of set.
+    #[error("{letters} is no mode of a {kind}: write one of {modes}")]
+    Mode {
+        /// The mode given.
+        letters: String,
+        /// Kind of the sets.
+        kind: String,
+        /// Modes of the kind.
+        modes: String,
+    },
     /// More things than are written at once.
     #[error("{found} are found and at most {most} are written")]
     TooMany {
@@ -413,7 +423,9 @@ impl Error {
         use epicyclic_gears::Error as Gear;
         match self {
             Self::Placed { why, .. } => why.is_nothing_found(),
-            Self::Gear(Gear::NoToothNumbers { .. } | Gear::NoDoublePlanetSet { .. })
+            Self::Gear(
+                Gear::NoToothNumbers { .. } | Gear::NoDoublePlanetSet { .. } | Gear::NoArrangement { .. },
+            )
             | Self::NoMotor(_)
             | Self::NoMotorForm(_)
             | Self::NoSize { .. } => true,

@@ -234,7 +234,8 @@ impl Failure {
             | Self::SelfCrossing { .. }
             | Self::Gear(
                 epicyclic_gears::Error::NoToothNumbers { .. }
-                | epicyclic_gears::Error::NoDoublePlanetSet { .. },
+                | epicyclic_gears::Error::NoDoublePlanetSet { .. }
+                | epicyclic_gears::Error::NoArrangement { .. },
             ) => NOTHING_FOUND,
             Self::Answer(error) if error.is_nothing_found() => NOTHING_FOUND,
             Self::Interrupted(_) => INTERRUPTED,

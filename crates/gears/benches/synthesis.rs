@@ -1,9 +1,15 @@
 //! The complete enumeration of tooth numbers, beside the trial of every combination.
 
+#[path = "../tests/common/trial.rs"]
+mod trial;
+
 use criterion::{Criterion, criterion_group, criterion_main};
+use epicyclic_gears::arrangement::{Arrangement, ArrangementBounds};
 use epicyclic_gears::simple_set::{Member, Mode};
 use epicyclic_gears::synthesis::{Bounds, tooth_numbers_by_trial};
 use std::hint::black_box;
+use std::ops::ControlFlow;
+use trial::arranged_by_trial;
 
 fn synthesis(c: &mut Criterion) {
     let all = Bounds::default();
@@ -24,5 +30,37 @@ fn synthesis(c: &mut Criterion) {
     });
 }
 
-criterion_group!(benches, synthesis);
+/// A request for each arrangement within the usual bounds; on reduced ones also the trial of every combination.
+fn arrangements(c: &mut Criterion) {
+    let requests = [
+        ("stepped", Arrangement::Stepped, 14.0),
+        ("wolfrom", Arrangement::Wolfrom, 51.0),
+        ("ravigneaux", Arrangement::Ravigneaux, 1.5),
+    ];
+    for (name, arrangement, ratio) in requests {
+        let mode = arrangement.mode(arrangement.usual_mode()).expect("a mode of its own");
+        let find = |bounds: &ArrangementBounds| {
+            let found =
+                bounds.for_ratio(black_box(ratio), mode, 0.01, usize::MAX, |_| ControlFlow::Continue(()));
+            found.map(|ranked| (ranked.found, ranked.left_out)).ok()
+        };
+        let usual = ArrangementBounds::of(arrangement, &Bounds::default());
+        c.bench_function(&format!("gears/arrangement/{name}/usual"), |b| b.iter(|| find(black_box(&usual))));
+
+        let teeth = Bounds { sun: 20..=36, planet: 17..=36, ring: 72..=100, ..Bounds::default() };
+        let reduced = ArrangementBounds::of(arrangement, &teeth);
+        let by_trial = || arranged_by_trial(black_box(&reduced), ratio, mode, 0.01);
+        let found =
+            find(&reduced).map(|(found, left_out)| found + left_out.map_or(0, |left_out| left_out.count));
+        assert_eq!(found.unwrap_or(0), by_trial().len() as u64);
+        c.bench_function(&format!("gears/arrangement/{name}/reduced"), |b| {
+            b.iter(|| find(black_box(&reduced)));
+        });
+        let mut slow = c.benchmark_group(format!("gears/arrangement/{name}/reduced"));
+        slow.sample_size(10).bench_function("brute_force", |b| b.iter(by_trial));
+        slow.finish();
+    }
+}
+
+criterion_group!(benches, synthesis, arrangements);
 criterion_main!(benches);

@@ -1,5 +1,6 @@
 //! Errors of this crate.
 
+use crate::arrangement::{Arrangement, ArrangementMode};
 use crate::gear_kind::GearKind;
 use crate::involute::check::Check;
 use crate::involute::fault::{ShiftFault, ToolFault};
@@ -152,6 +153,45 @@ pub enum Error {
         nearest: Option<f64>,
         /// The pairs of sun and ring of this ratio whose planets a check leaves out.
         left_out: Option<Box<LeftOut>>,
+    },
+    /// A ratio that no arrangement of gears within the bounds reaches.
+    #[error(
+        "no {arrangement} within the bounds has the ratio {} ({mode}) within {}%{}{}",
+        short(*wanted),
+        (tolerance * 1e8).round() / 1e6,
+        left_out.as_ref().map(|left_out| format!("; of this ratio {left_out}")).unwrap_or_default(),
+        nearest.map_or_else(
+            || if left_out.is_some() { String::new() } else { String::from("; none has this sign, or none assembles: widen the bounds or choose another mode") },
+            |ratio| format!("; the nearest is {ratio:.4}: widen the bounds or the tolerance")
+        )
+    )]
+    NoArrangement {
+        /// Arrangement of the gears.
+        arrangement: Arrangement,
+        /// Target ratio.
+        wanted: f64,
+        /// Mode of the arrangement.
+        mode: ArrangementMode,
+        /// Relative tolerance.
+        tolerance: f64,
+        /// Nearest ratio within the bounds; `None` where no set has this sign.
+        nearest: Option<f64>,
+        /// Sets of this ratio that a check leaves out.
+        left_out: Option<Box<LeftOut>>,
+    },
+    /// Ratios of modules of an arrangement that has none.
+    #[error("module ratio {ratio} of a {arrangement}: {}", if arrangement.has_steps() { "must be above 0" } else { "its gears have one module, leave it at 1" })]
+    ModuleRatio {
+        /// Arrangement of the gears.
+        arrangement: Arrangement,
+        /// The ratio given.
+        ratio: num_rational::Ratio<u32>,
+    },
+    /// Stated angles of planets that are too few or coincide.
+    #[error("{given} angles of planets: give 2 or more finite angles, no two the same")]
+    PlanetAngles {
+        /// Number of angles given.
+        given: usize,
     },
     /// A count below its least value.
     #[error("{count} {what}: at least {at_least} needed")]

@@ -10,6 +10,7 @@
 //! | [`efficiency`] | torques and efficiency of a gear set from the losses of its meshes |
 //! | [`synthesis`] | *every* set of tooth numbers of a simple set within bounds |
 //! | [`double_planet`] | *every* set of tooth numbers with two planets in mesh between sun and ring |
+//! | [`arrangement`] | *every* set of tooth numbers with stepped planets, Wolfrom and Ravigneaux sets, and pairs |
 //! | [`spacing`] | where the planets sit when they cannot sit evenly |
 //! | [`rack`] | the basic rack that all checks take, and undercut |
 //! | [`mesh`] | circles of gears and centre distance from teeth alone, clearance between planets |
@@ -45,6 +46,7 @@
 //! # }
 //! ```
 
+pub mod arrangement;
 pub mod bearing;
 pub mod carrier;
 mod checks;

@@ -8,6 +8,11 @@
 //! - `LEAST_EFFICIENCY`: an efficiency of a mesh, far below any gear.
 //! - `TOUCH`: a gap between two circles, in modules; rounding of a sine or cosine times a centre distance.
 //! - `PRESSED`: a backlash, in modules; shifts that leave none are sums of rounded involutes.
+//! - `AT_POSITION`: a stated angle beside an assembly position, in positions; degrees with two decimals, of
+//!   some hundred teeth.
+//! - `AT_ANGLE`: the same, rad; degrees with one decimal, since few positions are far apart.
+//! - `WITHIN`: what the ends of a tolerance are widened by; the exact ratio decides then.
+//! - `BESIDE`: a zero of a linear function beside a whole number of teeth, and a value over its terms.
 //! - `PLAIN`: a number in a message; as a plain decimal its zeros would hide a smaller one.
 
 /// Bores that differ by less are the same.
@@ -31,3 +36,16 @@ pub(crate) const PRESSED: f64 = 1e-9;
 
 /// Smaller numbers are written with an exponent.
 pub(crate) const PLAIN: f64 = 1e-6;
+
+/// Ends of a tolerance are this much wider, relatively, before the exact ratio decides.
+pub(crate) const WITHIN: f64 = 1e-12;
+
+/// Zeros of a linear function of a tooth number are known to this many teeth, its values to this share of
+/// their terms.
+pub(crate) const BESIDE: f64 = 1e-6;
+
+/// Planets at stated angles are at an assembly position within this part of the way to the next.
+pub(crate) const AT_POSITION: f64 = 0.02;
+
+/// And no farther from it than this angle, rad.
+pub(crate) const AT_ANGLE: f64 = 1e-3;

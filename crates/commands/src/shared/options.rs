@@ -22,6 +22,8 @@ pub(crate) fn of_teeth(error: &Error, planets: &'static str) -> Option<&'static 
         Error::ToothRange { gear: SimpleGear::Sun, .. } => "--sun",
         Error::ToothRange { gear: SimpleGear::Planet, .. } => "--planet",
         Error::ToothRange { gear: SimpleGear::Ring, .. } => "--ring",
+        Error::PlanetAngles { .. } => "--angles",
+        Error::ModuleRatio { .. } => "--module-ratio",
         Error::RingOffset { .. } => "--ring-offset",
         Error::Negative { quantity: Quantity::TipThickness, .. } => "--tip-thickness",
         Error::Negative { quantity: Quantity::TipGap, .. } => "--tip-gap",

@@ -2,10 +2,12 @@
 //!
 //! | module | is |
 //! |---|---|
+//! | [`arranged`] | tooth numbers of stepped, Wolfrom and Ravigneaux sets and of pairs |
 //! | [`double_planet`] | tooth numbers of a double-planet set |
 //! | [`shifted`] | tooth numbers of simple sets with profile shift |
 //! | `gearbox` | a set as a gearbox |
 
+pub mod arranged;
 pub mod double_planet;
 mod gearbox;
 pub mod shifted;
@@ -127,7 +129,7 @@ macro_rules! set_lists {
     )*};
 }
 
-set_lists!(Teeth, double_planet::DoublePlanetTeeth, shifted::ShiftedTeeth);
+set_lists!(Teeth, double_planet::DoublePlanetTeeth, shifted::ShiftedTeeth, arranged::ArrangedSets);
 
 /// Finds all sets of tooth numbers for a ratio.
 ///
@@ -138,16 +140,17 @@ pub(super) fn answer(
     bounds: &Bounds,
     done: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Teeth, Error> {
-    let Listed { ratio, mode, tolerance, found, left_out, sets, tooth_checks } = listed(
+    let mode = request.simple_mode()?;
+    let Listed { ratio, tolerance, found, left_out, sets, tooth_checks } = listed(
         request,
-        bounds,
-        |ratio, mode, tolerance, most| bounds.first_for_ratio(ratio, mode, tolerance, most, done),
+        &bounds.rack,
+        |ratio, tolerance, most| bounds.first_for_ratio(ratio, mode, tolerance, most, done),
         |one| ToothNumbers::of(one, &bounds.rack),
         ToothNumbers::gearbox,
     )?;
     Ok(Teeth {
         ratio,
-        mode,
+        mode: Motion::of(mode),
         tolerance,
         found,
         left_out,
@@ -160,7 +163,6 @@ pub(super) fn answer(
 /// Sets of one kind that a search found, as records, with what answers of all kinds have in common.
 struct Listed<Set> {
     ratio: f64,
-    mode: Motion,
     tolerance: f64,
     found: u64,
     left_out: Option<TeethLeftOut>,
@@ -168,17 +170,17 @@ struct Listed<Set> {
     tooth_checks: ToothChecks,
 }
 
-/// Searches sets by ratio, mode, tolerance and maximum number of sets, and checks the one requested.
+/// Searches sets by ratio, tolerance and maximum number of sets, and checks the one requested.
 fn listed<Found, Set>(
     request: &Request,
-    bounds: &Bounds,
-    search: impl FnOnce(f64, Mode, f64, usize) -> Result<Ranked<Found>, epicyclic_gears::Error>,
+    rack: &BasicRack,
+    search: impl FnOnce(f64, f64, usize) -> Result<Ranked<Found>, epicyclic_gears::Error>,
     record: impl Fn(&Found) -> Set,
     gearbox: fn(&Set, &Request) -> Result<Gearbox, Error>,
 ) -> Result<Listed<Set>, Error> {
-    let (ratio, mode, tolerance) = (request.ratio.get(), request.mode, request.tolerance.0.si());
+    let (ratio, tolerance) = (request.ratio.get(), request.tolerance.0.si());
     let most = request.limit.unwrap_or(usize::MAX);
-    let Ranked { found, first, left_out } = search(ratio, mode, tolerance, most.min(MOST_SETS))?;
+    let Ranked { found, first, left_out } = search(ratio, tolerance, most.min(MOST_SETS))?;
     // The list is refused only if it would be longer; a large maximum alone is harmless.
     if most > MOST_SETS && found > MOST_SETS as u64 {
         return Err(Error::TooMany { found, most: MOST_SETS });
@@ -187,13 +189,13 @@ fn listed<Found, Set>(
     let number = if (1..=sets.len()).contains(&request.checked) { request.checked } else { 1 };
     let mut tooth_checks = ToothChecks::default();
     if let Some(set) = sets.get(number - 1) {
-        let checks = gearbox(set, request)?.set_checks(&bounds.rack, |_| vec![]);
+        let checks = gearbox(set, request)?.set_checks(rack, |_| vec![]);
         tooth_checks = ToothChecks::of(checks, |_| true);
         // The single set of its gearbox gets the number that it has in the list.
         tooth_checks.checks.iter_mut().for_each(|check| check.set = number.to_string());
     }
     let left_out = left_out.as_deref().map(TeethLeftOut::of);
-    Ok(Listed { ratio, mode: Motion::of(mode), tolerance, found, left_out, sets, tooth_checks })
+    Ok(Listed { ratio, tolerance, found, left_out, sets, tooth_checks })
 }
 
 /// Sets in series that have a ratio impossible for one set within the same bounds.
@@ -219,7 +221,7 @@ const MOST_STAGES: u32 = 4;
 /// # Errors
 /// Errors for impossible bounds.
 pub(super) fn stages(request: &Request, bounds: &Bounds) -> Result<Option<Stages>, Error> {
-    let (ratio, mode, tolerance) = (request.ratio.get(), request.mode, request.tolerance.0.si());
+    let (ratio, mode, tolerance) = (request.ratio.get(), request.simple_mode()?, request.tolerance.0.si());
     let is_negative = mode.fixed() == Member::Carrier;
     if is_negative != (ratio < 0.0) {
         return Ok(None);
@@ -255,7 +257,7 @@ impl ToothNumbers {
     /// # Errors
     /// No error is known for a set that an answer to this request lists.
     pub fn gearbox(&self, request: &Request) -> Result<Gearbox, Error> {
-        let members = gearbox::members(request.mode);
+        let members = gearbox::members(request.simple_mode()?);
         let set = SetSpec::teeth(gearbox::NAME, SetKind::Simple, members, self.sun, self.ring)?;
         gearbox::built(
             request,
@@ -297,7 +299,8 @@ mod tests {
         let sun_to_carrier = [Member::Sun, Member::Carrier];
         let stages_within = |ratio: f64, [input, output]: [Member; 2], bounds: &Bounds| {
             let mode = Mode::new(input, output).unwrap();
-            let request = Request { mode, ..request(["--ratio", &ratio.to_string()]).unwrap() };
+            let request =
+                Request { mode: Some(mode.to_string()), ..request(["--ratio", &ratio.to_string()]).unwrap() };
             stages(&request, bounds).unwrap()
         };
         let found = |ratio: f64, mode| stages_within(ratio, mode, &Bounds::default()).unwrap();

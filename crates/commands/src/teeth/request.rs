@@ -6,13 +6,17 @@ use crate::output::{Format, OutputArgs};
 use crate::progress::Progress;
 use crate::shared::options;
 use crate::table::report::AsReport;
+use crate::teeth::answer::arranged::{self, ArrangedSets};
 use crate::teeth::answer::double_planet::{self, DoublePlanetTeeth};
 use crate::teeth::answer::shifted::{self, ShiftedTeeth};
 use crate::teeth::answer::{self as answers, IN_A_SECOND, SetList, Stages, Teeth, stages};
-use crate::teeth::options::Request;
+use crate::teeth::options::{Kind, Request};
 use epicyclic_formats::Span;
 use epicyclic_formats::gearbox::written;
 use epicyclic_gears::Error;
+use epicyclic_gears::arrangement::{Arrangement, ArrangementBounds};
+use epicyclic_gears::involute::family::Aim;
+use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_units::format::trimmed;
@@ -23,13 +27,20 @@ use std::path::PathBuf;
 /// Sets shown in a table unless said otherwise.
 const SHOWN_IN_TABLE: usize = 20;
 
-/// Every set of tooth numbers of a simple or double-planet gear set for a ratio.
+/// Tip thickness unless `--tip-thickness` gives another.
+const USUAL_TIP_THICKNESS: f64 = 0.2;
+
+/// Range of `--k` unless given.
+const USUAL_K: &str = "1.3..10";
+
+/// Every set of tooth numbers of a gear set of one kind for a ratio.
 ///
 /// The tooth numbers of a set fit together: sun, planets and ring share one centre distance, the planets
 /// clear each other and assemble. Of a double-planet set the ratio leaves the planets open: each pair of sun
 /// and ring stands once, with one choice of planets. With --ring-offset the ring may depart from the rule of
-/// equal centre distances, and profile shifts make up for it. The most exact come first. Ranges include both
-/// ends and may be open: 12..40, 17.., ..=200, 20.
+/// equal centre distances, and profile shifts make up for it; with stepped planets and in Ravigneaux sets it
+/// is the difference of two doubled centre distances in modules. The most exact sets come first. Ranges
+/// include both ends and may be open: 12..40, 17.., ..=200, 20.
 #[derive(Debug, clap::Args)]
 #[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
@@ -81,15 +92,90 @@ impl Request {
         shifted::answer(self, &self.bounds()?, &shifts, done).map_err(refuse_answer)
     }
 
+    /// Finds the sets of an arrangement of gears; `done` as in [`Self::answer`].
+    ///
+    /// # Errors
+    /// Those of [`Self::answer`]; [`Failure::Option`] for options of other kinds.
+    pub fn answer_arranged(&self, done: impl FnMut(f64) -> ControlFlow<()>) -> Result<ArrangedSets, Failure> {
+        let arrangement = self.arrangement();
+        let arrangement = arrangement.ok_or_else(|| {
+            Failure::missing("--kind", "give a kind of set with planets of two gears, or pair")
+        })?;
+        arranged::answer(self, &self.arrangement_bounds(arrangement)?, done).map_err(refuse_answer)
+    }
+
     /// Number of combinations of teeth and planets to search.
     ///
     /// # Errors
     /// [`Failure::Range`], [`Failure::Option`] for impossible bounds.
     pub fn combinations(&self) -> Result<u64, Failure> {
-        self.bounds()?.space(self.double_planet).map_err(refuse)
+        let space = match self.arrangement() {
+            Some(arrangement) => self.arrangement_bounds(arrangement)?.space(),
+            None => self.bounds()?.space(self.is_double()),
+        };
+        space.map_err(refuse)
+    }
+
+    /// Refuses options of other kinds of sets.
+    fn check_kind(&self) -> Result<(), Failure> {
+        let simple = self.arrangement().is_none();
+        let refuse = |option, holds: bool, of: &str| {
+            let message = || format!("only {of} have it: leave it out, or choose another --kind");
+            if holds { Err(Failure::conflict(option, message())) } else { Ok(()) }
+        };
+        let others = "sets with a stepped planet, Ravigneaux sets and pairs";
+        refuse("--gear", simple && !self.gear.is_empty(), others)?;
+        refuse(
+            "--angles",
+            simple && !self.angles.is_empty(),
+            "sets with a stepped planet and Ravigneaux sets",
+        )?;
+        refuse("--module-ratio", simple && self.module_ratio != [1.into()], others)?;
+        refuse(
+            "--ring-offset",
+            self.is_double() && self.shifts.ring_offset.is_some(),
+            "sets of other kinds than double",
+        )?;
+        let is_pair = self.kind == Kind::Pair;
+        refuse("--ring-offset", is_pair && self.shifts.ring_offset.is_some(), "sets with planets")?;
+        refuse("--angles", is_pair && !self.angles.is_empty(), "sets with planets")?;
+        refuse("--k", !simple && self.k.to_string() != USUAL_K, "simple and double-planet sets")?;
+        refuse("--aim", !simple && self.shifts.aim != Aim::BalancedSliding, "simple sets")?;
+        let is_usual = self.shifts.tip_thickness.get() == USUAL_TIP_THICKNESS;
+        refuse("--tip-thickness", !simple && !is_usual, "simple sets")
+    }
+
+    fn arrangement_bounds(&self, arrangement: Arrangement) -> Result<ArrangementBounds, Failure> {
+        let bounds = self.bounds()?;
+        let usual = ArrangementBounds::of(arrangement, &bounds);
+        let gears = arrangement.gears();
+        let mut teeth = usual.teeth.clone();
+        for (letter, span) in &self.gear {
+            let place = gears.iter().position(|gear| gear.symbol == *letter).ok_or_else(|| {
+                let all: Vec<String> = gears.iter().map(|gear| format!("{} ({gear})", gear.symbol)).collect();
+                Failure::invalid(
+                    "--gear",
+                    format!("no gear {letter} in a {arrangement}: write one of {}", all.join(", ")),
+                )
+            })?;
+            let range = options::of_wheel("--gear", *span, teeth[place].clone())?;
+            let is_ring = gears[place].role == SimpleGear::Ring;
+            let least =
+                if self.no_undercut && !is_ring { bounds.rack.least_teeth_without_undercut() } else { 1 };
+            teeth[place] = (*range.start()).max(least)..=*range.end();
+        }
+        Ok(ArrangementBounds {
+            teeth,
+            module_ratios: self.module_ratio.clone(),
+            offsets: self.shifts.ring_offset.clone().unwrap_or(0..=0),
+            angles: self.angles.iter().map(|angle| angle.0).collect(),
+            no_undercut: self.no_undercut,
+            ..usual
+        })
     }
 
     fn bounds(&self) -> Result<Bounds, Failure> {
+        self.check_kind()?;
         let usual = Bounds::default();
         let rack = BasicRack {
             addendum: self.addendum.get(),
@@ -128,17 +214,22 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let request = &Request { limit: Some(most), checked: args.nth, ..args.request.clone() };
     let progress = Progress::new(call);
     let parts = request.combinations()? as f64;
-    let gears = if request.double_planet {
+    let gears = if request.arrangement().is_some() {
+        "gears that leave one free"
+    } else if request.is_double() {
         "sun, ring and pairs of planets"
     } else {
         "sun, planet and number of planets"
     };
     progress.size(parts, IN_A_SECOND, || format!("{parts:.1e} combinations of {gears}"));
     let done = |share| progress.at(share);
-    if request.shifts.ring_offset.is_some() {
+    if request.arrangement().is_some() {
+        let found = request.answer_arranged(done)?;
+        deliver(call, args, limit, progress, found)
+    } else if request.shifts.ring_offset.is_some() {
         let found = request.answer_shifted(done)?;
         deliver(call, args, limit, progress, found)
-    } else if request.double_planet {
+    } else if request.is_double() {
         let found = request.answer_double_planet(done)?;
         deliver(call, args, limit, progress, found)
     } else {
@@ -181,7 +272,10 @@ fn saved(args: &Args, answer: &impl SetList) -> Result<Vec<u8>, Failure> {
     let comment = format!(
         "Set {nth} of {found} found by epicyclic teeth for the ratio {} ({}), without losses.",
         request.ratio.get(),
-        request.mode
+        match request.arrangement() {
+            Some(arrangement) => request.arranged_mode(arrangement).map(|mode| mode.to_string()),
+            None => request.simple_mode().map(|mode| mode.to_string()),
+        }?
     );
     let text = written(&gearbox, &[comment]).map_err(|error| Failure::Format(error.to_string()))?;
     Ok(text.into_bytes())
@@ -210,6 +304,7 @@ fn refuse_one(error: crate::error::Error, request: &Request, bounds: &Bounds) ->
 fn refuse_answer(error: crate::error::Error) -> Failure {
     match error {
         crate::error::Error::Gear(error) => refuse(error),
+        error @ crate::error::Error::Mode { .. } => Failure::of_option("--mode", &error),
         error @ crate::error::Error::TooMany { found, most } => Failure::named(
             error.name(),
             "--limit",

@@ -1,5 +1,6 @@
 //! Tooth numbers for a ratio, as tables.
 
+mod arranged;
 mod double_planet;
 pub(crate) mod shifted;
 

@@ -128,10 +128,10 @@ impl<'a> DoublePlanetMeshes<'a> {
 }
 
 /// Names of the gears of a mesh, of the mesh itself and of the tips of each gear in it.
-struct Places<P> {
-    gears: [P; 2],
-    mesh: P,
-    tips: [P; 2],
+pub(crate) struct Places<P> {
+    pub(crate) gears: [P; 2],
+    pub(crate) mesh: P,
+    pub(crate) tips: [P; 2],
 }
 
 fn mesh_miss<P: Copy>(
@@ -143,18 +143,32 @@ fn mesh_miss<P: Copy>(
     let profile = Profile::of_rack(*rack);
     let one = InvoluteGear::searched(GearKind::External, teeth[0], profile);
     let other = InvoluteGear::searched(second, teeth[1], profile);
+    pair_miss([one, other], places, false)
+}
+
+/// The first check of two gears in mesh that does not hold and is an error; gears with errors have no teeth.
+/// Tips that reach into fillets count for external gears on request, never for internal ones.
+///
+/// # Errors
+/// Those of [`Pair::without_backlash`].
+pub(crate) fn pair_miss<P: Copy>(
+    [one, other]: [Result<InvoluteGear, Error>; 2],
+    places: &Places<P>,
+    fillets: bool,
+) -> Result<Option<Check<P>>, Error> {
     // Pointed teeth and missing teeth are both faults of the gear.
     let (one, other) = match (one, other) {
         (Ok(one), Ok(other)) => (one, other),
         (Err(_), _) => return Ok(Some(no_teeth(places.gears[0]))),
         (_, Err(_)) => return Ok(Some(no_teeth(places.gears[1]))),
     };
+    let second = other.kind();
     let pair = Pair::without_backlash(one, other)?;
     let Ok(pair) = pair.with_clear_ring_tips() else { return Ok(Some(no_teeth(places.gears[1]))) };
     let mut first = None;
     let mut see = |check: Check<P>| {
         // Planets of a large ring are cut a little shorter, or the ring by a larger shaper.
-        let is_fillet = check.rule == Rule::Fillet;
+        let is_fillet = check.rule == Rule::Fillet && !(fillets && second == GearKind::External);
         let counts = check.rule.severity() == Severity::Error && !check.holds() && !is_fillet;
         if counts && first.is_none() {
             first = Some(check);

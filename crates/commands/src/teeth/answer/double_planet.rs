@@ -94,17 +94,18 @@ pub(in crate::teeth) fn answer(
     bounds: &Bounds,
     done: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Result<DoublePlanetTeeth, Error> {
-    let Listed { ratio, mode, tolerance, found, left_out, sets, tooth_checks } = listed(
+    let mode = request.simple_mode()?;
+    let Listed { ratio, tolerance, found, left_out, sets, tooth_checks } = listed(
         request,
-        bounds,
-        |ratio, mode, tolerance, most| bounds.double_planets_for_ratio(ratio, mode, tolerance, most, done),
+        &bounds.rack,
+        |ratio, tolerance, most| bounds.double_planets_for_ratio(ratio, mode, tolerance, most, done),
         DoublePlanetNumbers::of,
         DoublePlanetNumbers::gearbox,
     )?;
     let shown = sets.len();
     Ok(DoublePlanetTeeth {
         ratio,
-        mode,
+        mode: Motion::of(mode),
         tolerance,
         found,
         left_out,
@@ -120,7 +121,7 @@ impl DoublePlanetNumbers {
     /// # Errors
     /// No error is known for a set that an answer to this request lists.
     pub fn gearbox(&self, request: &Request) -> Result<Gearbox, Error> {
-        let members = gearbox::members(request.mode);
+        let members = gearbox::members(request.simple_mode()?);
         let set = SetSpec::teeth(gearbox::NAME, SetKind::DoublePlanet, members, self.sun, self.ring)?;
         let [inner, outer] = [self.inner_planet, self.outer_planet].map(ToothCount::new);
         gearbox::built(request, set.planet_teeth(inner?, Some(outer?)).planet_count(self.pairs))

@@ -26,7 +26,7 @@ fn link(mode: Mode, member: Member) -> &'static str {
 
 /// Set as a gearbox without losses, named by the required ratio.
 pub(super) fn built(request: &Request, set: SetSpec) -> Result<Gearbox, Error> {
-    let (mode, ratio) = (request.mode, request.ratio.get());
+    let (mode, ratio) = (request.simple_mode()?, request.ratio.get());
     let [input, output] = [mode.input(), mode.output()].map(|member| link(mode, member));
     let name = format!("Ratio {ratio} ({mode})");
     // Planets that can be assembled equally spaced are placed so under either bound.

@@ -179,16 +179,17 @@ pub(in crate::teeth) fn answer(
     done: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Result<ShiftedTeeth, Error> {
     let search = shifts.within(bounds).within(bounds);
-    let Listed { ratio, mode, tolerance, found, left_out, sets, tooth_checks } = listed(
+    let mode = request.simple_mode()?;
+    let Listed { ratio, tolerance, found, left_out, sets, tooth_checks } = listed(
         request,
-        bounds,
-        |ratio, mode, tolerance, most| search.first_for_ratio(ratio, mode, tolerance, most, done),
+        &bounds.rack,
+        |ratio, tolerance, most| search.first_for_ratio(ratio, mode, tolerance, most, done),
         ShiftedNumbers::of,
         ShiftedNumbers::gearbox,
     )?;
     Ok(ShiftedTeeth {
         ratio,
-        mode,
+        mode: Motion::of(mode),
         tolerance,
         aim: shifts.aim,
         least_tip_thickness_in_modules: shifts.tip_thickness,
@@ -206,7 +207,7 @@ impl ShiftedNumbers {
     /// # Errors
     /// No error is known for a set that an answer to this request lists.
     pub fn gearbox(&self, request: &Request) -> Result<Gearbox, Error> {
-        let members = gearbox::members(request.mode);
+        let members = gearbox::members(request.simple_mode()?);
         let set = SetSpec::teeth(gearbox::NAME, SetKind::Simple, members, self.sun, self.ring)?;
         let set = set.planet_teeth(ToothCount::new(self.planet)?, None).planet_count(self.planets);
         gearbox::built(request, shifted(set, self.profile_shifts, self.tip_alterations, self.ring_tool))

@@ -1,0 +1,207 @@
+//! Tooth numbers of an arrangement by trial of every combination: slow, and the oracle of the search.
+//!
+//! It shares no formula with the search: speeds come from the equations of all meshes, assembly from trying
+//! every tooth of the planet, gaps from coordinates.
+
+use epicyclic_gears::arrangement::{
+    ArrangedTeeth, Arrangement, ArrangementBounds, ArrangementMember, ArrangementMode,
+};
+use epicyclic_gears::synthesis::Placement;
+use std::f64::consts::TAU;
+
+/// Place of the right side in a line of the equations: after five gears and the carrier.
+const LAST: usize = 6;
+
+/// Every set within the bounds with a ratio within the tolerance, before the checks of its teeth.
+///
+/// Ascending by teeth and number of planets. Sets of one kind of gears, as stepped planets with equal steps,
+/// are left out as by the search. Only bounds with one module and equal spacing are tried.
+///
+/// # Panics
+/// With other bounds.
+pub(crate) fn arranged_by_trial(
+    bounds: &ArrangementBounds,
+    wanted: f64,
+    mode: ArrangementMode,
+    tolerance: f64,
+) -> Vec<ArrangedTeeth> {
+    assert!(bounds.module_ratios == [1.into()] && bounds.placement == Placement::Equal);
+    let arrangement = bounds.arrangement;
+    let gears = arrangement.gears().len();
+    let mut found = vec![];
+    let mut teeth: Vec<u32> = bounds.teeth.iter().map(|range| *range.start()).collect();
+    loop {
+        let planets = if arrangement.is_pair() { 1..=1 } else { bounds.planets.clone() };
+        for planets in planets {
+            let is_set = has_centres(bounds, &teeth)
+                && ratio(arrangement, &teeth, mode)
+                    .is_some_and(|ratio| (ratio / wanted - 1.0).abs() <= tolerance + 1e-12)
+                && (arrangement.is_pair()
+                    || assembles(arrangement, &teeth, planets) && is_apart(bounds, &teeth, planets));
+            if is_set {
+                found.extend(ArrangedTeeth::new(arrangement, &teeth, 1.into(), planets));
+            }
+        }
+        // The next combination, as an odometer counts.
+        let Some(place) = (0..gears).rev().find(|place| teeth[*place] < *bounds.teeth[*place].end()) else {
+            return found;
+        };
+        teeth[place] += 1;
+        for (teeth, range) in teeth.iter_mut().zip(&bounds.teeth).skip(place + 1) {
+            *teeth = *range.start();
+        }
+    }
+}
+
+/// Doubled centre distances of the meshes with central gears: of the planet, or of the short and the long.
+fn doubled(arrangement: Arrangement, z: &[u32]) -> [Vec<i64>; 2] {
+    let z: Vec<i64> = z.iter().map(|&teeth| i64::from(teeth)).collect();
+    match arrangement {
+        Arrangement::Stepped => [vec![z[0] + z[1], z[3] - z[2]], vec![]],
+        Arrangement::TwoSuns => [vec![z[0] + z[1], z[3] + z[2]], vec![]],
+        Arrangement::TwoRings => [vec![z[0] - z[1], z[3] - z[2]], vec![]],
+        Arrangement::Wolfrom => [vec![z[0] + z[1], z[2] - z[1], z[4] - z[3]], vec![]],
+        Arrangement::Ravigneaux => [vec![z[0] + z[1]], vec![z[3] + z[2], z[4] - z[2]]],
+        Arrangement::ExternalPair => [vec![z[0] + z[1]], vec![]],
+        Arrangement::InternalPair => [vec![z[1] - z[0]], vec![]],
+    }
+}
+
+fn has_centres(bounds: &ArrangementBounds, teeth: &[u32]) -> bool {
+    let has_centre = |distances: &Vec<i64>| {
+        distances.iter().all(|&one| {
+            let offset = one - distances[0];
+            one > 0
+                && (i64::from(*bounds.offsets.start())..=i64::from(*bounds.offsets.end())).contains(&offset)
+        })
+    };
+    // A stepped planet with equal steps between sun and ring makes a simple set.
+    let is_simple = bounds.arrangement == Arrangement::Stepped && teeth[1] == teeth[2];
+    doubled(bounds.arrangement, teeth).iter().all(has_centre) && !is_simple
+}
+
+/// Ratio by Gaussian elimination of the meshes' equations; `None` where it is not determined.
+fn ratio(arrangement: Arrangement, teeth: &[u32], mode: ArrangementMode) -> Option<f64> {
+    let gears = arrangement.gears().len();
+    let carrier = gears;
+    let place = |member: ArrangementMember| member.gear().unwrap_or(carrier);
+    let mut lines: Vec<[f64; LAST + 1]> = vec![];
+    let mut add = |terms: &[(usize, f64)], right: f64| {
+        let mut line = [0.0; LAST + 1];
+        terms.iter().for_each(|(place, factor)| line[*place] += factor);
+        line[LAST] = right;
+        lines.push(line);
+    };
+    for (number, &[one, other]) in arrangement.meshes().iter().enumerate() {
+        let is_internal = match arrangement {
+            Arrangement::Stepped | Arrangement::Wolfrom => number > 0,
+            Arrangement::TwoRings | Arrangement::InternalPair => true,
+            Arrangement::Ravigneaux => number == 3,
+            _ => false,
+        };
+        let (first, second) = (f64::from(teeth[one]), f64::from(teeth[other]));
+        let second = if is_internal { -second } else { second };
+        add(&[(one, first), (other, second), (carrier, -first - second)], 0.0);
+    }
+    if arrangement.has_steps() {
+        let second = if arrangement == Arrangement::Wolfrom { 3 } else { 2 };
+        add(&[(1, 1.0), (second, -1.0)], 0.0);
+    }
+    add(&[(place(mode.fixed), 1.0)], 0.0);
+    add(&[(place(mode.output), 1.0)], 1.0);
+    let unknowns = gears + 1;
+    for column in 0..unknowns {
+        let pivot = (column..lines.len())
+            .max_by(|one, other| lines[*one][column].abs().total_cmp(&lines[*other][column].abs()))?;
+        if lines[pivot][column].abs() < 1e-9 {
+            return None;
+        }
+        lines.swap(column, pivot);
+        let own = lines[column];
+        for (_, line) in lines.iter_mut().enumerate().filter(|(row, _)| *row != column) {
+            let factor = line[column] / own[column];
+            line.iter_mut().zip(own).for_each(|(value, own)| *value -= factor * own);
+        }
+    }
+    let input = place(mode.input);
+    Some(lines[input][LAST] / lines[input][input])
+}
+
+/// Whether a planet, turned by any number of its teeth, meets every central gear moved on by `z/N` teeth.
+fn assembles(arrangement: Arrangement, z: &[u32], planets: u32) -> bool {
+    let z: Vec<i64> = z.iter().map(|&teeth| i64::from(teeth)).collect();
+    let n = i64::from(planets);
+    // The first step turns by (c + k·N)/(N·g) revolutions; the sign is that of a ring.
+    let meets = |turns: [i64; 2], step: i64, central: i64| {
+        let [over, under] = turns;
+        (step * over * n - central * under) % (under * n) == 0
+    };
+    let steps = |first: i64, others: &[(i64, i64)]| {
+        (0..z[1]).any(|k| {
+            let turns = [first + k * n, n * z[1]];
+            others.iter().all(|&(step, central)| meets(turns, step, central))
+        })
+    };
+    match arrangement {
+        Arrangement::Stepped => steps(z[0], &[(-z[2], z[3])]),
+        Arrangement::TwoSuns => steps(z[0], &[(z[2], z[3])]),
+        Arrangement::TwoRings => steps(-z[0], &[(-z[2], z[3])]),
+        Arrangement::Wolfrom => steps(z[0], &[(-z[1], z[2]), (-z[3], z[4])]),
+        Arrangement::Ravigneaux => (0..z[1]).any(|k| {
+            // The short planet turns by (a + k·N)/(N·g), the long one by any number of its teeth against it.
+            let short = [z[0] + k * n, n * z[1]];
+            (0..z[2]).any(|l| {
+                let long = [-z[1] * short[0] + l * short[1], z[2] * short[1]];
+                meets(long, z[2], z[3]) && meets(long, -z[2], z[4])
+            })
+        }),
+        Arrangement::ExternalPair | Arrangement::InternalPair => true,
+    }
+}
+
+/// Whether gears that do not mesh are apart, by the coordinates of their centres.
+fn is_apart(bounds: &ArrangementBounds, z: &[u32], planets: u32) -> bool {
+    let addendum = bounds.rack.addendum;
+    let gap = bounds.tip_gap + 1e-9;
+    let teeth = |gear: usize| f64::from(z[gear]);
+    let radius = |distances: &[i64]| {
+        let (least, most) = (distances.iter().min(), distances.iter().max());
+        (least.copied().unwrap_or(0) + most.copied().unwrap_or(0)) as f64 / 4.0
+    };
+    let [first, second] = doubled(bounds.arrangement, z);
+    // Gears of one planet: place, radius of the centre, angle about the axis.
+    let mut gears = vec![];
+    if bounds.arrangement == Arrangement::Ravigneaux {
+        let (short, long) = (radius(&first), radius(&second));
+        let distance = (teeth(1) + teeth(2)) / 2.0;
+        let apart = |angle: f64| libm::hypot(long * libm::cos(angle) - short, long * libm::sin(angle));
+        let (mut near, mut far) = (0.0, TAU / 2.0);
+        // A flat triangle closes but for rounding.
+        if apart(near) > distance + 1e-12 || apart(far) < distance - 1e-12 {
+            return false;
+        }
+        for _ in 0..60 {
+            let middle = (near + far) / 2.0;
+            if apart(middle) > distance { far = middle } else { near = middle }
+        }
+        gears.extend([(1, short, 0.0), (2, long, near)]);
+        if teeth(4) / 2.0 - addendum - short - teeth(1) / 2.0 - addendum <= gap
+            || long - teeth(2) / 2.0 - addendum - teeth(0) / 2.0 - addendum <= gap
+        {
+            return false;
+        }
+    } else {
+        let step = if bounds.arrangement == Arrangement::Wolfrom { 3 } else { 2 };
+        gears.extend([(1, radius(&first), 0.0), (step, radius(&first), 0.0)]);
+    }
+    let are_steps = bounds.arrangement.has_steps();
+    gears.iter().all(|&(one, r, at)| {
+        gears.iter().filter(|other| !are_steps || other.0 == one).all(|&(other, s, from)| {
+            (1..planets).all(|turn| {
+                let angle = from + TAU * f64::from(turn) / f64::from(planets) - at;
+                let distance = libm::hypot(s * libm::cos(angle) - r, s * libm::sin(angle));
+                distance - (teeth(one) + teeth(other)) / 2.0 - 2.0 * addendum > gap
+            })
+        })
+    })
+}
