@@ -197,8 +197,7 @@ impl GearSet {
     /// As [`Self::planar`].
     pub fn add_planar(&self, model: &mut Model, prefix: &str) -> Result<GearSetParts, Error> {
         let (members, supports) = self.add_members(model, prefix, false)?;
-        let seats: Vec<Seat> =
-            members.iter().map(|body| Seat { centre: Some(*body), turn: *body }).collect();
+        let seats: Vec<Seat> = members.iter().map(|body| Seat { centre: Some(*body), turn: *body }).collect();
         let parts = self.add_planets(model, prefix, &seats)?;
         Ok(GearSetParts { members, supports, ..parts })
     }
@@ -216,8 +215,13 @@ impl GearSet {
 
     /// Inertia of the planets on their circles, which moves with a carrier that they are rigid on.
     pub(crate) fn orbit_kg_m2(&self) -> f64 {
-        let inertia = |planet: &PlanetBody| planet.body.mass.si() * planet.distance.si().powi(2);
-        self.planets.iter().map(inertia).sum()
+        let circles = self.planets.chunk_by(|one, other| one.distance == other.distance);
+        let inertia = |circle: &[PlanetBody]| {
+            let (masses, radius) =
+                (circle.iter().map(|planet| planet.body.mass.si()).sum::<f64>(), circle[0].distance.si());
+            masses * radius * radius
+        };
+        circles.map(inertia).sum()
     }
 
     fn add_members(
@@ -276,9 +280,9 @@ impl GearSet {
         let radius = |model: &Model, body: BodyId| model.body_radius(body).map_or(1.0, Physical::si);
         for mesh in &self.meshes {
             let name = format!("{prefix}mesh of {} and {}", self.name(mesh, 0), self.name(mesh, 1));
-            let beta = self.line_of_action_rad(mesh)?;
-            let line = [-libm::sin(beta), libm::cos(beta)];
-            let mut terms: Vec<Term> = vec![];
+            let (phi, alpha) = self.line_of_action_rad(mesh)?;
+            let line = [-libm::sin(phi + alpha), libm::cos(phi + alpha)];
+            let (mut terms, mut turns, mut carried): (Vec<Term>, Vec<Term>, Vec<Term>) = Default::default();
             for (gear, sign) in mesh.gears.iter().zip([1.0, -1.0]) {
                 let (centre, turn) = match gear.of {
                     BodyOf::Member(place) => (seats[place].centre, seats[place].turn),
@@ -286,8 +290,8 @@ impl GearSet {
                         let body = parts.planets[place];
                         if let Some(carrier) = carrier.filter(|_| is_rigid) {
                             let planet = &self.planets[place];
-                            let along = planet.distance.si() * libm::cos(beta - planet.angle.si());
-                            terms.push((carrier.turn, u, sign * along / radius(model, carrier.turn)));
+                            let along = planet.distance.si() * libm::cos(phi - planet.angle.si() + alpha);
+                            carried.push((carrier.turn, u, sign * along / radius(model, carrier.turn)));
                         }
                         (Some(body).filter(|_| !is_rigid), body)
                     }
@@ -298,8 +302,9 @@ impl GearSet {
                 // Only the second of two external gears turns against the line of action.
                 let is_turned = sign < 0.0 && mesh.gears.iter().all(|gear| !gear.is_internal);
                 let lever = if is_turned { -gear.base_radius.si() } else { gear.base_radius.si() };
-                terms.push((turn, u, sign * lever / radius(model, turn)));
+                turns.push((turn, u, sign * lever / radius(model, turn)));
             }
+            terms.extend(turns.into_iter().chain(carried));
             parts.meshes.push(model.spring(&name, mesh.stiffness, &terms)?);
         }
         let Some(Seat { centre: Some(centre), turn }) = carrier else { return Ok(parts) };
@@ -313,10 +318,9 @@ impl GearSet {
                     [(centre, Axis::X, x), (centre, Axis::Y, y), (body, Axis::X, -x), (body, Axis::Y, -y)];
                 model.spring(&name, planet.bearing, &[&between[..], &[(turn, u, turned)]].concat())
             };
-            parts.bearings.push([
-                spring("radial", [cos, sin], 0.0)?,
-                spring("tangential", [-sin, cos], lever)?,
-            ]);
+            parts
+                .bearings
+                .push([spring("radial", [cos, sin], 0.0)?, spring("tangential", [-sin, cos], lever)?]);
             model.bodies[turn.0].orbiting.push(Orbiting {
                 mass_kg: planet.body.mass.si(),
                 bearing_n_per_m: planet.bearing.si(),
@@ -334,9 +338,9 @@ impl GearSet {
         }
     }
 
-    /// Angle `β` of the line of action.
-    fn line_of_action_rad(&self, mesh: &GearMesh) -> Result<f64, Error> {
-        let field = || format!("pressure angle of the mesh of {} and {}", self.name(mesh, 0), self.name(mesh, 1));
+    /// `φ`, and what the angle `β` of the line of action is beyond it.
+    fn line_of_action_rad(&self, mesh: &GearMesh) -> Result<(f64, f64), Error> {
+        let field = || format!("pressure angle of the {}'s meshes", self.name(mesh, 0));
         let alpha = within(field, mesh.pressure_angle.si(), [0.0, FRAC_PI_2], "rad")?;
         // The centre of a ring is on the same side of its mate and of the pitch point.
         let [from, to] = if mesh.gears[1].is_internal { [1, 0] } else { [0, 1] };
@@ -355,7 +359,7 @@ impl GearSet {
             }
         };
         let is_subtracted = mesh.is_forward != mesh.gears[0].is_internal;
-        Ok(if is_subtracted { phi - alpha } else { phi + alpha })
+        Ok((phi, if is_subtracted { -alpha } else { alpha }))
     }
 
     /// Refuses places that do not exist, a carrier without planets, and two planets at one place.

@@ -45,9 +45,9 @@ pub mod train;
 
 pub use energy::{InertiaKind, KineticShare, ModalEnergy, StrainShare};
 pub use error::Error;
+pub use gear_set::{BodyOf, Central, Gear, GearMesh, GearSet, GearSetParts, Member, PlanetBody};
 pub use gyroscopic::{Centripetal, WhirlMode};
 pub use model::{Axis, Body, BodyId, Freedom, Model, Shape, SpringId, Support};
 pub use modes::{Group, Kind, Mode, Modes};
-pub use gear_set::{BodyOf, Central, Gear, GearMesh, GearSet, GearSetParts, Member, PlanetBody};
 pub use planetary::{Planet, PlanetarySet, SetParts};
 pub use stiffness::{Stiffness, TorsionalStiffness, newtons_per_meter};

@@ -69,11 +69,7 @@ pub struct TrainParts {
 /// # Errors
 /// [`Error::NotPositive`] for a link that turns without any inertia, and as [`GearSet::torsional`];
 /// [`Error::Negative`] for an inertia; [`Error::NoSuchBody`] for a place of a link.
-pub fn torsional(
-    links: &[Link],
-    sets: &[Placed],
-    shafts: &[Shaft],
-) -> Result<(Model, TrainParts), Error> {
+pub fn torsional(links: &[Link], sets: &[Placed], shafts: &[Shaft]) -> Result<(Model, TrainParts), Error> {
     let mut inertias = inertias(links)?;
     for Placed { set, links, name } in sets {
         set.check()?;

@@ -40,7 +40,8 @@ impl<T> PerGear<T> {
         let names = &gears.names;
         match self {
             Self::List(_) if !gears.has_order => {
-                Err(DescriptionError::ByName { set: set.to_owned(), key, gears: names.join(", ") })
+                let (set, of) = (set.to_owned(), gears.of);
+                Err(DescriptionError::ByName { set, key, of, gears: names.join(", ") })
             }
             Self::List(values) if values.len() == names.len() => Ok(values.iter().map(Some).collect()),
             Self::List(values) => Err(DescriptionError::Values {
@@ -58,7 +59,7 @@ impl<T> PerGear<T> {
     }
 }
 
-/// Gears of a set as its keys know them.
+/// Gears of a set as its keys know them, or bodies or meshes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gears {
     /// Names, in the order of [`PlanetSet::gears`](epicyclic_train::PlanetSet::gears).
@@ -67,6 +68,8 @@ pub struct Gears {
     pub kinds: Vec<Option<GearKind>>,
     /// Whether lists may be in their order: not in compound sets, whose gears have none.
     pub has_order: bool,
+    /// Things that have these names, in words.
+    pub of: &'static str,
 }
 
 impl Gears {
@@ -74,12 +77,12 @@ impl Gears {
     #[must_use]
     pub fn of_kind(kind: SetKind) -> Self {
         let (names, kinds) = kind.gears().into_iter().map(|(name, kind)| (name.to_owned(), kind)).unzip();
-        Self { names, kinds, has_order: true }
+        Self { names, kinds, has_order: true, of: "gears" }
     }
 
     pub(super) fn unknown(&self, set: &str, key: &'static str, gear: &str) -> DescriptionError {
-        let gears = self.names.join(", ");
-        DescriptionError::NoSuchGear { set: set.to_owned(), key, gear: gear.to_owned(), gears }
+        let (set, gear, of) = (set.to_owned(), gear.to_owned(), self.of);
+        DescriptionError::NoSuchGear { set, key, gear, of, gears: self.names.join(", ") }
     }
 }
 

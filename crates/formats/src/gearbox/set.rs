@@ -4,7 +4,7 @@ use super::checks::{NO_LINK, counts};
 use super::losses::losses;
 use super::shape::{Shape, missing};
 use super::spacing::spaced;
-use super::{DescriptionError, Gears, SetEntry};
+use super::{DescriptionError, Gears, SetEntry, Vibrating};
 use crate::Path;
 use crate::faults::Faults;
 use epicyclic_gears::rack::BasicRack;
@@ -79,6 +79,9 @@ impl SetEntry {
             is_known: self.teeth.is_some() && known == planet_gears && kind != SetKind::Bevel,
         };
         spec.tooth_shape = shape.tooth_shape(rack, faults);
+        if let Some(vibration) = &self.vibration {
+            vibration.check(&self.id, &gears, &Vibrating::of_kind(kind), faults);
+        }
         self.of_each_mesh("modules", kind, self.modules.as_deref(), faults);
         if self.modules.is_some() && self.module.is_some() {
             let twice = DescriptionError::Twice { set: set(), first: "module", second: "modules" };
