@@ -119,7 +119,6 @@ pub(crate) fn add_inertias(
 }
 
 /// Adds the links with these inertias, and their supports.
-#[expect(clippy::type_complexity, reason = "two lists that begin alike in both models")]
 pub(crate) fn add_links(
     model: &mut Model,
     links: &[Link],

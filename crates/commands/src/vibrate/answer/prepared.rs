@@ -309,7 +309,6 @@ impl<'a> Of<'a> {
         }
         let angles = self.set.angles_between(&teeth?.toothed, &self.data.is_behind)?;
         let mut firsts: Vec<usize> = angles.iter().map(|(first, _)| *first).collect();
-        firsts.dedup();
         firsts.sort_unstable();
         firsts.dedup();
         // Planets that no mesh ties share the space between the first ones equally.

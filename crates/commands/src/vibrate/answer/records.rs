@@ -4,7 +4,8 @@ use epicyclic_pictures::modes::Part;
 use epicyclic_vibration::Kind;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Serialize, Serializer};
-use std::borrow::Cow;
+use serde_json::Value;
+use std::collections::BTreeMap;
 
 /// Modes of a set in the gears that hold the same members and load the same flanks.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -141,24 +142,19 @@ impl Serialize for Shares {
     }
 }
 
-impl JsonSchema for Shares {
-    fn schema_name() -> Cow<'static, str> {
-        "Shares".into()
-    }
+/// Schema of [`Shares`] in which simple sets have these parts; others have the names of their gears.
+fn shares(types: &Value, parts: [&str; 4]) -> Schema {
+    let share = || json_schema!({ "type": "number" });
+    let properties: BTreeMap<&str, Schema> = parts.into_iter().map(|part| (part, share())).collect();
+    json_schema!({ "type": types, "properties": properties, "additionalProperties": share() })
+}
 
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        // Parts of simple sets; others have the names of their gears.
-        let share = json_schema!({ "type": "number" });
-        json_schema!({
-            "type": "object",
-            "properties": {
-                "sun": share, "ring": share, "carrier": share, "planets": share,
-                "sun_meshes": share, "ring_meshes": share, "planet_bearings": share, "supports": share,
-            },
-            "additionalProperties": share,
-            "description": "Shares of parts in an energy by their names, with the sum 1.",
-        })
-    }
+fn kinetic_shares(_: &mut SchemaGenerator) -> Schema {
+    shares(&"object".into(), ["sun", "ring", "carrier", "planets"])
+}
+
+fn strain_shares(_: &mut SchemaGenerator) -> Schema {
+    shares(&vec!["object", "null"].into(), ["sun_meshes", "ring_meshes", "planet_bearings", "supports"])
 }
 
 /// Origins of the mesh stiffness.
@@ -185,10 +181,12 @@ pub struct Mode {
     pub frequency_hz: f64,
     /// Parts of the bodies in the kinetic energy: of central gears and the carrier by name, of all planets
     /// together as `planets`, where there are several kinds of each kind by name.
+    #[schemars(schema_with = "kinetic_shares")]
     pub kinetic: Shares,
     /// Parts of the springs in the strain energy; null if no spring is deformed: `sun_meshes`,
     /// `planet_bearings`, `supports`. Half of a part is the increase of the frequency in per cent if the
     /// stiffness of these springs increases by 1 %.
+    #[schemars(schema_with = "strain_shares")]
     pub strain: Option<Shares>,
     /// Motions of central gears, carrier and planets. If several modes have one frequency, the one with the
     /// largest motion of the first moving body in this order is given.
