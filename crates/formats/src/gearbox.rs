@@ -82,7 +82,7 @@ pub use kind::{KindEntry, RollingEntry};
 use losses::losses;
 pub use per_gear::{Gears, PerGear};
 pub use place::{gear_place, keys_of, part_place};
-pub use set_data::SetData;
+pub use set_data::{PlanetData, SetData};
 use spacing::spaced;
 pub use strength::{
     AccuracyEntry, DutyEntry, FloatingEntry, MaterialClass, MaterialEntry, OilEntry, OverloadEntry,
@@ -91,7 +91,8 @@ pub use strength::{
 pub use tools::{CutterEntry, ProfileEntry, ToolEntry, ToolMisfit};
 pub use transmissions::{Planet, PublishedGear, Rounding, Transmission, TransmissionSet, TransmissionsFile};
 pub use vibration::{
-    CarrierEntry, PlanetEntry, RingEntry, ShaftEntry, Stiffness, SunEntry, VibrationEntry, VibrationOfGearbox,
+    BodyEntry, CarrierEntry, CompoundVibrationEntry, PlanetEntry, RingEntry, ShaftEntry, Stiffness, SunEntry,
+    Vibrating, VibrationEntry, VibrationOfGearbox,
 };
 pub use written::{NotWritable, WrittenSize, written, written_with_sizes};
 
@@ -175,7 +176,7 @@ pub enum DescriptionError {
         missing: &'static str,
     },
     /// A value of a gear that the set has not.
-    #[error("set `{set}`: `{key}` has a value of `{gear}`, and its gears are {gears}{}", meant.as_ref().map(|one| format!("; write {one}?")).unwrap_or_default())]
+    #[error("set `{set}`: `{key}` has a value of `{gear}`, and its {of} are {gears}{}", meant.as_ref().map(|one| format!("; write {one}?")).unwrap_or_default())]
     NoSuchGear {
         /// The set.
         set: String,
@@ -183,7 +184,9 @@ pub enum DescriptionError {
         key: &'static str,
         /// The name.
         gear: String,
-        /// Names of its gears.
+        /// Things that the set has: gears, meshes, bodies.
+        of: &'static str,
+        /// Their names.
         gears: String,
         /// The name that is most like it.
         meant: Option<String>,
@@ -199,14 +202,28 @@ pub enum DescriptionError {
         gear: String,
     },
     /// Values in a list of a compound set, whose gears have no order.
-    #[error("set `{set}`: `{key}` needs the names of the gears, as `{key}: {{ {}: … }}`; they are {gears}", gears.split(',').next().unwrap_or_default())]
+    #[error("set `{set}`: `{key}` needs the names of the {of}, as `{key}: {{ {}: … }}`; they are {gears}", gears.split(',').next().unwrap_or_default())]
     ByName {
         /// The set.
         set: String,
         /// The key.
         key: &'static str,
-        /// Names of its gears.
+        /// Things that the values are of: gears, meshes.
+        of: &'static str,
+        /// Their names.
         gears: String,
+    },
+    /// A key of a body that does not apply to its kind.
+    #[error("set `{set}`: `{key}` of the body `{body}` is of {of} alone; leave it out")]
+    BodyKey {
+        /// The set.
+        set: String,
+        /// The body.
+        body: String,
+        /// The key.
+        key: &'static str,
+        /// Bodies that have the key, in words.
+        of: &'static str,
     },
     /// A key that a list of transmissions does not read.
     #[error("set `{set}`: `{key}` is read in a gearbox file alone, not in a list of transmissions")]
@@ -510,7 +527,7 @@ pub struct SetEntry {
     /// For its data sheet: measuring balls, allowances.
     #[serde(default)]
     pub data_sheet: Option<DataSheetEntry>,
-    /// Of a simple set, for its vibration: bodies, bearings, supports, stiffness of meshes.
+    /// For its vibration: bodies, bearings, supports, stiffness of meshes.
     #[serde(default)]
     pub vibration: Option<VibrationEntry>,
     /// Remark, of any form.

@@ -20,7 +20,7 @@
 //! the fillets of their planets.
 
 use crate::compound::{CentralKind, CompoundSpec};
-use crate::planet_places::{Given, Places, central_mesh, places, planet_of, teeth_of};
+use crate::planet_places::{Given, NoPair, Places, central_mesh, places, planet_of, teeth_of};
 use crate::planet_set::{Description, GearOf, MeshKind, PlanetSet, parts_of_short};
 use crate::set::{Gearing, MeshLoss, SetKind, SetSpec};
 use crate::tolerance::TOUCH;
@@ -207,6 +207,24 @@ impl PlanetSet {
         let meshes = ends.into_iter().zip(pairs).enumerate();
         let meshes = meshes.map(|(mesh, (gears, pair))| ToothedMesh { gears, pair, module: module(mesh) });
         Ok(ToothedSet { meshes: meshes.collect(), radii: places.radii })
+    }
+
+    /// Angle of each planet about the main axis, with the first of those that meshes of planets tie together,
+    /// from which it counts; `None` where two planets in mesh do not reach each other. The one described later
+    /// is ahead in the positive direction, unless it is behind in this mesh.
+    #[must_use]
+    pub fn angles_between(&self, toothed: &ToothedSet, is_behind: &[bool]) -> Option<Vec<(usize, Angle)>> {
+        let given = Given {
+            modules: toothed.meshes.iter().map(|mesh| Some(mesh.module)).collect(),
+            radii: toothed.radii.clone(),
+            is_behind: is_behind.to_vec(),
+            distances: toothed.meshes.iter().map(|mesh| Some(mesh.pair.centre_distance())).collect(),
+            module: None,
+        };
+        let places = places(self, &given);
+        let is_placed = |pair: &Result<_, NoPair>| matches!(pair, Ok(_) | Err(NoPair::OtherMesh));
+        let angles = || places.angles(self).into_iter().map(|(first, at)| (first, Angle::from_si(at)));
+        places.pairs.iter().all(is_placed).then(|| angles().collect())
     }
 
     /// Centre distance of a mesh in its modules, where another mesh of its planet gives it; `None` of a mesh

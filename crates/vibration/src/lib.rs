@@ -1,10 +1,11 @@
-//! Modes of planetary gear sets.
+//! Modes of gear sets.
 //!
 //! # Contents
 //!
 //! | module | answers |
 //! |---|---|
-//! | [`planetary`] | a simple set as bodies and springs, planar or torsional |
+//! | [`gear_set`] | a set of any kind as bodies and springs, planar or torsional |
+//! | [`planetary`] | a simple set in the form of the literature |
 //! | [`train`] | several sets on common links, torsional |
 //! | [`coupled`] | the same in the plane |
 //! | [`model`] | any bodies and springs, supports, shafts |
@@ -29,6 +30,7 @@ mod classify;
 pub mod coupled;
 pub mod energy;
 mod error;
+pub mod gear_set;
 pub mod gyroscopic;
 pub mod kahraman;
 mod kernel;
@@ -43,8 +45,9 @@ pub mod train;
 
 pub use energy::{InertiaKind, KineticShare, ModalEnergy, StrainShare};
 pub use error::Error;
+pub use gear_set::{BodyOf, Central, Gear, GearMesh, GearSet, GearSetParts, Member, PlanetBody};
 pub use gyroscopic::{Centripetal, WhirlMode};
 pub use model::{Axis, Body, BodyId, Freedom, Model, Shape, SpringId, Support};
 pub use modes::{Group, Kind, Mode, Modes};
-pub use planetary::{Central, Planet, PlanetarySet, SetParts};
+pub use planetary::{Planet, PlanetarySet, SetParts};
 pub use stiffness::{Stiffness, TorsionalStiffness, newtons_per_meter};

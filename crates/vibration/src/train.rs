@@ -1,26 +1,20 @@
 //! Sets on common links: the torsional model of a whole gearbox.
 //!
-//! A link is what turns as one piece: sun, ring and carrier of sets that are joined, with what is on their
-//! shafts. Its coordinate is its angle `θ`, so `u` with the radius 1 m. With base radii `r` and the radius
-//! `r_c` of the planets' circle, meshes are bent by
-//!
-//! ```text
-//! δ_s = r_s·θ_s + u_n − r_c·θ_c·cos α_s,     δ_r = r_r·θ_r − u_n − r_c·θ_c·cos α_r
-//! ```
-//!
-//! as in the [torsional model of one set](crate::planetary). A link has the inertias of its members and,
-//! where it has a carrier, the masses of the planets on their circle; the planets rotate by themselves. A
-//! shaft joins two links by a torsional stiffness. A link that is held does not rotate.
+//! A link is what turns as one piece: central gears and carriers of sets that are joined, with what is on
+//! their shafts. Its coordinate is its angle `θ`, so `u` with the radius 1 m. Meshes are bent as in the
+//! [torsional model of one set](crate::gear_set). A link has the inertias of its members and, where it has a
+//! carrier, the masses of the planets on their circle; the planets rotate by themselves. A shaft joins two
+//! links by a torsional stiffness. A link that is held does not rotate.
 //!
 //! As many modes have no frequency as the links have freedoms that bend no mesh and no shaft: those that the
 //! gearbox keeps.
 
 use crate::checks::not_negative;
-use crate::model::{Axis, Body, BodyId, Freedom, Model, SpringId, Support};
-use crate::planetary::PlanetarySet;
+use crate::gear_set::{GearSet, GearSetParts, Seat};
+use crate::model::{Body, BodyId, Freedom, Model, SpringId, Support};
 use crate::{Error, TorsionalStiffness};
 use epicyclic_units::Physical;
-use uom::si::f64::{Length, MomentOfInertia};
+use uom::si::f64::{Length, Mass, MomentOfInertia};
 
 /// A link.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,15 +29,15 @@ pub struct Link {
     pub held: bool,
 }
 
-/// A set with the places of the links of its sun, ring and carrier.
+/// A set with the places of the links of its members.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Placed<'s> {
+pub struct Placed {
     /// Name of the set, with which the names of its bodies and springs begin.
     pub name: String,
-    /// The set; of its members inertias and radii count, supports and freedoms do not.
-    pub set: &'s PlanetarySet,
-    /// Links of sun, ring and carrier.
-    pub links: [usize; 3],
+    /// The set; of its members inertias count, supports and freedoms do not.
+    pub set: GearSet,
+    /// Links of the members, in their order.
+    pub links: Vec<usize>,
 }
 
 /// A shaft between two links.
@@ -58,16 +52,12 @@ pub struct Shaft {
 }
 
 /// Places of the links and sets in the model.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct TrainParts {
     /// The links.
     pub links: Vec<BodyId>,
-    /// Planets of each set.
-    pub planets: Vec<Vec<BodyId>>,
-    /// Meshes of the sun of each set.
-    pub sun_meshes: Vec<Vec<SpringId>>,
-    /// Meshes of the ring of each set.
-    pub ring_meshes: Vec<Vec<SpringId>>,
+    /// Planets and meshes of each set.
+    pub sets: Vec<GearSetParts>,
     /// The shafts.
     pub shafts: Vec<SpringId>,
     /// The support of each link; empty without.
@@ -77,76 +67,77 @@ pub struct TrainParts {
 /// The torsional model of sets on links.
 ///
 /// # Errors
-/// [`Error::NotPositive`] for a link that turns without any inertia, and as [`PlanetarySet::torsional`];
+/// [`Error::NotPositive`] for a link that turns without any inertia, and as [`GearSet::torsional`];
 /// [`Error::Negative`] for an inertia; [`Error::NoSuchBody`] for a place of a link.
-pub fn torsional(
-    links: &[Link],
-    sets: &[Placed<'_>],
-    shafts: &[Shaft],
-) -> Result<(Model, TrainParts), Error> {
-    let count = links.len();
-    let at = |index: usize| if index < count { Ok(index) } else { Err(Error::NoSuchBody { index, count }) };
-    let mut inertias = Vec::with_capacity(count);
-    for link in links {
-        inertias.push(not_negative(|| format!("inertia of {}", link.name), link.inertia.si(), "kg·m²")?);
-    }
+pub fn torsional(links: &[Link], sets: &[Placed], shafts: &[Shaft]) -> Result<(Model, TrainParts), Error> {
+    let mut inertias = inertias(links)?;
     for Placed { set, links, name } in sets {
-        set.check_planets()?;
-        for (central, link) in [&set.sun, &set.ring, &set.carrier].into_iter().zip(links) {
-            let inertia = central.body.inertia.si();
-            inertias[at(*link)?] += not_negative(|| format!("inertia in {name}"), inertia, "kg·m²")?;
+        set.check()?;
+        add_inertias(&mut inertias, set, links, name)?;
+        if let Some(carrier) = set.carrier {
+            inertias[links[carrier]] += set.orbit_kg_m2();
         }
-        let r_c = set.carrier.body.radius.si();
-        let masses: f64 = set.planets.iter().map(|planet| planet.body.mass.si()).sum();
-        inertias[links[2]] += masses * r_c * r_c;
     }
     let mut model = Model::new();
-    let mut parts = TrainParts {
-        links: vec![],
-        planets: vec![],
-        sun_meshes: vec![],
-        ring_meshes: vec![],
-        shafts: vec![],
-        supports: vec![],
-    };
-    for (link, inertia) in links.iter().zip(inertias) {
-        let body = Body {
-            mass: Default::default(),
-            inertia: MomentOfInertia::from_si(inertia),
-            radius: Length::from_si(1.0),
-        };
-        let freedom = if link.held { Freedom::Held } else { Freedom::Rotation };
-        let place = model.body(&link.name, &body, freedom)?;
-        parts.links.push(place);
-        let tangential = Support::tangential_of(link.support, Length::from_si(1.0));
-        let support = Support { tangential, ..Support::default() };
-        parts.supports.push(if link.held { vec![] } else { model.support(place, support)? });
-    }
-    let u = Axis::Rotation;
+    let mut parts = TrainParts::default();
+    (parts.links, parts.supports) = add_links(&mut model, links, inertias)?;
     for Placed { set, links, name } in sets {
-        let [alpha_s, alpha_r] = set.pressure_angles()?;
-        let [sun, ring, carrier] = links.map(|link| parts.links[link]);
-        let [r_s, r_r, r_c] = [&set.sun, &set.ring, &set.carrier].map(|central| central.body.radius.si());
-        let (mut planets, mut sun_meshes, mut ring_meshes) = (vec![], vec![], vec![]);
-        for (index, planet) in set.planets.iter().enumerate() {
-            let number = index + 1;
-            let p = model.body(&format!("{name}planet {number}"), &planet.body, Freedom::Rotation)?;
-            let terms = [(sun, u, r_s), (p, u, 1.0), (carrier, u, -r_c * libm::cos(alpha_s))];
-            let mesh = format!("{name}mesh of sun and planet {number}");
-            sun_meshes.push(model.spring(&mesh, planet.sun_mesh, &terms)?);
-            let terms = [(ring, u, r_r), (p, u, -1.0), (carrier, u, -r_c * libm::cos(alpha_r))];
-            let mesh = format!("{name}mesh of ring and planet {number}");
-            ring_meshes.push(model.spring(&mesh, planet.ring_mesh, &terms)?);
-            planets.push(p);
-        }
-        parts.planets.push(planets);
-        parts.sun_meshes.push(sun_meshes);
-        parts.ring_meshes.push(ring_meshes);
+        let seat = |link: &usize| Seat { centre: None, turn: parts.links[*link] };
+        let seats: Vec<Seat> = links.iter().map(seat).collect();
+        parts.sets.push(set.add_planets(&mut model, name, &seats)?);
     }
     for shaft in shafts {
-        let joined = [parts.links[at(shaft.links[0])?], parts.links[at(shaft.links[1])?]];
+        let [first, second] = shaft.links.map(|link| at(link, links.len()));
+        let joined = [parts.links[first?], parts.links[second?]];
         let springs = model.shaft(&shaft.name, joined, shaft.stiffness, Default::default())?;
         parts.shafts.extend(springs);
     }
     Ok((model, parts))
+}
+
+/// Own inertias of the links, kg·m².
+pub(crate) fn inertias(links: &[Link]) -> Result<Vec<f64>, Error> {
+    let own = |link: &Link| not_negative(|| format!("inertia of {}", link.name), link.inertia.si(), "kg·m²");
+    links.iter().map(own).collect()
+}
+
+/// Adds the inertias of the members of a set to those of its links.
+pub(crate) fn add_inertias(
+    inertias: &mut [f64],
+    set: &GearSet,
+    links: &[usize],
+    name: &str,
+) -> Result<(), Error> {
+    let count = links.len();
+    at(set.members.len().max(1) - 1, count)?;
+    for (member, link) in set.members.iter().zip(links) {
+        let inertia = member.central.body.inertia.si();
+        let inertia = not_negative(|| format!("inertia in {name}"), inertia, "kg·m²")?;
+        inertias[at(*link, inertias.len())?] += inertia;
+    }
+    Ok(())
+}
+
+/// Adds the links with these inertias, and their supports.
+pub(crate) fn add_links(
+    model: &mut Model,
+    links: &[Link],
+    inertias: Vec<f64>,
+) -> Result<(Vec<BodyId>, Vec<Vec<SpringId>>), Error> {
+    let (mut bodies, mut supports) = (vec![], vec![]);
+    for (link, inertia) in links.iter().zip(inertias) {
+        let inertia = MomentOfInertia::from_si(inertia);
+        let body = Body { mass: Mass::default(), inertia, radius: Length::from_si(1.0) };
+        let freedom = if link.held { Freedom::Held } else { Freedom::Rotation };
+        let place = model.body(&link.name, &body, freedom)?;
+        let tangential = Support::tangential_of(link.support, Length::from_si(1.0));
+        let support = Support { tangential, ..Support::default() };
+        bodies.push(place);
+        supports.push(if link.held { vec![] } else { model.support(place, support)? });
+    }
+    Ok((bodies, supports))
+}
+
+pub(crate) fn at(index: usize, count: usize) -> Result<usize, Error> {
+    if index < count { Ok(index) } else { Err(Error::NoSuchBody { index, count }) }
 }

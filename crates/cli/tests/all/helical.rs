@@ -93,17 +93,6 @@ fn forces_on_planets_are_at_the_helical_centre_distance() {
 }
 
 #[test]
-fn vibration_of_helical_sets_is_refused() {
-    let done = output(&examples(), &["vibrate", DTU]);
-    assert!(!done.status.success());
-    let told = text(&done.stderr).replace('\n', " ");
-    assert!(
-        told.contains("set stage: its teeth are helical; vibrate takes spur teeth alone, helix_angle: 0 deg"),
-        "{told}"
-    );
-}
-
-#[test]
 fn a_helix_angle_that_is_refused_has_its_place() {
     let folder = here();
     let file = fs::read_to_string(examples().join(DTU)).unwrap();

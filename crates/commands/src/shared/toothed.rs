@@ -3,25 +3,10 @@
 use crate::shared::fault::refused;
 use crate::shared::gearbox::Gearbox;
 use epicyclic_formats::Path;
-use epicyclic_formats::gearbox::{GearboxFile, SetData, SetEntry, keys_of};
-use epicyclic_gears::involute::PlanetSet;
+use epicyclic_formats::gearbox::{SetData, keys_of};
 use epicyclic_train as train;
-use epicyclic_train::set::{SetKind, SetSpec};
 use epicyclic_train::toothed::{ToothedSet, Untoothed};
 use epicyclic_units::Physical;
-
-/// Sun, planets and ring of a set at a place of the file, in mesh, as their tools leave them; `None` where
-/// the file does not say enough of them.
-///
-/// # Errors
-/// [`Error::Document`](crate::error::Error::Document) at the key that may hold the cause.
-pub(crate) fn gears(
-    subject: &Gearbox,
-    path: &Path,
-    spec: &SetSpec,
-) -> Result<Option<PlanetSet>, crate::error::Error> {
-    spec.toothed_set(&subject.rack).transpose().map_err(|error| at_key(subject, path, &error))
-}
 
 /// Error of teeth, at the key of the set that may hold its cause.
 fn at_key(subject: &Gearbox, set: &Path, error: &epicyclic_gears::Error) -> crate::error::Error {
@@ -51,36 +36,7 @@ pub(crate) fn toothed(
     })
 }
 
-/// A simple set of a file: its place, its entry, its short description.
-pub(crate) type SimpleSet<'g> = (Path, &'g SetEntry, &'g SetSpec);
-
-/// The sets of a gearbox in their order, each with its entry in the file where it is simple.
-pub(crate) fn simple_sets<'g>(
-    subject: &'g Gearbox,
-    file: &'g GearboxFile,
-) -> impl Iterator<Item = (&'g train::PlanetSet, Option<SimpleSet<'g>>)> {
-    subject.train.sets().iter().map(|set| {
-        let index = file.sets.iter().position(|entry| entry.id == set.id());
-        let spec = set.short().filter(|spec| spec.kind == SetKind::Simple);
-        let simple = index
-            .zip(spec)
-            .map(|(index, spec)| (Path::root().key("sets").index(index), &file.sets[index], spec));
-        (set, simple)
-    })
-}
-
 /// The keys that are not known.
 pub(crate) fn lacking(known: &[(&str, bool)]) -> Vec<String> {
     known.iter().filter(|(_, is_known)| !is_known).map(|(key, _)| (*key).to_owned()).collect()
-}
-
-/// Key of the tooth data that a set lacks.
-pub(crate) const fn missing_teeth(entry: &SetEntry) -> &'static str {
-    if entry.teeth.is_none() {
-        "teeth"
-    } else if entry.planet_teeth.is_none() {
-        "planet_teeth"
-    } else {
-        "profile_shifts"
-    }
 }

@@ -89,7 +89,7 @@ fn table(
     let is_said = |Line(.., figures): &Line| !figures.iter().all(|figure| matches!(figure, Figure::None));
     Table::new(name, lines.into_iter().filter(is_said))
         .words("set", "set", |_| set)
-        .words("quantity", "", |Line(key, words, ..)| Figure::answer(*key, words))
+        .words("quantity", "", |Line(key, words, ..)| Figure::answer(*key, *words))
         .text("symbol", "", |Line(_, _, symbol, _)| symbol)
         .for_people()
         .each(headings.iter().zip(keys).enumerate(), |table, (place, (heading, key))| {

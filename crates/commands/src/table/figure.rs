@@ -72,7 +72,7 @@ pub enum Figure {
     /// List of names, in CSV with a `+` between them.
     Texts(Vec<String>),
     /// Answer from a short list: its name, and its words.
-    Answer(Cow<'static, str>, &'static str),
+    Answer(Cow<'static, str>, Cow<'static, str>),
     /// Answer to a yes-no question.
     YesNo(bool),
     /// Answer to a yes-no question in a table of marks.
@@ -107,12 +107,12 @@ fn word(choice: impl Serialize) -> String {
 
 impl Figure {
     /// Answer from a short list: its name, and its words.
-    pub fn answer(name: impl Into<Cow<'static, str>>, words: &'static str) -> Self {
-        Self::Answer(name.into(), words)
+    pub fn answer(name: impl Into<Cow<'static, str>>, words: impl Into<Cow<'static, str>>) -> Self {
+        Self::Answer(name.into(), words.into())
     }
 
     /// Choice of a record; its name is the word in JSON.
-    pub(crate) fn choice(choice: impl Serialize, words: &'static str) -> Self {
+    pub(crate) fn choice(choice: impl Serialize, words: impl Into<Cow<'static, str>>) -> Self {
         Self::answer(word(choice), words)
     }
 
@@ -140,7 +140,7 @@ impl Figure {
             Self::Text(text) => text.clone(),
             Self::Texts(texts) if texts.is_empty() => "-".to_owned(),
             Self::Texts(texts) => texts.join(" "),
-            Self::Answer(_, words) => (*words).to_owned(),
+            Self::Answer(_, words) => words.clone().into_owned(),
             Self::YesNo(yes) => if *yes { "yes" } else { "no" }.to_owned(),
             Self::Mark(yes) => if *yes { "x" } else { "." }.to_owned(),
         }

@@ -1,11 +1,12 @@
-//! Vibration of the simple sets of a gearbox: natural frequencies and modes, excitation, resonances, and
-//! forces over the speed.
+//! Vibration of the sets of a gearbox: natural frequencies and modes, excitation, resonances, and forces over
+//! the speed.
 //!
 //! | module | is |
 //! |---|---|
 //! | [`records`] | modes, orders, resonances |
 //! | `settled` | speeds and excitation from options or from the file |
-//! | `prepared` | a set of a file as bodies and springs |
+//! | `prepared` | data of a set of a file |
+//! | `assembly` | a set as bodies and springs |
 //! | `orders` | orders of excitation of a set in a gear |
 //! | `spacing` | places of the planets |
 //! | `links` | a gearbox in a gear as links, sets and shafts |
@@ -16,10 +17,13 @@
 //! | `branches` | natural frequencies over the speed, and their resonances |
 //! | `response` | mesh forces caused by transmission errors, over the speed |
 //!
-//! Each set is calculated separately, in its plane, on its supports; sets with helical teeth are left out. A
-//! member whose link is held in a gear does not rotate, or rotates against its tangential support. Any other
-//! member can rotate freely.
+//! Each set is calculated separately, in its plane, on its supports; of helical teeth the stiffness in this
+//! plane. A member whose link is held in a gear does not rotate, or rotates against its tangential support. Any
+//! other member can rotate freely. The flanks in contact are those that the torques of the gear load; where
+//! none load a mesh, those at a positive torque on its first gear. Both directions of load have the same
+//! frequencies, as mirror images.
 
+mod assembly;
 mod branches;
 mod coupled;
 mod links;
@@ -39,20 +43,18 @@ use crate::error::Error;
 use crate::shared::exciting::Exciting;
 use crate::shared::fault::Named;
 use crate::shared::gearbox::Gearbox;
-use crate::shared::toothed::simple_sets;
-use crate::tolerance::rounded;
+use crate::tolerance::{ROUNDED, rounded};
 use crate::vibrate::options::Request;
+use assembly::{Built, Case};
 use branches::Branches;
 use epicyclic_formats::gearbox::GearboxFile;
-use epicyclic_pictures::modes::Part;
 use epicyclic_train::{self as train, Gear, LinkId, PlanetSet};
 use epicyclic_units::Physical;
-use epicyclic_vibration::{Group, Model, SetParts, SpringId};
+use epicyclic_vibration::{BodyId, GearSetParts, Group, Model, SpringId};
 use links::{Train, TrainSet};
 use prepared::{Of, Prepared};
 use records::{
-    Campbell, KineticShares, Mode, NotCalculated, Order, Reason, Resonance, Response, SetModes, StrainShares,
-    What,
+    Campbell, Mode, NotCalculated, Order, Reason, Resonance, Response, SetModes, Shares, Stiffnesses, What,
 };
 use response::Excited;
 use schemars::JsonSchema;
@@ -61,7 +63,7 @@ use settled::Settled;
 use std::ops::ControlFlow;
 use train_records::{CoupledModes, TorsionalModes};
 
-/// Natural frequencies and modes of the simple sets of a gearbox, torsional ones of the whole gearbox, and
+/// Natural frequencies and modes of the sets of a gearbox, torsional ones of the whole gearbox, and
 /// excitation at given speeds.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
@@ -131,7 +133,8 @@ pub(crate) fn chapter(
         return Ok(None);
     }
     let file: GearboxFile = subject.document.read()?;
-    if file.sets.iter().all(|set| set.vibration.is_none()) {
+    let of_compounds = file.compound_sets.iter().all(|set| set.vibration.is_none());
+    if of_compounds && file.sets.iter().all(|set| set.vibration.is_none()) {
         return Ok(None);
     }
     let request = Request { exciting: exciting.clone(), ..Request::default() };
@@ -166,40 +169,28 @@ fn vibrating(
     };
     let train = Train::new(subject, &file)?;
     let mut in_train: Vec<TrainSet<'_>> = vec![];
-    for (place, (set, simple)) in simple_sets(subject, &file).enumerate() {
+    for (place, set) in gearbox.sets().iter().enumerate() {
         if request.set.as_ref().is_some_and(|name| name != set.id()) {
             continue;
         }
+        let Some(data) = file.set_data(set) else { continue };
         let mut without = |gear: Option<&str>, what, reason, missing| {
             let (set, gear) = (set.id().to_owned(), gear.map(str::to_owned));
             all.not_calculated.push(NotCalculated { set, gear, what, reason, missing });
         };
-        let Some((path, entry, spec)) = simple else {
-            without(None, What::Modes, Reason::NotSimple, vec![]);
-            continue;
-        };
-        if spec.is_helical() {
-            without(None, What::Modes, Reason::Helical, vec![]);
-            continue;
-        }
-        let of = Of { subject, file: &file, path, entry, spec, set };
+        let of = Of { subject, file: &file, data, set };
         let prepared = match of.prepared()? {
             Ok(prepared) => prepared,
-            Err(missing) => {
-                without(None, What::Modes, Reason::KeysMissing, missing);
+            Err((reason, missing)) => {
+                without(None, What::Modes, reason, missing);
                 continue;
             }
         };
-        if prepared.teeth.is_some() && prepared.spacing.places.is_empty() {
-            without(None, What::Modes, Reason::UnequalPlanets, vec![]);
-            continue;
-        }
         of.check_supports(&prepared)?;
-        let is_elastic = |member| prepared.is_elastic(member);
-        for (held, names) in holdings(gearbox, set, &gears, is_elastic, |gear| {
+        for (case, names) in cases(&of, place, &gears, &prepared, |gear| {
             without(Some(gear), What::Modes, Reason::DoesNotRoll, vec![]);
-        }) {
-            let found = match Found::of(&of, &prepared, held)? {
+        })? {
+            let found = match Found::of(&of, &prepared, case)? {
                 Ok(found) => found,
                 Err(missing) => {
                     let before =
@@ -217,9 +208,9 @@ fn vibrating(
                     over_speeds(&of, &prepared, &found, (place, gear), (&settled, goes_on), &mut all)?;
                 }
             }
-            all.sets.push(found.told(&of, &prepared, held, names)?);
+            all.sets.push(found.told(&of, &prepared, names)?);
         }
-        in_train.push(TrainSet { of, set, prepared });
+        in_train.push(TrainSet { of, place, prepared });
     }
     if in_train.len() == gearbox.sets().len() {
         for gear in gears {
@@ -249,55 +240,60 @@ fn over_speeds(
     (settled, goes_on): (&Settled, &dyn Fn() -> ControlFlow<()>),
     all: &mut Vibration,
 ) -> Result<(), Error> {
-    let set = of.entry.id.clone();
+    let set = of.set.id().to_owned();
     let analysis = analysis(&of.subject.train, gear)?;
     let members = &analysis.sets()[place].members;
-    let without = |reason, missing| NotCalculated {
+    let without = |what, reason, missing| NotCalculated {
         set: set.clone(),
         gear: Some(gear.to_owned()),
-        what: What::Resonances,
+        what,
         reason,
         missing,
     };
-    let [Some(sun), Some(ring), Some(carrier)] = members[..] else {
-        all.not_calculated.push(without(Reason::NoSpeeds, vec![]));
+    let Some(members) = members.iter().copied().collect::<Option<Vec<f64>>>() else {
+        all.not_calculated.push(without(What::Resonances, Reason::NoSpeeds, vec![]));
         return Ok(());
     };
-    if sun == carrier {
-        all.not_calculated.push(without(Reason::DoesNotRoll, vec![]));
+    let carrier = members[of.set.centrals().len()];
+    let first = members[0];
+    if first == carrier {
+        all.not_calculated.push(without(What::Resonances, Reason::DoesNotRoll, vec![]));
         return Ok(());
     }
     let speeds = &settled.speeds;
     let branches = match Branches::new(found, carrier, speeds, goes_on) {
         Ok(branches) => branches,
         Err(epicyclic_vibration::Error::Unbalanced { .. }) => {
-            all.not_calculated.push(without(Reason::Unbalanced, vec![]));
+            all.not_calculated.push(without(What::Resonances, Reason::Unbalanced, vec![]));
             return Ok(());
         }
         Err(error) => return Err(of.refused(&["vibration"], &error)),
     };
-    if let Some(teeth) = prepared.teeth {
-        let (planets, is_equal) = (prepared.planets, prepared.is_equally_spaced());
-        let of_teeth =
-            |harmonics| orders::all(&set, gear, teeth, planets, is_equal, [sun, ring, carrier], harmonics);
+    if !prepared.teeth.is_empty() {
+        let of_teeth = |harmonics| orders::all(of, prepared, gear, &members, harmonics);
         if let Some(excitation) = &settled.excitation {
-            let torque = analysis.ideal().and_then(|case| case.members[place].as_ref()?.first().copied());
-            let torque = torque.filter(|torque| *torque != 0.0).unwrap_or(sun - carrier);
-            let sun_drives = torque * (sun - carrier) >= 0.0;
-            let frame = if settled.gyroscopic { carrier * torque.signum() } else { 0.0 };
+            let side = of.flanks(place, prepared, Some(gear))?.side.unwrap_or((first - carrier).signum());
+            let seen: Vec<f64> = members.iter().map(|speed| speed * side).collect();
+            let frame = if settled.gyroscopic { carrier * side } else { 0.0 };
             let excited =
-                Excited { of, prepared, found, teeth, sun_drives, frame, branches: &branches, excitation };
-            all.responses.extend(excited.response(&of_teeth(excitation.harmonics()), speeds)?);
+                Excited { of, prepared, found, speeds: seen, frame, branches: &branches, excitation };
+            let orders = of_teeth(excitation.harmonics());
+            let unknown = orders.iter().filter(|one| one.order.harmonic == 1 && !one.meshes.is_empty());
+            for one in unknown.filter(|one| !excited.knows_phases(one)) {
+                let meshes = one.meshes.iter().map(|mesh| prepared.meshes[*mesh].name.clone()).collect();
+                all.not_calculated.push(without(What::Forces, Reason::PhasesUnknown, meshes));
+            }
+            all.responses.extend(excited.response(&orders, speeds)?);
         }
-        let orders = of_teeth(settled.harmonics);
-        for order in &orders {
-            let met =
-                branches.resonances(found, order).map_err(|error| of.refused(&["vibration"], &error))?;
+        for phased in of_teeth(settled.harmonics) {
+            let met = branches
+                .resonances(found, &phased.order)
+                .map_err(|error| of.refused(&["vibration"], &error))?;
             all.resonances.extend(met);
+            all.orders.push(phased.order);
         }
-        all.orders.extend(orders);
     } else {
-        all.not_calculated.push(without(Reason::KeysMissing, vec!["teeth".to_owned()]));
+        all.not_calculated.push(without(What::Resonances, Reason::KeysMissing, vec!["teeth".to_owned()]));
     }
     let of_gear = |one: &Resonance| one.gear == gear && one.set == set;
     let first = all.resonances.iter().position(of_gear).unwrap_or(all.resonances.len());
@@ -311,60 +307,109 @@ impl Of<'_> {
     fn check_supports(&self, prepared: &Prepared) -> Result<(), Error> {
         let gearbox = &self.subject.train;
         let gears = gearbox.gears().iter().map(Some).chain(gearbox.gears().is_empty().then_some(None));
-        let held: Vec<[bool; 3]> = gears.filter_map(|gear| held_in(gearbox, self.set, gear)).collect();
-        for (member, name) in ["sun", "ring", "carrier"].into_iter().enumerate() {
+        let held: Vec<Vec<bool>> = gears.filter_map(|gear| held_in(gearbox, self.set, gear)).collect();
+        for (member, one) in prepared.members.iter().enumerate() {
             if prepared.is_elastic(member) && !held.iter().any(|held| held[member]) {
+                let name = &one.name;
                 let message = format!(
                     "a tangential support is what holds the {name} in gears in which a brake or the housing holds it; no gear does: leave it \
                      out, or hold the {name}"
                 );
                 let why = Named("support-unused", message);
-                return Err(self.refused(&["vibration", name, "tangential_support"], &why));
+                let keys = self.data.vibration.as_ref().map_or_else(Vec::new, |one| one.keys_of(name));
+                return Err(self.refused(&[&keys[..], &["tangential_support"]].concat(), &why));
             }
         }
         Ok(())
     }
+
+    /// Flanks that the torques in a gear load; of a mesh without load, those by which its first gear drives in
+    /// the positive direction.
+    fn flanks(&self, place: usize, prepared: &Prepared, gear: Option<&str>) -> Result<Flanks, Error> {
+        let analysis = gear.map(|gear| analysis(&self.subject.train, gear)).transpose()?;
+        let case = analysis.as_ref().and_then(|analysis| analysis.ideal());
+        let torques = case.and_then(|case| case.members[place].clone());
+        let loaded = torques.and_then(|torques| self.set.mesh_torques(&torques));
+        let is_loaded = |torques: &[[f64; 2]]| torques.iter().any(|mesh| mesh[0].abs() > ROUNDED);
+        // Without load: a torque on the first central gear, which the second balances.
+        let usual = || {
+            let mut torques = vec![0.0; self.set.centrals().len()];
+            torques[0] = 1.0;
+            torques[1] = -self.set.ratio_between(0, 1);
+            self.set.mesh_torques(&torques)
+        };
+        let loaded = loaded.filter(|torques| is_loaded(torques));
+        let is_known = loaded.is_some();
+        let Some(torques) = loaded.or_else(usual) else {
+            return Ok(Flanks { forward: vec![true; prepared.meshes.len()], side: None });
+        };
+        let first = |mesh: usize| {
+            let gears = self.set.gears_of_mesh(mesh);
+            // The torque of the mesh on the gear is against what drives it.
+            let end = usize::from(gears[0] != prepared.meshes[mesh].gears[0].0);
+            -torques[mesh][end]
+        };
+        let driving: Vec<f64> = (0..torques.len()).map(first).collect();
+        let is_mirrored = driving.iter().find(|torque| torque.abs() > ROUNDED).is_some_and(|one| *one < 0.0);
+        let is_forward = |torque: f64| if is_mirrored { torque <= ROUNDED } else { torque >= -ROUNDED };
+        let forward = driving.into_iter().map(is_forward).collect();
+        Ok(Flanks { forward, side: is_known.then_some(if is_mirrored { -1.0 } else { 1.0 }) })
+    }
 }
 
-/// Whether sun, ring and carrier of a set are held in a gear, or by permanent connections alone; `None` if
-/// two of them are joined otherwise.
-fn held_in(gearbox: &train::Gearbox, set: &PlanetSet, gear: Option<&Gear>) -> Option<[bool; 3]> {
+/// Loaded flanks of a set in a gear.
+struct Flanks {
+    /// Whether the first gear of each mesh drives in the positive direction, seen from the side from which
+    /// that of the first loaded mesh does. A mirror image has the same frequencies.
+    forward: Vec<bool>,
+    /// 1 if this is the positive side of the axis, −1 if not; `None` if the torques are not known.
+    side: Option<f64>,
+}
+
+/// Whether the members of a set are held in a gear, or by permanent connections alone; `None` if two of them
+/// are joined otherwise.
+fn held_in(gearbox: &train::Gearbox, set: &PlanetSet, gear: Option<&Gear>) -> Option<Vec<bool>> {
     let joined = joined(gearbox, gear, &[]);
-    let roots = [0, 1, 2].map(|member| joined[set.members()[member].index()]);
-    let held = roots.map(|root| root == LinkId::GROUND.index());
-    let are_one = |one: usize, other: usize| roots[one] == roots[other] && !held[one];
-    (!are_one(0, 1) && !are_one(1, 2) && !are_one(0, 2)).then_some(held)
+    let roots: Vec<usize> = set.members().iter().map(|member| joined[member.index()]).collect();
+    let held: Vec<bool> = roots.iter().map(|root| *root == LinkId::GROUND.index()).collect();
+    let is_joined = |place: usize| !held[place] && roots[..place].contains(&roots[place]);
+    (!(0..roots.len()).any(is_joined)).then_some(held)
 }
 
-/// Combinations of held members of a set, with their gears. A gear is reported to `locked` if it joins
-/// members, or holds several of them and none elastically.
-fn holdings(
-    gearbox: &train::Gearbox,
-    set: &PlanetSet,
+/// Combinations of held members and loaded flanks of a set, with their gears. A gear is reported to `locked`
+/// if it joins members, or holds several of them and none elastically.
+fn cases(
+    of: &Of<'_>,
+    place: usize,
     gears: &[&Gear],
-    is_elastic: impl Fn(usize) -> bool,
+    prepared: &Prepared,
     mut locked: impl FnMut(&str),
-) -> Vec<([bool; 3], Vec<String>)> {
-    let mut all: Vec<([bool; 3], Vec<String>)> = vec![];
+) -> Result<Vec<(Case, Vec<String>)>, Error> {
+    let gearbox = &of.subject.train;
+    let mut all: Vec<(Case, Vec<String>)> = vec![];
     if gears.is_empty() {
-        return held_in(gearbox, set, None).into_iter().map(|held| (held, vec![])).collect();
+        if let Some(held) = held_in(gearbox, of.set, None) {
+            all.push((Case { held, forward: of.flanks(place, prepared, None)?.forward }, vec![]));
+        }
+        return Ok(all);
     }
     for gear in gears {
-        let swings = |held: &[bool; 3]| {
+        let swings = |held: &Vec<bool>| {
             held.iter().filter(|held| **held).count() < 2
-                || (0..3).any(|member| held[member] && is_elastic(member))
+                || (0..held.len()).any(|member| held[member] && prepared.is_elastic(member))
         };
-        let Some(held) = held_in(gearbox, set, Some(gear)).filter(swings) else {
+        let Some(held) = held_in(gearbox, of.set, Some(gear)).filter(swings) else {
             locked(gear.name());
             continue;
         };
+        let case = Case { held, forward: of.flanks(place, prepared, Some(gear.name()))?.forward };
         let name = gear.name().to_owned();
-        match all.iter_mut().find(|(same, _)| *same == held) {
+        match all.iter_mut().find(|(same, _)| *same == case) {
             Some((_, names)) => names.push(name),
-            None => all.push((held, vec![name])),
+            None => all.push((case, vec![name])),
         }
     }
-    all
+    Ok(all)
 }
 
 /// Representative of each link in a gear, by [`LinkId::index`]: the first of the links that turn as one piece
@@ -386,79 +431,88 @@ fn joined(gearbox: &train::Gearbox, gear: Option<&Gear>, springs: &[[LinkId; 2]]
 /// Solved set in some gears.
 struct Found {
     model: Model,
-    parts: SetParts,
+    parts: GearSetParts,
     groups: Vec<Group>,
-    built: prepared::Built,
+    built: Built,
+    held: Vec<bool>,
 }
 
 impl Found {
-    /// Base radius of the sun in m.
-    fn sun_radius_m(&self) -> f64 {
-        let sun = self.built.bodies.iter().find(|body| body.body == Part::Sun);
-        sun.map_or(0.0, |sun| sun.radius_m)
-    }
-
-    fn of(of: &Of<'_>, prepared: &Prepared, held: [bool; 3]) -> Result<Result<Self, Vec<String>>, Error> {
-        let built = match prepared.built(held) {
+    fn of(of: &Of<'_>, prepared: &Prepared, case: Case) -> Result<Result<Self, Vec<String>>, Error> {
+        let built = match prepared.built(&case) {
             Ok(built) => built,
             Err(missing) => return Ok(Err(missing)),
         };
         let refuse = |error| of.refused(&["vibration"], &error);
         let (model, parts) = built.set.planar().map_err(refuse)?;
-        let groups = model.groups(&parts.central()).map_err(refuse)?;
-        Ok(Ok(Self { model, parts, groups, built }))
+        let groups = model.groups(&parts.members).map_err(refuse)?;
+        Ok(Ok(Self { model, parts, groups, built, held: case.held }))
     }
 
-    fn told(
-        self,
-        of: &Of<'_>,
-        prepared: &Prepared,
-        held: [bool; 3],
-        gears: Vec<String>,
-    ) -> Result<SetModes, Error> {
+    fn told(self, of: &Of<'_>, prepared: &Prepared, gears: Vec<String>) -> Result<SetModes, Error> {
+        let copies = prepared.copies();
         let mode = |(index, group): (usize, &Group)| {
             let energy =
                 self.model.modal_energy(group).map_err(|error| of.refused(&["vibration"], &error))?;
-            let of_body = |body| rounded(energy.kinetic_of(body));
+            let of_bodies = |bodies: &[BodyId]| {
+                rounded(bodies.iter().map(|body| rounded(energy.kinetic_of(*body))).sum())
+            };
             let of_springs = |springs: &[SpringId]| rounded(energy.strain_of(springs));
             let parts = &self.parts;
-            let strain = || StrainShares {
-                sun_meshes: of_springs(&parts.sun_meshes),
-                ring_meshes: of_springs(&parts.ring_meshes),
-                planet_bearings: of_springs(&parts.bearings.concat()),
-                supports: of_springs(&parts.supports.concat()),
+            let members = prepared.members.iter().zip(&parts.members);
+            let members = members.map(|(one, body)| (key(&one.name), rounded(energy.kinetic_of(*body))));
+            let kinds = prepared.planet_kinds.iter().zip(parts.planets.chunks(copies));
+            let is_only = prepared.planet_kinds.len() == 1;
+            let planets = kinds.map(|(kind, bodies)| {
+                let name = if is_only { "planets".to_owned() } else { key(&kind.name) };
+                (name, of_bodies(bodies))
+            });
+            let strain = || {
+                let meshes = prepared.meshes.iter().enumerate().map(|(place, mesh)| {
+                    let name = if of.set.is_pair() { "mesh".to_owned() } else { key(&mesh.name) + "_meshes" };
+                    (name, of_springs(&prepared.of_mesh(&parts.meshes, place)))
+                });
+                let has_bearings = !parts.bearings.is_empty();
+                let bearings = ("planet_bearings".to_owned(), of_springs(&parts.bearings.concat()));
+                let supports = ("supports".to_owned(), of_springs(&parts.supports.concat()));
+                Shares(meshes.chain(has_bearings.then_some(bearings)).chain([supports]).collect())
             };
             Ok(Mode {
                 mode: number(index),
                 kind: group.kind,
                 multiplicity: group.multiplicity() as u32,
                 frequency_hz: group.frequency.si(),
-                kinetic: KineticShares {
-                    sun: of_body(parts.sun),
-                    ring: of_body(parts.ring),
-                    carrier: of_body(parts.carrier),
-                    planets: rounded(parts.planets.iter().map(|planet| of_body(*planet)).sum()),
-                },
+                kinetic: Shares(members.chain(planets).collect()),
                 strain: (!group.is_zero()).then(strain),
-                shape: shapes::of(&self, group),
+                shape: shapes::of(&self, prepared, group),
             })
         };
         let modes: Result<Vec<Mode>, Error> = self.groups.iter().enumerate().map(mode).collect();
-        let names = [Part::Sun, Part::Ring, Part::Carrier];
+        let meshes = &self.built.springs[..prepared.meshes.len()];
+        let pressure_angle = |mesh: usize| {
+            meshes.get(mesh).filter(|_| prepared.is_simple()).and_then(|mesh| mesh.pressure_angle_rad)
+        };
+        let held = prepared.members.iter().zip(&self.held).filter(|(_, held)| **held);
         Ok(SetModes {
-            set: of.entry.id.clone(),
+            set: of.set.id().to_owned(),
             gears,
-            held: names.into_iter().zip(held).filter(|(_, held)| *held).map(|(name, _)| name).collect(),
+            held: held.map(|(member, _)| member.name.clone()).collect(),
             planets: prepared.planets,
             planet_angles_rad: prepared.spacing.angles_rad.clone(),
             equally_spaced: prepared.spacing.is_equal,
             bodies: self.built.bodies,
-            stiffness: self.built.stiffness,
-            sun_pressure_angle_rad: self.built.set.sun_pressure_angle.si(),
-            ring_pressure_angle_rad: self.built.set.ring_pressure_angle.si(),
+            stiffness: Stiffnesses::of(&self.built.springs).filter(|_| prepared.is_simple()),
+            sun_pressure_angle_rad: pressure_angle(0),
+            ring_pressure_angle_rad: pressure_angle(1),
+            springs: self.built.springs,
             modes: modes?,
         })
     }
+}
+
+/// Name of a part as a key of an answer.
+fn key(name: &str) -> String {
+    name.replace(' ', "_")
 }
 
 /// Number of a mode, from 1.

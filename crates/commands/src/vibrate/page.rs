@@ -5,7 +5,7 @@ use crate::page::sheet::{Arrangement, Block, Section};
 use crate::table::quantities::words;
 use crate::table::text::Error;
 use crate::vibrate::answer::Vibration;
-use crate::vibrate::answer::records::{Greatest, Response};
+use crate::vibrate::answer::records::{MeshResponse, Response};
 use crate::vibrate::table::{Chapter, campbell, chapter, response, shapes, torsional_campbell};
 use epicyclic_drawing::Scene;
 use epicyclic_pictures as pictures;
@@ -27,7 +27,7 @@ pub(crate) fn sections(all: &Vibration) -> Result<Vec<Section>, Error> {
         "The torsional and the coupled frequencies are of the whole gearbox."
     };
     let about = format!(
-        "Each simple set as bodies on springs, planar: sun, ring, carrier and planets (Lin and Parker, 1999). A centre without a stated support is \
+        "Each set as bodies on springs, planar: central gears, carrier and planets (Lin and Parker, 1999). A centre without a stated support is \
          held. {whole}"
     );
     let mut sections = vec![rows(
@@ -80,8 +80,9 @@ pub(crate) fn sections(all: &Vibration) -> Result<Vec<Section>, Error> {
 
 /// Greatest force for the first page; `None` without forces.
 pub(crate) fn in_short(all: &Vibration) -> Option<String> {
-    let (response, mesh, greatest) =
-        forces(all).max_by(|one, other| one.2.force_n.total_cmp(&other.2.force_n))?;
+    let (response, mesh) =
+        forces(all).max_by(|one, other| one.1.greatest.force_n.total_cmp(&other.1.greatest.force_n))?;
+    let (mesh, greatest) = (&mesh.mesh, mesh.greatest);
     Some(format!(
         "Vibration: the transmission error makes at most {} in a mesh of the {mesh}, in set {} in gear {} at {} of the input.",
         words(Force, greatest.force_n, 3),
@@ -96,23 +97,28 @@ pub(crate) fn objections(all: &Vibration, gears: &[OneGear]) -> Vec<String> {
     let mut told: Vec<String> = vec![];
     for response in &all.responses {
         let gear = gears.iter().find(|gear| gear.gear.gear == response.gear);
-        let is_sun = |set: &str, member: &str| set == response.set && member == "sun";
-        let sun = gear.and_then(|gear| gear.members.iter().find(|one| is_sun(&one.set, &one.member)));
-        let Some(load) = sun.and_then(|sun| sun.torque_n_m).map(f64::abs) else { continue };
-        let own = forces(all).filter(|(other, ..)| std::ptr::eq(*other, response));
-        let worst = own.max_by(|one, other| {
-            one.2.parts_below_sun_torque_n_m.total_cmp(&other.2.parts_below_sun_torque_n_m)
+        let member = |name: &str| {
+            let is_own = |set: &str, member: &str| set == response.set && member == name;
+            gear?.members.iter().find(|one| is_own(&one.set, &one.member))?.torque_n_m.map(f64::abs)
+        };
+        // Meshes whose flanks part at the load, the worst one last.
+        let own = forces(all).filter(|(other, _)| std::ptr::eq(*other, response));
+        let parting = own.filter_map(|(_, mesh)| {
+            let (name, below) = (mesh.torque_on.as_deref()?, mesh.greatest.parts_below_torque_n_m?);
+            let load = member(name).filter(|load| below > *load)?;
+            Some((below / load, below, load, name, mesh))
         });
-        let Some((_, mesh, greatest)) = worst.filter(|(.., most)| most.parts_below_sun_torque_n_m > load)
+        let Some((_, below, load, name, mesh)) = parting.max_by(|one, other| one.0.total_cmp(&other.0))
         else {
             continue;
         };
         told.push(format!(
-            "set {} in gear {}: at {} of the input the flanks of the {mesh} part below {} on the sun; the load is {}",
+            "set {} in gear {}: at {} of the input the flanks of the {} part below {} on the {name}; the load is {}",
             response.set,
             response.gear,
-            words(AngularSpeed, greatest.input_speed_rad_s, 4),
-            words(Torque, greatest.parts_below_sun_torque_n_m, 3),
+            words(AngularSpeed, mesh.greatest.input_speed_rad_s, 4),
+            mesh.mesh,
+            words(Torque, below, 3),
             words(Torque, load, 3),
         ));
     }
@@ -120,12 +126,10 @@ pub(crate) fn objections(all: &Vibration, gears: &[OneGear]) -> Vec<String> {
 }
 
 /// Greatest forces of every harmonic and mesh.
-fn forces(all: &Vibration) -> impl Iterator<Item = (&Response, &'static str, &Greatest)> {
+fn forces(all: &Vibration) -> impl Iterator<Item = (&Response, &MeshResponse)> {
     all.responses.iter().flat_map(|response| {
-        let harmonics = response.harmonics.iter();
-        harmonics.flat_map(move |one| {
-            [(response, "sun", &one.greatest_sun), (response, "ring", &one.greatest_ring)]
-        })
+        let meshes = response.harmonics.iter().flat_map(|harmonic| &harmonic.meshes);
+        meshes.map(move |mesh| (response, mesh))
     })
 }
 

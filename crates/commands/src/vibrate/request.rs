@@ -15,9 +15,9 @@ use epicyclic_drawing::Scene;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
-/// Natural frequencies and modes of simple sets, and the speeds at which they resonate.
+/// Natural frequencies and modes of gear sets, and the speeds at which they resonate.
 ///
-/// Each set is a planar model of Lin and Parker: sun, ring, carrier and planets on springs. With --speeds
+/// Each set is a planar model: central gears, carrier and planets on springs, as of Lin and Parker. With --speeds
 /// also what excites it in each gear, which modes the phases of the planets let it excite, and the speeds of
 /// the input at which it meets them; with --transmission-error the forces in the meshes. Torsional modes are
 /// of the whole gearbox, and with --coupled also its modes in the plane.

@@ -9,8 +9,8 @@ use crate::table::report::AsReport;
 use crate::table::report::{Column, Part, Records, Report, warned};
 use crate::vibrate::answer::Vibration;
 use crate::vibrate::answer::records::{
-    self, BodyMotion, KineticShares, Mode, NotCalculated, Order, Resonance, Response, SetModes, Source,
-    StiffnessOrigin, StrainShares, What,
+    self, BodyMotion, Mode, NotCalculated, Order, Resonance, Response, SetModes, Shares, Source,
+    StiffnessOrigin, What,
 };
 use epicyclic_pictures::campbell::{self, Branch, Ray};
 use epicyclic_pictures::modes;
@@ -32,7 +32,7 @@ pub fn campbell(all: &Vibration, place: usize) -> Option<campbell::Campbell> {
     let branch =
         |branch: &records::Branch| Branch { kind: branch.kind, frequencies: branch.frequencies_hz.clone() };
     let ray = |order: &Order| Ray {
-        name: ray_name(order.source, order.harmonic),
+        name: ray_name(order.source, order.part.as_deref(), order.harmonic),
         slope: order.of_input / SECONDS_A_MINUTE,
     };
     let moves = |branch: &&records::Branch| branch.frequencies_hz.iter().any(|frequency| *frequency > 0.0);
@@ -51,10 +51,10 @@ pub fn campbell(all: &Vibration, place: usize) -> Option<campbell::Campbell> {
 }
 
 /// A short name of an order.
-fn ray_name(of: Source, harmonic: u32) -> String {
+fn ray_name(of: Source, part: Option<&str>, harmonic: u32) -> String {
     match of {
-        Source::Mesh => format!("meshes {harmonic}"),
-        of => source(of).to_owned(),
+        Source::Mesh => format!("{} {harmonic}", source(of, part)),
+        of => source(of, part),
     }
 }
 
@@ -70,12 +70,9 @@ pub fn response(all: &Vibration, place: usize) -> Option<Plot> {
     );
     let mut plot = Plot::new(title, "speed of the input, rpm", "amplitude of the force, N");
     for harmonic in &one.harmonics {
-        let own = [
-            ("sun", harmonic.sun_error_m, &harmonic.sun_forces_n),
-            ("ring", harmonic.ring_error_m, &harmonic.ring_forces_n),
-        ];
-        for (name, error, forces) in own {
-            let points = std::iter::zip(&harmonic.input_speeds_rad_s, forces);
+        for mesh in &harmonic.meshes {
+            let (name, error) = (&mesh.mesh, mesh.error_m);
+            let points = std::iter::zip(&harmonic.input_speeds_rad_s, &mesh.forces_n);
             let points = points.map(|(speed, force)| [rpm(*speed), *force]).collect();
             plot = plot.with(Curve::new(
                 format!("{name}, harmonic {}: {}", harmonic.harmonic, words(Length, error, 3)),
@@ -90,14 +87,18 @@ pub fn response(all: &Vibration, place: usize) -> Option<Plot> {
 #[must_use]
 pub fn shapes(all: &Vibration, place: usize) -> Option<(String, Vec<modes::Mode>)> {
     let set = all.sets.get(place)?;
-    let circle = set.bodies.iter().find(|body| body.body == modes::Part::Carrier)?.radius_m;
     let body = |motion: &BodyMotion| {
-        let radius = set.bodies.iter().find(|body| body.body == motion.body)?.radius_m;
-        let centre = motion.planet.map_or([0.0; 2], |number| {
-            let angle = set.planet_angles_rad.get(number as usize - 1).copied().unwrap_or_default();
-            [circle * libm::cos(angle), circle * libm::sin(angle)]
-        });
-        Some(modes::Body { part: motion.body, centre, radius, motion: [motion.x, motion.y, motion.u] })
+        let own = set.bodies.iter().find(|body| body.body == motion.body)?;
+        let angle = |number: u32| set.planet_angles_rad.get(number as usize - 1).copied().unwrap_or_default();
+        let further = motion.planet.map_or(0.0, |number| angle(number) - angle(1));
+        let ([x, y], [cos, sin]) = (own.centre_m, [libm::cos(further), libm::sin(further)]);
+        let centre = [x * cos - y * sin, x * sin + y * cos];
+        Some(modes::Body {
+            part: own.part,
+            centre,
+            radius: own.radius_m,
+            motion: [motion.x, motion.y, motion.u],
+        })
     };
     let mode = |mode: &Mode| modes::Mode {
         name: format!(
@@ -177,25 +178,32 @@ const fn kind(kind: Kind) -> &'static str {
     }
 }
 
-const fn member(of: modes::Part) -> &'static str {
-    match of {
-        modes::Part::Sun => "sun",
-        modes::Part::Ring => "ring",
-        modes::Part::Carrier => "carrier",
-        modes::Part::Planet => "planet",
+/// What excites, in words; the part where the set is not simple.
+fn source(source: Source, part: Option<&str>) -> String {
+    match (source, part) {
+        (Source::Mesh, None) => "meshes".to_owned(),
+        (Source::Mesh, Some(part)) => format!("meshes {part}"),
+        (Source::SunTurn | Source::RingTurn | Source::GearTurn, Some(part)) => format!("turn of {part}"),
+        (Source::PlanetTurn, Some(part)) => format!("turn of a {part}"),
+        (Source::SunPlanetPass | Source::RingPlanetPass, Some(part)) => format!("planets pass {part}"),
+        (Source::SunTurn, None) => "turn of the sun".to_owned(),
+        (Source::RingTurn, None) => "turn of the ring".to_owned(),
+        (Source::GearTurn, None) => "turn of a gear".to_owned(),
+        (Source::SunPlanetPass, None) => "planets pass the sun".to_owned(),
+        (Source::RingPlanetPass, None) => "planets pass the ring".to_owned(),
+        (Source::PlanetTurn, None) => "turn of a planet".to_owned(),
+        (Source::LinkTurn, _) => "turn of the shaft".to_owned(),
     }
 }
 
-const fn source(source: Source) -> &'static str {
-    match source {
-        Source::Mesh => "meshes",
-        Source::SunTurn => "turn of the sun",
-        Source::RingTurn => "turn of the ring",
-        Source::SunPlanetPass => "planets pass the sun",
-        Source::RingPlanetPass => "planets pass the ring",
-        Source::PlanetTurn => "turn of a planet",
-        Source::LinkTurn => "turn of the shaft",
-    }
+/// The part that excites, which tables have in words with the source.
+fn part(of: Option<&str>) -> Figure {
+    of.map_or(Figure::None, text)
+}
+
+/// What excites, for a table.
+fn excited_by(of: Source, part: Option<&str>) -> Figure {
+    Figure::choice(of, source(of, part))
 }
 
 /// The part with most of an energy, with its share.
@@ -204,44 +212,46 @@ fn most<N: std::fmt::Display>(shares: impl IntoIterator<Item = (f64, N)>) -> Fig
     most.map_or(Figure::None, |(share, name)| text(format!("{name} {:.0}", 100.0 * share)))
 }
 
+/// Bodies and springs of simple sets, and the headings of their columns.
+const BODIES: [&str; 4] = ["sun", "ring", "carrier", "planets"];
+const SPRINGS: [&str; 4] = ["sun_meshes", "ring_meshes", "planet_bearings", "supports"];
+const HEADINGS: [&str; 8] = ["sun", "ring", "carrier", "planets", "s mesh", "r mesh", "bearings", "supports"];
+
 fn of_modes(sets: &[SetModes], is_answer: bool) -> Records {
-    let moved = |kinetic: &KineticShares| {
-        most([
-            (kinetic.sun, "sun"),
-            (kinetic.ring, "ring"),
-            (kinetic.carrier, "carrier"),
-            (kinetic.planets, "planets"),
-        ])
-    };
-    let strained = |strain: StrainShares| {
-        most([
-            (strain.sun_meshes, "sun meshes"),
-            (strain.ring_meshes, "ring meshes"),
-            (strain.planet_bearings, "planet bearings"),
-            (strain.supports, "supports"),
-        ])
-    };
-    let held = |set: &SetModes| set.held.iter().map(|one| member(*one).to_owned()).collect::<Vec<_>>();
+    let largest =
+        |shares: &Shares| most(shares.0.iter().map(|(name, share)| (*share, name.replace('_', " "))));
+    // Parts that only sets have which are not simple.
+    let usual = [&BODIES[..], &SPRINGS[..]].concat();
+    let mut others: Vec<&str> = vec![];
+    for mode in sets.iter().flat_map(|set| &set.modes) {
+        let all = mode.kinetic.0.iter().chain(mode.strain.iter().flat_map(|strain| &strain.0));
+        for (name, _) in all {
+            if !usual.iter().chain(&others).any(|one| one == name) {
+                others.push(name);
+            }
+        }
+    }
+    let of =
+        |mode: &Mode, part: &str| mode.kinetic.of(part).or_else(|| mode.strain.as_ref()?.of(part)).map(share);
+    let has = |part: &str| sets.iter().flat_map(|set| &set.modes).any(|mode| of(mode, part).is_some());
     Table::new("modes", sets.iter().flat_map(|set| set.modes.iter().map(move |mode| (set, mode))))
         .text("set", "set", |(set, _)| &set.set)
         .words("gears", "gears", |(set, _)| set.gears.clone())
-        .words("held", "held", |(set, _)| held(set))
+        .words("held", "held", |(set, _)| set.held.clone())
         .number("mode", "mode", |(_, mode)| mode.mode)
         .words("kind", "kind", |(_, mode)| Figure::choice(mode.kind, kind(mode.kind)))
         .number("multiplicity", "×", |(_, mode)| mode.multiplicity)
         .measured("frequency", "f", Frequency, 1, |(_, mode)| mode.frequency_hz)
-        .words("moves", "moves most, %", |(_, mode)| moved(&mode.kinetic))
+        .words("moves", "moves most, %", |(_, mode)| largest(&mode.kinetic))
         .for_people()
-        .words("strained", "strained most, %", |(_, mode)| mode.strain.map(strained))
+        .words("strained", "strained most, %", |(_, mode)| mode.strain.as_ref().map(largest))
         .for_people()
-        .number("sun", "sun", |(_, mode)| share(mode.kinetic.sun))
-        .number("ring", "ring", |(_, mode)| share(mode.kinetic.ring))
-        .number("carrier", "carrier", |(_, mode)| share(mode.kinetic.carrier))
-        .number("planets", "planets", |(_, mode)| share(mode.kinetic.planets))
-        .number("sun_meshes", "s mesh", |(_, mode)| mode.strain.map(|of| share(of.sun_meshes)))
-        .number("ring_meshes", "r mesh", |(_, mode)| mode.strain.map(|of| share(of.ring_meshes)))
-        .number("planet_bearings", "bearings", |(_, mode)| mode.strain.map(|of| share(of.planet_bearings)))
-        .number("supports", "supports", |(_, mode)| mode.strain.map(|of| share(of.supports)))
+        .each(std::iter::zip(usual.clone(), HEADINGS), |table, (part, heading)| {
+            table.number(part, heading, |(_, mode)| of(mode, part)).only_if(has(part))
+        })
+        .each(&others, |table, part| {
+            table.number("share", &part.replace('_', " "), |(_, mode)| of(mode, part)).of(part)
+        })
         .view("Natural frequencies", "set gears mode kind multiplicity frequency moves strained")
         .note(
             "×: how many modes have this frequency. Rotational: sun, ring and carrier rotate and do not translate; translational: \
@@ -249,7 +259,7 @@ fn of_modes(sets: &[SetModes], is_answer: bool) -> Records {
         )
         .view(
             "Where the energy is",
-            "set mode sun ring carrier planets sun_meshes ring_meshes planet_bearings supports",
+            "set mode sun ring carrier planets sun_meshes ring_meshes planet_bearings supports share",
         )
         .note(
             "Shares in per cent: of the bodies in the kinetic energy, of the springs in the strain energy. Springs that stiffen by \
@@ -265,7 +275,9 @@ fn resonances(all: &[Resonance]) -> Records {
         .text("set", "set", |one| &one.set)
         .text("gear", "gear", |one| &one.gear)
         .quantity("input_speed", "n in", AngularSpeed, |one| one.input_speed_rad_s)
-        .words("source", "excited by", |one| Figure::choice(one.source, source(one.source)))
+        .words("source", "excited by", |one| excited_by(one.source, one.part.as_deref()))
+        .words("part", "part", |one| part(one.part.as_deref()))
+        .only_if(all.iter().any(|one| one.part.is_some()))
         .number("harmonic", "harm.", |one| one.harmonic)
         .number("mode", "mode", |one| one.mode)
         .words("kind", "kind", |one| Figure::choice(one.kind, kind(one.kind)))
@@ -277,33 +289,36 @@ fn resonances(all: &[Resonance]) -> Records {
 
 fn responses(all: &[Response]) -> Records {
     let rows = all.iter().flat_map(|set| {
-        set.harmonics.iter().flat_map(move |one| {
-            let meshes =
-                [("sun", one.sun_error_m, one.greatest_sun), ("ring", one.ring_error_m, one.greatest_ring)];
-            meshes.map(|(mesh, error, greatest)| (set, one, mesh, error, greatest))
-        })
+        set.harmonics.iter().flat_map(move |one| one.meshes.iter().map(move |mesh| (set, one, mesh)))
     });
-    let note = "The greatest force F beside the mean one that the transmission error e makes within the speeds. Gyro: with the gyroscopic effect of the carrier's speed. T: torque on the sun \
-                   below which the flanks part there, and this is no longer so.";
+    let has_others = all.iter().flat_map(|set| &set.harmonics).any(|one| one.sun_error_m.is_none());
+    let torque = if has_others { "T" } else { "T sun" };
+    let on = if has_others { "torque on the gear beside it" } else { "torque on the sun" };
+    let note = format!(
+        "The greatest force F beside the mean one that the transmission error e makes within the speeds. Gyro: with the gyroscopic effect of the carrier's speed. T: {on} \
+                   below which the flanks part there, and this is no longer so."
+    );
     Table::new("responses", rows)
-        .text("set", "set", |(set, _, _, _, _)| &set.set)
-        .text("gear", "gear", |(set, _, _, _, _)| &set.gear)
-        .words("mesh", "mesh", |(_, _, mesh, _, _)| *mesh)
-        .number("harmonic", "harm.", |(_, one, _, _, _)| one.harmonic)
-        .column(Column::headed("error", "e", Length), |(_, _, _, error, _)| quantity(Length, *error))
-        .quantity("input_speed", "n in", AngularSpeed, |(_, _, _, _, greatest)| greatest.input_speed_rad_s)
-        .measured("frequency", "f", Frequency, 1, |(_, _, _, _, greatest)| greatest.frequency_hz)
-        .quantity("force", "F", Force, |(_, _, _, _, greatest)| greatest.force_n)
-        .quantity("parts_below_sun_torque", "T sun", Torque, |(_, _, _, _, greatest)| {
-            greatest.parts_below_sun_torque_n_m
+        .text("set", "set", |(set, _, _)| &set.set)
+        .text("gear", "gear", |(set, _, _)| &set.gear)
+        .text("mesh", "mesh", |(_, _, mesh)| &mesh.mesh)
+        .number("harmonic", "harm.", |(_, one, _)| one.harmonic)
+        .column(Column::headed("error", "e", Length), |(_, _, mesh)| quantity(Length, mesh.error_m))
+        .quantity("input_speed", "n in", AngularSpeed, |(_, _, mesh)| mesh.greatest.input_speed_rad_s)
+        .measured("frequency", "f", Frequency, 1, |(_, _, mesh)| mesh.greatest.frequency_hz)
+        .quantity("force", "F", Force, |(_, _, mesh)| mesh.greatest.force_n)
+        .quantity("parts_below_sun_torque", torque, Torque, |(_, _, mesh)| {
+            mesh.greatest.parts_below_torque_n_m
         })
-        .words("gyroscopic", "gyro", |(set, _, _, _, _)| {
+        .words("torque_on", "on", |(_, _, mesh)| mesh.torque_on.as_deref().map_or(Figure::None, text))
+        .only_if(has_others)
+        .words("gyroscopic", "gyro", |(set, _, _)| {
             Figure::answer(set.gyroscopic.to_string(), if set.gyroscopic { "yes" } else { "no" })
         })
         .view(
             "Forces by the transmission error",
             "set gear mesh harmonic error input_speed frequency force \
-                     parts_below_sun_torque gyroscopic",
+                     parts_below_sun_torque torque_on gyroscopic",
         )
         .note(note)
         .records()
@@ -313,7 +328,9 @@ fn orders(all: &[Order]) -> Records {
     Table::new("orders", all.iter())
         .text("set", "set", |one| &one.set)
         .text("gear", "gear", |one| &one.gear)
-        .words("source", "excited by", |one| Figure::choice(one.source, source(one.source)))
+        .words("source", "excited by", |one| excited_by(one.source, one.part.as_deref()))
+        .words("part", "part", |one| part(one.part.as_deref()))
+        .only_if(all.iter().any(|one| one.part.is_some()))
         .number("harmonic", "harm.", |one| one.harmonic)
         .multiple("of_input", "order", |one| one.of_input)
         .words("excites", "excites", |one| one.excites.map_or(text("all"), |of| Figure::choice(of, kind(of))))
@@ -328,7 +345,7 @@ fn bodies(sets: &[SetModes]) -> Records {
     Table::new("bodies", sets.iter().flat_map(|set| set.bodies.iter().map(move |body| (set, body))))
         .text("set", "set", |(set, _)| &set.set)
         .words("gears", "gears", |(set, _)| set.gears.clone())
-        .words("body", "body", |(_, body)| Figure::choice(body.body, member(body.body)))
+        .words("body", "body", |(_, body)| text(&body.body))
         .quantity("mass", "m", Mass, |(_, body)| body.mass_kg)
         .column(Column::headed("inertia", "I", Inertia), |(_, body)| optional(Inertia, body.inertia_kg_m2))
         .quantity("radius", "r", Length, |(_, body)| body.radius_m)
@@ -338,32 +355,25 @@ fn bodies(sets: &[SetModes]) -> Records {
 }
 
 fn springs(sets: &[SetModes]) -> Records {
-    let rows = sets.iter().flat_map(|set| {
-        let of = &set.stiffness;
-        let meshes = match of.meshes_by {
+    let rows = sets.iter().flat_map(|set| set.springs.iter().map(move |spring| (set, spring)));
+    let is_helical = |spring: &records::Spring| spring.helix_angle_rad.is_some_and(|angle| angle != 0.0);
+    let by = |spring: &records::Spring| {
+        let origin = match spring.by {
             StiffnessOrigin::Given => "given",
             StiffnessOrigin::Iso6336 => "ISO 6336",
         };
-        let all = [
-            ("sun mesh", Some(of.sun_mesh_n_m), meshes),
-            ("ring mesh", Some(of.ring_mesh_n_m), meshes),
-            ("planet bearing", Some(of.planet_bearing_n_m), "given"),
-            ("sun support", of.sun_support_n_m, "given"),
-            ("ring support", of.ring_support_n_m, "given"),
-            ("carrier support", of.carrier_support_n_m, "given"),
-            ("sun, tangential", of.sun_tangential_support_n_m, "given"),
-            ("ring, tangential", of.ring_tangential_support_n_m, "given"),
-            ("carrier, tangential", of.carrier_tangential_support_n_m, "given"),
-        ];
-        all.into_iter().filter(|(_, stiffness, _)| stiffness.is_some()).map(move |spring| (set, spring))
-    });
+        if is_helical(spring) { text(format!("{origin}, transverse")) } else { text(origin) }
+    };
+    let has_helical = sets.iter().flat_map(|set| &set.springs).any(is_helical);
+    let note = "Transverse: helical teeth have their stiffness in the transverse plane; motion along the axis and tilting are left out.";
     Table::new("springs", rows)
         .text("set", "set", |(set, _)| &set.set)
         .words("gears", "gears", |(set, _)| set.gears.clone())
-        .text("spring", "spring", |(_, (name, _, _))| name)
-        .quantity("stiffness", "k", Stiffness, |(_, (_, stiffness, _))| *stiffness)
-        .text("by", "by", |(_, (_, _, by))| by)
+        .text("spring", "spring", |(_, spring)| &spring.spring)
+        .quantity("stiffness", "k", Stiffness, |(_, spring)| spring.stiffness_n_m)
+        .words("by", "by", |(_, spring)| by(spring))
         .all("Springs")
+        .note(if has_helical { note } else { "" })
         .records()
 }
 
@@ -375,6 +385,7 @@ fn not_calculated(all: &[NotCalculated]) -> Records {
             let what = match one.what {
                 What::Modes => "modes",
                 What::Resonances => "resonances",
+                What::Forces => "forces",
                 What::Torsional => "torsional modes",
                 What::Coupled => "coupled modes",
             };

@@ -4,8 +4,8 @@ use super::checks::NO_LINK;
 use super::place::{keys_of_part, of_set};
 use super::shape::{Shape, missing};
 use super::{
-    DataSheetEntry, DescriptionError, FloatingEntry, Gears, PerGear, RollingEntry, StrengthEntry, ToolEntry,
-    spaced,
+    CompoundVibrationEntry, DataSheetEntry, DescriptionError, FloatingEntry, Gears, PerGear, RollingEntry,
+    StrengthEntry, ToolEntry, Vibrating, VibrationEntry, spaced,
 };
 use crate::Path;
 use crate::drive::Spacing;
@@ -99,6 +99,9 @@ pub struct CompoundEntry<P = PlanetSizeEntry> {
     /// For its data sheet: measuring balls, allowances.
     #[serde(default)]
     pub data_sheet: Option<DataSheetEntry>,
+    /// For its vibration: bodies, bearings, supports, stiffness of meshes.
+    #[serde(default)]
+    pub vibration: Option<CompoundVibrationEntry>,
     /// Member that floats, for the load sharing of its planets. Default: a floating member is assumed.
     #[serde(default)]
     pub floating: Option<FloatingEntry>,
@@ -197,7 +200,7 @@ pub struct ListedPlanetEntry {
 }
 
 /// Keys of a compound set that gearbox files alone read.
-const OF_GEARBOXES: [&str; 9] = [
+const OF_GEARBOXES: [&str; 10] = [
     "helix_angle",
     "profile_shifts",
     "tip_alterations",
@@ -206,6 +209,7 @@ const OF_GEARBOXES: [&str; 9] = [
     "face_widths",
     "strength",
     "data_sheet",
+    "vibration",
     "floating",
 ];
 
@@ -352,6 +356,10 @@ impl<P: PlanetSized> CompoundEntry<P> {
             is_known: !self.proportional && self.planet_gears.values().all(|teeth| !teeth.is_empty()),
         };
         let (tooth_shape, is_sound) = faults.sound(|faults| shape.tooth_shape(rack, faults));
+        if let Some(vibration) = &self.vibration {
+            let vibration = VibrationEntry::from(vibration.clone());
+            vibration.check(&self.id, &gears, &self.vibrating(), faults);
+        }
         let spec = CompoundSpec {
             id: self.id.clone(),
             tooth_shape,
@@ -465,6 +473,7 @@ impl<P: PlanetSized> CompoundEntry<P> {
             self.face_widths.is_some(),
             self.strength.is_some(),
             self.data_sheet.is_some(),
+            self.vibration.is_some(),
             self.floating.is_some(),
         ];
         let of_set = OF_GEARBOXES.into_iter().zip(is_given).filter(|one| one.1);
@@ -498,7 +507,23 @@ impl<P: PlanetSized> CompoundEntry<P> {
         };
         let planets = self.planet_gears.iter().flat_map(planet);
         let (names, kinds) = self.centrals().filter_map(central).chain(planets).unzip();
-        Gears { names, kinds, has_order: false }
+        Gears { names, kinds, has_order: false, of: "gears" }
+    }
+
+    /// Bodies and meshes of the set.
+    pub(super) fn vibrating(&self) -> Vibrating {
+        let Gears { mut names, mut kinds, .. } = self.gears();
+        let centrals = self.centrals().filter(|one| one.1 != CentralKind::PlanetShaft).count();
+        names.truncate(centrals);
+        kinds.truncate(centrals);
+        names.extend(self.planet_gears.keys().cloned());
+        kinds.resize(names.len(), Some(GearKind::External));
+        let meshes = self.meshes.iter().map(|mesh| mesh.gears.join("-")).collect();
+        Vibrating {
+            bodies: Gears { names, kinds, has_order: false, of: "bodies" },
+            meshes: Gears { names: meshes, kinds: vec![], has_order: false, of: "meshes" },
+            planets: self.planet_gears.keys().cloned().collect(),
+        }
     }
 
     /// Key, kind, name and teeth of its central gears and planet shafts.

@@ -42,7 +42,8 @@ impl<T> PerGear<T> {
         let names = &gears.names;
         match self {
             Self::List(_) if !gears.has_order => {
-                Err(DescriptionError::ByName { set: set.to_owned(), key, gears: names.join(", ") })
+                let (set, of) = (set.to_owned(), gears.of);
+                Err(DescriptionError::ByName { set, key, of, gears: names.join(", ") })
             }
             Self::List(values) if values.len() == names.len() => Ok(values.iter().map(Some).collect()),
             Self::List(values) => Err(DescriptionError::Values {
@@ -60,7 +61,7 @@ impl<T> PerGear<T> {
     }
 }
 
-/// Gears of a set as its keys know them.
+/// Gears of a set as its keys know them, or bodies or meshes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gears {
     /// Names, in the order of [`PlanetSet::gears`](epicyclic_train::PlanetSet::gears).
@@ -69,6 +70,8 @@ pub struct Gears {
     pub kinds: Vec<Option<GearKind>>,
     /// Whether lists may be in their order: not in compound sets, whose gears have none.
     pub has_order: bool,
+    /// Things that have these names, in words.
+    pub of: &'static str,
 }
 
 impl Gears {
@@ -76,15 +79,15 @@ impl Gears {
     #[must_use]
     pub fn of_kind(kind: SetKind) -> Self {
         let (names, kinds) = kind.gears().into_iter().map(|(name, kind)| (name.to_owned(), kind)).unzip();
-        Self { names, kinds, has_order: true }
+        Self { names, kinds, has_order: true, of: "gears" }
     }
 
     pub(super) fn unknown(&self, set: &str, key: &'static str, gear: &str) -> DescriptionError {
-        let gears = self.names.join(", ");
+        let (set, gears, of) = (set.to_owned(), self.names.join(", "), self.of);
         // Answers put the kind before the name of a central gear: `ring drum`.
         let meant = self.names.iter().find(|name| gear.ends_with(&format!(" {name}"))).map(String::as_str);
         let meant = meant.or_else(|| nearest(gear, &self.names)).map(str::to_owned);
-        DescriptionError::NoSuchGear { set: set.to_owned(), key, gear: gear.to_owned(), gears, meant }
+        DescriptionError::NoSuchGear { set, key, gear: gear.to_owned(), of, gears, meant }
     }
 
     /// Adds what is wrong with the gears of values, at the name that is wrong; whether nothing is.

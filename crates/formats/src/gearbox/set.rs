@@ -4,7 +4,7 @@ use super::checks::{NO_LINK, counts};
 use super::losses::losses;
 use super::shape::{Shape, missing};
 use super::spacing::spaced;
-use super::{DescriptionError, Gears, SetEntry};
+use super::{DescriptionError, Gears, SetEntry, Vibrating};
 use crate::Path;
 use crate::faults::Faults;
 use epicyclic_gears::rack::BasicRack;
@@ -81,6 +81,9 @@ impl SetEntry {
         };
         let (tooth_shape, is_sound) = faults.sound(|faults| shape.tooth_shape(rack, faults));
         spec.tooth_shape = tooth_shape;
+        if let Some(vibration) = &self.vibration {
+            vibration.check(&self.id, &gears, &Vibrating::of_kind(kind), faults);
+        }
         self.of_each_mesh("modules", kind, self.modules.as_deref(), faults);
         if self.modules.is_some() && self.module.is_some() {
             let twice = DescriptionError::Twice { set: set(), first: "module", second: "modules" };

@@ -2,14 +2,17 @@
 
 use super::compound::PlanetSized;
 use super::per_gear::{Gears, PerGear};
-use super::{AccuracyEntry, DataSheetEntry, FloatingEntry, GearboxFile, StrengthEntry, ToolEntry};
+use super::{
+    AccuracyEntry, DataSheetEntry, FloatingEntry, GearboxFile, StrengthEntry, ToolEntry, Vibrating,
+    VibrationEntry,
+};
 use crate::Path;
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_train::PlanetSet;
-use epicyclic_train::planet_set::GearOf;
+use epicyclic_train::planet_set::{GearOf, Planet};
 use epicyclic_units::{Physical, Quantity};
 use std::collections::BTreeMap;
-use uom::si::f64::Length;
+use uom::si::f64::{Length, Mass};
 
 /// Data of a file for the gears of a set beyond their teeth. Lists of gears are in the order of
 /// [`PlanetSet::gears`].
@@ -35,6 +38,25 @@ pub struct SetData<'f> {
     pub data_sheet: Option<&'f DataSheetEntry>,
     /// Member that floats.
     pub floating: Option<FloatingEntry>,
+    /// Data for the vibration.
+    pub vibration: Option<VibrationEntry>,
+    /// Bodies and meshes by the names that keys know; central gears and planets in their order.
+    pub vibrating: Vibrating,
+    /// The planets, as far as the file describes them.
+    pub planets: Vec<PlanetData>,
+    /// Of each mesh of two planets, whether the one described later stands behind the other.
+    pub is_behind: Vec<bool>,
+}
+
+/// Data of a file for the planets of one kind.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct PlanetData {
+    /// Mass.
+    pub mass: Option<Mass>,
+    /// Bore; `None` of a solid one.
+    pub bore: Option<Length>,
+    /// Radius of its centre.
+    pub carrier_radius: Option<Length>,
 }
 
 impl SetData<'_> {
@@ -86,6 +108,17 @@ impl GearboxFile {
                 strength: entry.strength.as_ref(),
                 data_sheet: entry.data_sheet.as_ref(),
                 floating: entry.floating,
+                vibration: entry.vibration.clone(),
+                vibrating: Vibrating::of_kind(entry.kind.into()),
+                planets: vec![
+                    PlanetData {
+                        mass: entry.planet_mass.map(|mass| mass.0),
+                        bore: entry.planet_bore.map(|bore| bore.0),
+                        carrier_radius: entry.carrier_radius.map(|radius| radius.0),
+                    };
+                    set.planets().len()
+                ],
+                is_behind: vec![false; set.meshes().len()],
             });
         }
         let place = self.compound_sets.iter().position(|entry| entry.id == set.id())?;
@@ -105,6 +138,14 @@ impl GearboxFile {
             }
             GearOf::Central(_) => None,
         };
+        let planet = |planet: &Planet| {
+            let size = entry.planet_sizes.get(&planet.name);
+            size.map_or_else(PlanetData::default, |size| PlanetData {
+                mass: size.mass.map(|mass| mass.0),
+                bore: size.bore.map(|bore| bore.0),
+                carrier_radius: size.carrier_radius.map(|radius| radius.0),
+            })
+        };
         let stated = widths(entry.face_width, entry.face_widths.as_ref(), &gears);
         let widths = of.iter().zip(stated).map(|(gear, width)| {
             // A width of the planet's size is of the gear alone and goes before that of the set.
@@ -121,6 +162,10 @@ impl GearboxFile {
             strength: entry.strength.as_ref(),
             data_sheet: entry.data_sheet.as_ref(),
             floating: entry.floating,
+            vibration: entry.vibration.clone().map(VibrationEntry::from),
+            vibrating: entry.vibrating(),
+            planets: set.planets().iter().map(planet).collect(),
+            is_behind: entry.meshes.iter().map(|mesh| mesh.behind).collect(),
         })
     }
 }

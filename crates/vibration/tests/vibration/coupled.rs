@@ -31,8 +31,9 @@ fn centres(count: usize, held: &[usize]) -> Vec<Centre> {
         .collect()
 }
 
-fn placed<'s>(name: &str, set: &'s PlanetarySet, links: [usize; 3], centres: [usize; 3]) -> Placed<'s> {
-    Placed { name: format!("{name} "), set, links, centres }
+fn placed(name: &str, set: &PlanetarySet, links: [usize; 3], centres: [usize; 3]) -> Placed {
+    let (links, centres) = (links.to_vec(), centres.to_vec());
+    Placed { name: format!("{name} "), set: set.gear_set(), links, centres }
 }
 
 /// Frequencies with kind and multiplicity.
@@ -114,7 +115,7 @@ fn every_mode_is_of_one_kind_as_often_as_coordinates_say() {
         assert!((kinetic - 1.0).abs() < 1e-9 && (group.is_zero() || (strain - 1.0).abs() < 1e-9));
         if group.kind == Kind::Planet {
             // Of the first set alone, with the frequencies of this set alone.
-            let of_second = energy.kinetic.iter().filter(|one| parts.planets[1].contains(&one.body));
+            let of_second = energy.kinetic.iter().filter(|one| parts.sets[1].planets.contains(&one.body));
             assert!(of_second.map(|one| one.translation + one.rotation).sum::<f64>() < 1e-12);
         }
     }
@@ -182,9 +183,13 @@ fn held_centres_and_rigid_bearings_leave_the_torsional_model() {
     };
     let (first, second) = (lin_parker(4), second());
     let sets = [("1", &first, LINKS[0]), ("2", &second, LINKS[1])];
-    let of_train: Vec<train::Placed<'_>> = sets
+    let of_train: Vec<train::Placed> = sets
         .iter()
-        .map(|(name, set, links)| train::Placed { name: format!("{name} "), set, links: *links })
+        .map(|(name, set, links)| train::Placed {
+            name: format!("{name} "),
+            set: set.gear_set(),
+            links: links.to_vec(),
+        })
         .collect();
     let (model, _) = torsional(&links(4, &[3]), &of_train, &[]).unwrap();
     let wanted: Vec<f64> = model.modes().unwrap().modes.iter().map(|mode| hz(mode.frequency)).collect();

@@ -4,6 +4,7 @@
 mod common;
 mod coupled;
 mod energy;
+mod gear_set;
 mod gyroscopic;
 mod modal;
 mod phasing;

@@ -64,14 +64,19 @@ fn meshes_of_each_of_several_sets_work_in_the_torsional_modes_of_the_rule() {
         };
         let links: Vec<Link> = (0..4).map(link).collect();
         let placed = [("1", &sets[0], [0, 1, 2]), ("2", &sets[1], [0, 3, 1])];
-        let placed = placed.map(|(name, set, links)| Placed { name: name.to_owned(), set, links });
+        let placed = placed.map(|(name, set, links)| Placed {
+            name: name.to_owned(),
+            set: set.gear_set(),
+            links: links.to_vec(),
+        });
         let (model, parts) = torsional(&links, &placed, &[]).unwrap();
         let groups = model.groups(&parts.links).unwrap();
         for (set, planets) in [one, other].into_iter().enumerate() {
             for periods in 0..=u64::from(3 * planets) {
                 let rule = phasing::torsional(periods, planets).unwrap();
                 for group in groups.iter().filter(|group| !group.is_zero()) {
-                    let meshes = [&parts.sun_meshes[set], &parts.ring_meshes[set]];
+                    let (of_sun, of_ring) = parts.sets[set].meshes.split_at(planets as usize);
+                    let meshes = [of_sun, of_ring];
                     let energy = model.modal_energy(group).unwrap();
                     let own =
                         energy.strain.iter().filter(|one| meshes.iter().any(|all| all.contains(&one.spring)));

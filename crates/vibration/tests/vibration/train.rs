@@ -23,12 +23,12 @@ fn links(held: &[bool]) -> Vec<Link> {
         .collect()
 }
 
-fn placed<'s>(name: &str, set: &'s PlanetarySet, links: [usize; 3]) -> Placed<'s> {
-    Placed { name: format!("{name} "), set, links }
+fn placed(name: &str, set: &PlanetarySet, links: [usize; 3]) -> Placed {
+    Placed { name: format!("{name} "), set: set.gear_set(), links: links.to_vec() }
 }
 
 /// Zeros, then the other frequencies, Hz.
-fn frequencies(links: &[Link], sets: &[Placed<'_>], shafts: &[Shaft]) -> (usize, Vec<f64>) {
+fn frequencies(links: &[Link], sets: &[Placed], shafts: &[Shaft]) -> (usize, Vec<f64>) {
     let (model, _) = torsional(links, sets, shafts).unwrap();
     let all: Vec<f64> = model.modes().unwrap().modes.iter().map(|mode| hz(mode.frequency)).collect();
     let zeros = all.iter().filter(|frequency| **frequency == 0.0).count();

@@ -68,8 +68,8 @@ impl<'a> Branches<'a> {
                 .flat_map(|group| group.shapes.iter().map(|_| group.frequency.si()))
                 .collect());
         }
-        let central = found.parts.central();
-        let modes = found.model.whirl_modes(turning, Centripetal::WithBearingLoad, &central)?;
+        let central = &found.parts.members;
+        let modes = found.model.whirl_modes(turning, Centripetal::WithBearingLoad, central)?;
         let of_kind = |kind: Kind| -> Vec<f64> {
             let own = modes.iter().filter(|mode| mode.kind == kind);
             own.map(|mode| mode.frequency.si()).collect()
@@ -122,6 +122,7 @@ impl<'a> Branches<'a> {
                     gear: order.gear.clone(),
                     input_speed_rad_s: speed,
                     source: order.source,
+                    part: order.part.clone(),
                     harmonic: order.harmonic,
                     mode,
                     kind,

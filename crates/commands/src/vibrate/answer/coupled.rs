@@ -5,6 +5,7 @@
 //! housing, members joined by a clutch, and the two ends of a shaft have their own centres; a shaft joins
 //! them by its lateral stiffness.
 
+use super::assembly::Case;
 use super::links::{LaidShaft, Train, TrainSet};
 use super::records::{NotCalculated, Reason, What};
 use super::train_records::{
@@ -14,16 +15,12 @@ use super::train_records::{
 use super::{Prepared, joined, number};
 use crate::error::Error;
 use crate::tolerance::rounded;
-use epicyclic_pictures::modes::Part;
 use epicyclic_train::{Gear, LinkId};
 use epicyclic_units::Physical;
 use epicyclic_vibration::Kind;
 use epicyclic_vibration::coupled::{Centre, CoupledParts, Placed, Shaft, planar};
 use epicyclic_vibration::{BodyId, Group, ModalEnergy, Model, SpringId};
 use uom::si::f64::Mass;
-
-const MEMBERS: [Part; 3] = [Part::Sun, Part::Ring, Part::Carrier];
-const NAMES: [&str; 3] = ["sun", "ring", "carrier"];
 
 /// Modes of the whole gearbox in the plane in a gear, or the set that lacks data.
 pub(super) fn modes(
@@ -36,27 +33,27 @@ pub(super) fn modes(
     // matter.
     if let Some(one) = sets.iter().filter(|one| !is_round(one)).nth(1) {
         return Ok(Err(NotCalculated {
-            set: one.of.entry.id.clone(),
+            set: one.of.set.id().to_owned(),
             gear: None,
             what: What::Coupled,
             reason: Reason::NoSymmetry,
             missing: vec![],
         }));
     }
-    let built = |prepared: &Prepared, held| prepared.built(held).map(|built| built.set);
-    let laid = match train.laid(gear, sets, What::Coupled, built) {
+    let built = |prepared: &Prepared, case: &Case| prepared.built(case).map(|built| built.set);
+    let laid = match train.laid(gear, sets, What::Coupled, built)? {
         Ok(laid) => laid,
         Err(missing) => return Ok(Err(missing)),
     };
     let mut centres = Centres::of(train, sets);
     let shafts: Vec<Shaft> = laid.shafts.iter().map(|shaft| centres.shaft(shaft)).collect();
-    let placed = std::iter::zip(sets, &laid.sets).zip(&centres.of_sets);
-    let placed: Vec<Placed<'_>> = placed
+    let placed = std::iter::zip(sets, laid.sets).zip(&centres.of_sets);
+    let placed: Vec<Placed> = placed
         .map(|((one, (set, links)), centres)| Placed {
-            name: format!("{} ", one.of.entry.id),
+            name: format!("{} ", one.of.set.id()),
             set,
-            links: *links,
-            centres: *centres,
+            links,
+            centres: centres.clone(),
         })
         .collect();
     let refuse = |error| train.refused(gear, &error);
@@ -89,8 +86,10 @@ struct Centres {
     /// Members of each centre: places of the set and of the member.
     members: Vec<Vec<(usize, usize)>>,
     ids: Vec<String>,
-    /// Centres of sun, ring and carrier of each set.
-    of_sets: Vec<[usize; 3]>,
+    /// Names of the members of each set.
+    names: Vec<Vec<String>>,
+    /// Centres of the members of each set.
+    of_sets: Vec<Vec<usize>>,
     /// Representative of each link, by [`LinkId::index`]: the first of the links that move with it.
     roots: Vec<usize>,
     /// Centre of each representative.
@@ -102,33 +101,37 @@ impl Centres {
         let mut all = Self {
             centres: vec![],
             members: vec![],
-            ids: sets.iter().map(|one| one.of.entry.id.clone()).collect(),
-            of_sets: vec![[0; 3]; sets.len()],
+            ids: sets.iter().map(|one| one.of.set.id().to_owned()).collect(),
+            names: sets
+                .iter()
+                .map(|one| one.prepared.members.iter().map(|member| member.name.clone()).collect())
+                .collect(),
+            of_sets: vec![vec![]; sets.len()],
             roots: joined(&train.subject.train, None, &train.springs()),
             of_root: vec![],
         };
         for (set, one) in sets.iter().enumerate() {
-            for member in 0..3 {
-                let root = all.roots[one.set.members()[member].index()];
+            for (member, own) in one.prepared.members.iter().enumerate() {
+                let root = all.roots[one.of.set.members()[member].index()];
                 let place = match all.of_root.iter().find(|(own, _)| *own == root) {
                     Some((_, place)) => *place,
                     None => all.add(Some(root).filter(|root| *root != LinkId::GROUND.index())),
                 };
                 all.members[place].push((set, member));
-                all.centres[place].held |= one.prepared.radial_support(member).is_none();
-                all.of_sets[set][member] = place;
+                all.centres[place].held |= own.support.is_none();
+                all.of_sets[set].push(place);
             }
         }
         for place in 0..all.centres.len() {
-            all.centres[place].name = all.names(place).join("+");
+            all.centres[place].name = all.names_of(place).join("+");
         }
         all
     }
 
     /// Names of the members of a centre.
-    fn names(&self, place: usize) -> Vec<String> {
+    fn names_of(&self, place: usize) -> Vec<String> {
         let members = self.members[place].iter();
-        members.map(|(set, member)| format!("{} of {}", NAMES[*member], self.ids[*set])).collect()
+        members.map(|(set, member)| format!("{} of {}", self.names[*set][*member], self.ids[*set])).collect()
     }
 
     fn add(&mut self, root: Option<usize>) -> usize {
@@ -159,13 +162,10 @@ impl Centres {
         Shaft { name: shaft.entry.id.clone(), links: shaft.between, centres }
     }
 
-    fn told(&self, placed: &[Placed<'_>]) -> Vec<CentreBody> {
+    fn told(&self, placed: &[Placed]) -> Vec<CentreBody> {
         let own = self.centres.iter().zip(&self.members).filter(|(_, members)| !members.is_empty());
         own.map(|(centre, members)| {
-            let central = |(set, member): &(usize, usize)| {
-                let set = placed[*set].set;
-                [&set.sun, &set.ring, &set.carrier][*member]
-            };
+            let central = |(set, member): &(usize, usize)| &placed[*set].set.members[*member].central;
             let sum = |of: fn(&epicyclic_vibration::Central) -> f64| {
                 (!centre.held).then(|| members.iter().map(|one| of(central(one))).sum())
             };
@@ -174,7 +174,7 @@ impl Centres {
                     .iter()
                     .map(|(set, member)| CentreMember {
                         set: self.ids[*set].clone(),
-                        member: MEMBERS[*member],
+                        member: self.names[*set][*member].clone(),
                     })
                     .collect(),
                 mass_kg: sum(|central| central.body.mass.si()),
@@ -190,7 +190,7 @@ struct Whole<'a> {
     model: &'a Model,
     parts: &'a CoupledParts,
     sets: &'a [TrainSet<'a>],
-    places: &'a [Placed<'a>],
+    places: &'a [Placed],
     names: &'a [Vec<String>],
     links: &'a [epicyclic_vibration::train::Link],
     centres: &'a Centres,
@@ -203,20 +203,21 @@ impl Whole<'_> {
         let parts = self.parts;
         let sets = self.places.iter().enumerate().map(|(place, placed)| {
             let sum = |bodies: &[BodyId]| bodies.iter().map(|body| energy.kinetic_of(*body)).sum::<f64>();
-            let planets = rounded(sum(&parts.planets[place]));
-            let once = |mut all: [usize; 3], of: &[BodyId]| {
+            let planets = rounded(sum(&parts.sets[place].planets));
+            let once = |all: &[usize], of: &[BodyId]| {
+                let mut all = all.to_vec();
                 all.sort_unstable();
                 let apart = all.iter().enumerate().filter(|(at, one)| *at == 0 || all[at - 1] != **one);
                 rounded(apart.map(|(_, one)| energy.kinetic_of(of[*one])).sum())
             };
-            let (turns, moves) = (once(placed.links, &parts.links), once(placed.centres, &parts.centres));
+            let (turns, moves) = (once(&placed.links, &parts.links), once(&placed.centres, &parts.centres));
             let kind = match (moves > 0.0, turns > 0.0) {
                 (false, true) => Some(Kind::Rotational),
                 (true, false) => Some(Kind::Translational),
                 (true, true) => Some(Kind::Mixed),
                 (false, false) => (planets > 0.0).then_some(Kind::Planet),
             };
-            SetInMode { set: self.sets[place].of.entry.id.clone(), kind }
+            SetInMode { set: self.sets[place].of.set.id().to_owned(), kind }
         });
         Ok(CoupledMode {
             mode: number(index),
@@ -240,12 +241,13 @@ impl Whole<'_> {
         }
         for (place, (centre, body)) in self.centres.centres.iter().zip(&self.parts.centres).enumerate() {
             if !centre.held {
-                add(KineticPart::Translation, self.centres.names(place), energy.kinetic_of(*body));
+                add(KineticPart::Translation, self.centres.names_of(place), energy.kinetic_of(*body));
             }
         }
-        for (set, planets) in self.sets.iter().zip(&self.parts.planets) {
-            let share = planets.iter().map(|planet| energy.kinetic_of(*planet)).sum();
-            add(KineticPart::Planets, vec![set.of.entry.id.clone()], share);
+        let with_planets = self.sets.iter().zip(&self.parts.sets).filter(|(_, own)| !own.planets.is_empty());
+        for (set, own) in with_planets {
+            let share = own.planets.iter().map(|planet| energy.kinetic_of(*planet)).sum();
+            add(KineticPart::Planets, vec![set.of.set.id().to_owned()], share);
         }
         all
     }
@@ -253,18 +255,16 @@ impl Whole<'_> {
     fn strain(&self, energy: &ModalEnergy) -> Vec<TorsionalStrain> {
         let mut all = vec![];
         let parts = self.parts;
-        let mut add = |part, of: &str, springs: &[SpringId]| {
-            if springs.is_empty() {
-                return;
-            }
-            all.push(TorsionalStrain { part, of: of.to_owned(), share: rounded(energy.strain_of(springs)) });
+        let share = |springs: &[SpringId]| rounded(energy.strain_of(springs));
+        let one = |part, of: &str, springs: &[SpringId]| {
+            let of = of.to_owned();
+            (!springs.is_empty()).then(|| TorsionalStrain { part, of, mesh: None, share: share(springs) })
         };
-        for (place, set) in self.sets.iter().enumerate() {
-            let id = &set.of.entry.id;
-            add(StrainPart::SunMeshes, id, &parts.sun_meshes[place]);
-            add(StrainPart::RingMeshes, id, &parts.ring_meshes[place]);
-            add(StrainPart::PlanetBearings, id, &parts.bearings[place]);
+        for (set, own) in self.sets.iter().zip(&parts.sets) {
+            all.extend(TorsionalStrain::of_meshes(set, &own.meshes, share));
+            all.extend(one(StrainPart::PlanetBearings, set.of.set.id(), &own.bearings.concat()));
         }
+        let mut add = |part, of: &str, springs: &[SpringId]| all.extend(one(part, of, springs));
         for (shaft, [torsion, bending]) in self.shafts.iter().zip(&parts.shafts) {
             add(StrainPart::Shaft, &shaft.name, torsion);
             add(StrainPart::Bending, &shaft.name, bending);

@@ -4,6 +4,7 @@
 //! shift elements. A connection that the file gives as a shaft does not join them. A member that is held is a
 //! separate body: held rigidly, or on its tangential support.
 
+use super::assembly::Case;
 use super::records::{NotCalculated, Reason, What};
 use super::{Of, Prepared, joined};
 use crate::error::Error;
@@ -11,9 +12,9 @@ use crate::shared::fault::{Named, refused};
 use crate::shared::gearbox::Gearbox;
 use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::{GearboxFile, ShaftEntry, VibrationOfGearbox};
-use epicyclic_train::{Gear, LinkId, PlanetSet};
+use epicyclic_train::{Gear, LinkId};
 use epicyclic_units::Physical;
-use epicyclic_vibration::PlanetarySet;
+use epicyclic_vibration::GearSet;
 use epicyclic_vibration::train::Link;
 use uom::si::f64::{MomentOfInertia, Torque};
 
@@ -28,7 +29,8 @@ pub(super) struct Train<'a> {
 /// Set of the train.
 pub(super) struct TrainSet<'a> {
     pub(super) of: Of<'a>,
-    pub(super) set: &'a PlanetSet,
+    /// Place of the set in the gearbox.
+    pub(super) place: usize,
     pub(super) prepared: Prepared,
 }
 
@@ -91,32 +93,39 @@ impl<'a> Train<'a> {
         gear: &Gear,
         sets: &[TrainSet<'_>],
         what: What,
-        built: impl Fn(&Prepared, [bool; 3]) -> Result<PlanetarySet, Vec<String>>,
-    ) -> Result<Laid<'s>, NotCalculated> {
+        built: impl Fn(&Prepared, &Case) -> Result<GearSet, Vec<String>>,
+    ) -> Result<Result<Laid<'s>, NotCalculated>, Error> {
         let gearbox = &self.subject.train;
         let roots = joined(gearbox, Some(gear), &self.springs());
         let housing = LinkId::GROUND.index();
         let mut laid = Laid { bodies: Bodies::default(), sets: vec![], shafts: vec![] };
         let bodies = &mut laid.bodies;
         for one in sets {
-            let links = [0, 1, 2].map(|member| one.set.members()[member]);
-            let held = links.map(|link| roots[link.index()] == housing);
-            let set = built(&one.prepared, held).map_err(|missing| NotCalculated {
-                set: one.of.entry.id.clone(),
-                gear: Some(gear.name().to_owned()),
-                what,
-                reason: Reason::KeysMissing,
-                missing,
-            })?;
-            let mut places = [0; 3];
-            for (member, place) in places.iter_mut().enumerate() {
-                *place = if held[member] {
-                    bodies.alone(&one.of.entry.id, member, one.prepared.support(member))
+            let links = one.of.set.members();
+            let held: Vec<bool> = links.iter().map(|link| roots[link.index()] == housing).collect();
+            let forward = one.of.flanks(one.place, &one.prepared, Some(gear.name()))?.forward;
+            let case = Case { held, forward };
+            let set = match built(&one.prepared, &case) {
+                Ok(set) => set,
+                Err(missing) => {
+                    return Ok(Err(NotCalculated {
+                        set: one.of.set.id().to_owned(),
+                        gear: Some(gear.name().to_owned()),
+                        what,
+                        reason: Reason::KeysMissing,
+                        missing,
+                    }));
+                }
+            };
+            let members = one.prepared.members.iter().enumerate();
+            let places = members.map(|(member, own)| {
+                if case.held[member] {
+                    bodies.alone(one.of.set.id(), &own.name, one.prepared.support(member))
                 } else {
                     bodies.joined(roots[links[member].index()], gearbox, &roots)
-                };
-            }
-            laid.sets.push((set, places));
+                }
+            });
+            laid.sets.push((set, places.collect()));
         }
         for (shaft, ends) in &self.shafts {
             let stiffness = Torque::from_si(shaft.stiffness.0.si());
@@ -140,7 +149,7 @@ impl<'a> Train<'a> {
             let place = bodies.joined(roots[link.index()], gearbox, &roots);
             bodies.links[place].inertia += inertia.0;
         }
-        Ok(laid)
+        Ok(Ok(laid))
     }
 
     /// Connections that are springs.
@@ -158,8 +167,8 @@ impl<'a> Train<'a> {
 /// Gearbox in a gear.
 pub(super) struct Laid<'a> {
     pub(super) bodies: Bodies,
-    /// Sets with the places of their sun, ring and carrier among the bodies.
-    pub(super) sets: Vec<(PlanetarySet, [usize; 3])>,
+    /// Sets with the places of their members among the bodies.
+    pub(super) sets: Vec<(GearSet, Vec<usize>)>,
     /// Shafts in the order of the file.
     pub(super) shafts: Vec<LaidShaft<'a>>,
 }
@@ -199,9 +208,8 @@ impl Bodies {
     }
 
     /// Place of a member that is held, on its support or rigidly.
-    fn alone(&mut self, set: &str, member: usize, support: Option<Torque>) -> usize {
-        let name = ["sun", "ring", "carrier"][member];
-        self.add(vec![format!("{name} of {set}")], support.unwrap_or_default(), support.is_none())
+    fn alone(&mut self, set: &str, member: &str, support: Option<Torque>) -> usize {
+        self.add(vec![format!("{member} of {set}")], support.unwrap_or_default(), support.is_none())
     }
 
     fn add(&mut self, names: Vec<String>, support: Torque, held: bool) -> usize {

@@ -1,8 +1,8 @@
 //! Mesh forces caused by transmission errors, over the input speed.
 //!
-//! In coordinates on the carrier, the tooth `l·z_s·(θ_s − ψ_n)/2π` of the sun is at the mesh with planet `n`.
-//! The error of harmonic `l` therefore reaches the planets one after the other. With `d = 1` if the sun
-//! drives the planets, and `d = −1` if they drive it, the errors are:
+//! In coordinates on the carrier, the tooth `l·z_c·(θ_c − ψ_n)/2π` of a central gear `c` is at the mesh with
+//! planet `n`. The error of harmonic `l` therefore reaches the planets one after the other. With `d = 1` if the
+//! sun of a simple set drives the planets, and `d = −1` if they drive it, the errors are:
 //!
 //! ```text
 //! e_s,n = a_s·cos(ω·t − d·l·z_s·ψ_n)     e_r,n = a_r·cos(ω·t − d·l·z_s·ψ_n + π·l·(z_p + 1))
@@ -10,7 +10,9 @@
 //!
 //! The last term follows because from the sun's pitch point to the ring's a planet has half its teeth and,
 //! from one flank to the other, half a pitch. The number of planets divides `z_s + z_r`, so the phases at the
-//! ring are those at the sun.
+//! ring are those at the sun. Of other sets each mesh that shares its frequency with none excites by itself.
+//! Where several meshes do, the phase between them depends on the angles of planets in mesh, and no forces are
+//! calculated.
 //!
 //! If the carrier turns, the matrices are those at its speed ([`epicyclic_vibration::response`]), with the
 //! damping of the modes at rest. The model has the flanks that carry at a positive torque on the sun. At a
@@ -18,13 +20,17 @@
 //! two speeds is searched near the intersection of order and mode by the golden section method.
 
 use super::branches::Branches;
-use super::records::{Greatest, HarmonicResponse, Order, Response, Source};
+use super::orders::Phased;
+use super::prepared::Mesh;
+use super::records::{Greatest, HarmonicResponse, MeshResponse, Response, Source};
 use super::settled::Excitation;
+use super::spacing::Spacing;
 use super::{Found, Of, Prepared};
 use crate::error::Error;
 use crate::shared::number::plain;
 use crate::tolerance::PEAK;
 use epicyclic_numerics::extremes::{Sections, try_golden_while};
+use epicyclic_train::planet_set::GearOf;
 use epicyclic_units::Physical;
 use epicyclic_vibration::model::SpringId;
 use epicyclic_vibration::response::Displacement;
@@ -42,11 +48,10 @@ pub(super) struct Excited<'a> {
     pub(super) of: &'a Of<'a>,
     pub(super) prepared: &'a Prepared,
     pub(super) found: &'a Found,
-    pub(super) teeth: [u32; 3],
-    /// Whether the sun drives the planets.
-    pub(super) sun_drives: bool,
-    /// Speed of the carrier relative to the input speed, seen from the side from which the torque on the sun
-    /// is positive; 0 without gyroscopic effect.
+    /// Speeds of the members relative to the input speed, seen from the side from which the first loaded mesh
+    /// drives in the positive direction.
+    pub(super) speeds: Vec<f64>,
+    /// Speed of the carrier among them; 0 without gyroscopic effect.
     pub(super) frame: f64,
     pub(super) branches: &'a Branches<'a>,
     pub(super) excitation: &'a Excitation,
@@ -54,16 +59,18 @@ pub(super) struct Excited<'a> {
 
 impl Excited<'_> {
     /// Response to the harmonics of the meshes among the orders, at input speeds in rad/s.
-    pub(super) fn response(&self, orders: &[Order], speeds: &[f64]) -> Result<Option<Response>, Error> {
+    pub(super) fn response(&self, orders: &[Phased], speeds: &[f64]) -> Result<Option<Response>, Error> {
         let refuse = |error: Refusal| self.of.refused(&["vibration"], &error);
         let modes = self.found.model.modes().map_err(refuse)?;
         let mut harmonics = vec![];
-        for order in orders.iter().filter(|order| order.source == Source::Mesh) {
-            if self.excitation.amplitudes(order.harmonic).iter().any(|amplitude| amplitude.si() > 0.0) {
-                harmonics.extend(self.harmonic(&modes, order, speeds).map_err(refuse)?);
+        for phased in orders.iter().filter(|one| one.order.source == Source::Mesh) {
+            let is_excited = |mesh: &usize| self.amplitude(*mesh, phased.order.harmonic).si() > 0.0;
+            if self.knows_phases(phased) && phased.meshes.iter().any(is_excited) {
+                harmonics.extend(self.harmonic(&modes, phased, speeds).map_err(refuse)?);
             }
         }
-        let Some(first) = orders.first().filter(|_| !harmonics.is_empty()) else { return Ok(None) };
+        let first = orders.first().map(|one| &one.order);
+        let Some(first) = first.filter(|_| !harmonics.is_empty()) else { return Ok(None) };
         Ok(Some(Response {
             set: first.set.clone(),
             gear: first.gear.clone(),
@@ -73,36 +80,72 @@ impl Excited<'_> {
         }))
     }
 
-    /// Displacements of all meshes by a harmonic.
-    fn displacements(&self, harmonic: u32) -> Vec<Displacement> {
-        let parts = &self.found.parts;
-        let phases = phases(harmonic, self.teeth, &self.prepared.spacing.places, self.sun_drives);
+    /// Whether the phases between the meshes of an order are known: of one mesh, or of a planet between a sun
+    /// and a ring.
+    pub(super) fn knows_phases(&self, phased: &Phased) -> bool {
+        match phased.meshes[..] {
+            [_] => true,
+            [_, _] => self.idler(phased).is_some(),
+            _ => false,
+        }
+    }
+
+    /// Teeth of the planet's gear between a sun and a ring that an order's meshes share.
+    fn idler(&self, phased: &Phased) -> Option<u32> {
+        let [one, other] = phased.meshes[..] else { return None };
+        let [one, other] = [one, other].map(|mesh| &self.prepared.meshes[mesh]);
+        let shared = one.gears.iter().find(|gear| other.gears.iter().any(|mate| mate.0 == gear.0))?.0;
+        let is_idler = matches!(shared, GearOf::Planet(..)) && !one.is_internal && other.is_internal;
+        let has_centrals = [one, other].iter().all(|mesh| central(mesh).is_some());
+        self.prepared.teeth_of(shared).filter(|_| is_idler && has_centrals)
+    }
+
+    /// Amplitude of the transmission error of a mesh.
+    fn amplitude(&self, mesh: usize, harmonic: u32) -> Length {
         let [sun, ring] = self.excitation.amplitudes(harmonic);
-        let of = |spring: SpringId, amplitude: Length, phase: f64| Displacement {
-            spring,
-            amplitude,
-            phase: Angle::from_si(phase),
-        };
-        let meshes = std::iter::zip(&parts.sun_meshes, &parts.ring_meshes).zip(phases);
-        meshes
-            .flat_map(|((of_sun, of_ring), [at_sun, at_ring])| {
-                [of(*of_sun, sun, at_sun), of(*of_ring, ring, at_ring)]
-            })
-            .collect()
+        if self.prepared.meshes[mesh].is_internal { ring } else { sun }
+    }
+
+    /// Displacements of all meshes of an order.
+    fn displacements(&self, phased: &Phased) -> Vec<Displacement> {
+        let kinds = self.prepared.meshes.len();
+        let harmonic = phased.order.harmonic;
+        let first = central(&self.prepared.meshes[phased.meshes[0]]);
+        let carrier = self.speeds.get(self.of.set.centrals().len()).copied().unwrap_or_default();
+        let teeth = first.and_then(|central| self.prepared.teeth_of(GearOf::Central(central)));
+        let drives = first.is_none_or(|central| self.speeds[central] >= carrier);
+        let spacing = &self.prepared.spacing;
+        let behind = phases(harmonic, teeth.unwrap_or_default(), spacing, drives);
+        let behind: Vec<f64> = behind.collect();
+        let offset = self.idler(phased).map_or(0.0, |planet| half_turns(harmonic, planet));
+        let mut all = vec![];
+        for (copy, behind) in behind.iter().enumerate() {
+            for (place, mesh) in phased.meshes.iter().enumerate() {
+                all.push(Displacement {
+                    spring: self.found.parts.meshes[copy * kinds + mesh],
+                    amplitude: self.amplitude(*mesh, harmonic),
+                    phase: Angle::from_si(if place == 0 { *behind } else { offset + behind }),
+                });
+            }
+        }
+        all
     }
 
     fn harmonic(
         &self,
         modes: &Modes,
-        order: &Order,
+        phased: &Phased,
         speeds: &[f64],
     ) -> Result<Option<HarmonicResponse>, Refusal> {
-        let found = self.found;
+        let (found, order) = (self.found, &phased.order);
         let zeta = self.excitation.damping_ratio;
-        let displacements = self.displacements(order.harmonic);
+        let displacements = self.displacements(phased);
         let springs: Vec<SpringId> = found.model.springs().collect();
-        // Greatest force amplitudes of the meshes with sun and ring at an input speed.
-        let forces = |speed: f64| -> Result<[f64; 2], Refusal> {
+        let kinds: Vec<Vec<SpringId>> = (0..self.prepared.meshes.len())
+            .map(|mesh| self.prepared.of_mesh(&found.parts.meshes, mesh))
+            .collect();
+        // Greatest force amplitude of the meshes of each kind at an input speed.
+        let forces = |speed: f64| -> Result<Vec<f64>, Refusal> {
             self.branches.check()?;
             let omega = AngularVelocity::from_si(order.of_input * speed);
             let response = if self.frame == 0.0 {
@@ -117,7 +160,7 @@ impl Excited<'_> {
                     std::iter::zip(&springs, &response.forces).filter(|(spring, _)| own.contains(spring));
                 own.map(|(_, force)| force.si()).fold(0.0, f64::max)
             };
-            Ok([most(&found.parts.sun_meshes), most(&found.parts.ring_meshes)])
+            Ok(kinds.iter().map(|own| most(own)).collect())
         };
         let (low, high) = speeds.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), speed| {
             (low.min(speed.abs()), high.max(speed.abs()))
@@ -137,12 +180,12 @@ impl Excited<'_> {
         if places.is_empty() {
             return Ok(None);
         }
-        let mut curve: Vec<(f64, [f64; 2])> = vec![];
+        let mut curve: Vec<(f64, Vec<f64>)> = vec![];
         for place in places {
             curve.push((place, forces(place)?));
         }
         let mut greatest = vec![];
-        for mesh in [0, 1] {
+        for mesh in 0..kinds.len() {
             let top = (0..curve.len()).max_by(|a, b| curve[*a].1[mesh].total_cmp(&curve[*b].1[mesh]));
             let top = top.unwrap_or_default();
             let ends = [top.saturating_sub(1), (top + 1).min(curve.len() - 1)].map(|place| curve[place].0);
@@ -150,57 +193,72 @@ impl Excited<'_> {
             let found = try_golden_while(ends, is_wide, |speed| forces(speed).map(|both| -both[mesh]))?;
             let speed = f64::midpoint(found.ends[0], found.ends[1]);
             let peak = (speed, forces(speed)?);
-            let (speed, both) = if peak.1[mesh] > curve[top].1[mesh] { peak } else { curve[top] };
-            greatest.push((speed, both));
+            greatest.push(if peak.1[mesh] > curve[top].1[mesh] { peak } else { curve[top].clone() });
         }
-        curve.extend(&greatest);
+        curve.extend(greatest.iter().cloned());
         curve.sort_by(|one, other| one.0.total_cmp(&other.0));
         curve.dedup_by(|one, other| one.0 == other.0);
-        let radius = found.sun_radius_m();
-        let told = |mesh: usize| {
-            let (speed, both) = greatest[mesh];
-            Greatest {
-                force_n: plain(both[mesh]),
-                input_speed_rad_s: speed,
-                frequency_hz: order.of_input * speed / TAU,
-                parts_below_sun_torque_n_m: plain(both[mesh] * f64::from(self.prepared.planets) * radius),
+        let is_simple = self.prepared.is_simple();
+        let meshes = greatest.iter().enumerate().map(|(mesh, (speed, all))| {
+            let own = &self.prepared.meshes[mesh];
+            let force = all[mesh];
+            // Meshes of a planet between sun and ring carry the same mean force, that of the torque on the sun.
+            let gear = if is_simple { Some(0) } else { central(own) };
+            let copies = self.prepared.copies() as f64;
+            let torque = |central: usize| force * copies * self.prepared.members[central].radius.si();
+            let error = phased.meshes.contains(&mesh).then(|| self.amplitude(mesh, order.harmonic));
+            MeshResponse {
+                mesh: own.name.clone(),
+                error_m: error.unwrap_or_default().si(),
+                torque_on: gear.map(|central| self.prepared.members[central].name.clone()),
+                greatest: Greatest {
+                    force_n: plain(force),
+                    input_speed_rad_s: *speed,
+                    frequency_hz: order.of_input * speed / TAU,
+                    parts_below_torque_n_m: gear.map(|central| plain(torque(central))),
+                    parts_below_sun_torque_n_m: is_simple.then(|| plain(torque(0))),
+                },
+                forces_n: curve.iter().map(|(_, all)| plain(all[mesh])).collect(),
             }
-        };
-        let [sun_error_m, ring_error_m] = self.excitation.amplitudes(order.harmonic).map(Physical::si);
-        Ok(Some(HarmonicResponse {
-            harmonic: order.harmonic,
-            sun_error_m,
-            ring_error_m,
-            greatest_sun: told(0),
-            greatest_ring: told(1),
-            input_speeds_rad_s: curve.iter().map(|(speed, _)| *speed).collect(),
-            sun_forces_n: curve.iter().map(|(_, [sun, _])| plain(*sun)).collect(),
-            ring_forces_n: curve.iter().map(|(_, [_, ring])| plain(*ring)).collect(),
-        }))
+        });
+        let (part, input_speeds_rad_s) = (order.part.clone(), curve.iter().map(|one| one.0).collect());
+        let (harmonic, meshes) = (order.harmonic, meshes.collect());
+        Ok(Some(HarmonicResponse::of(harmonic, part, input_speeds_rad_s, meshes)))
     }
 }
 
-/// Phases of a harmonic at the meshes of sun and ring with each planet. The place `κ` is the planet's
-/// position among all positions allowed by the teeth.
-fn phases(
-    harmonic: u32,
-    [sun, planet, ring]: [u32; 3],
-    places: &[u64],
-    sun_drives: bool,
-) -> impl Iterator<Item = [f64; 2]> {
-    let [harmonic, sun, planet, ring] = [harmonic, sun, planet, ring].map(u64::from);
-    let (offset, all) = (PI * (harmonic * (planet + 1) % 2) as f64, sun + ring);
-    places.iter().map(move |place| {
-        let rest = harmonic * sun % all * place % all;
-        let behind = TAU * rest as f64 / all as f64;
-        let phase = if sun_drives { -behind } else { behind };
-        [phase, offset + phase]
+/// The central gear of a mesh.
+fn central(mesh: &Mesh) -> Option<usize> {
+    mesh.gears.iter().find_map(|(gear, _)| match gear {
+        GearOf::Central(central) => Some(*central),
+        GearOf::Planet(..) => None,
+    })
+}
+
+/// Phase between the meshes of a planet with sun and ring.
+fn half_turns(harmonic: u32, planet_teeth: u32) -> f64 {
+    PI * (u64::from(harmonic) * (u64::from(planet_teeth) + 1) % 2) as f64
+}
+
+/// Phases of a harmonic at the meshes of a central gear with each planet. Planets at assembly positions have
+/// whole numbers of them between each other.
+fn phases(harmonic: u32, teeth: u32, spacing: &Spacing, drives: bool) -> impl Iterator<Item = f64> {
+    let periods = u64::from(harmonic) * u64::from(teeth);
+    let angles = spacing.angles_rad.iter().enumerate();
+    angles.map(move |(planet, angle)| {
+        let behind = match spacing.places.get(planet) {
+            Some(place) => {
+                let rest = periods % spacing.positions * place % spacing.positions;
+                TAU * rest as f64 / spacing.positions as f64
+            }
+            None => (periods as f64 * angle).rem_euclid(TAU),
+        };
+        if drives { -behind } else { behind }
     })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::spacing::Spacing;
     use super::*;
     use crate::front::{self, Part};
     use crate::shared::gearbox::{Choice, one};
@@ -224,8 +282,9 @@ mod tests {
             let turn = |part: Part| set.gears.iter().find(|gear| gear.part == part).unwrap().turn_rad;
             let first = set.planets[0].angle_rad;
             for harmonic in 1..=5 {
-                let places = Spacing::of(&subject.train.sets()[0]).unwrap().unwrap().places;
-                let found = phases(harmonic, [sun, planet, ring], &places, true);
+                let spacing = Spacing::of(&subject.train.sets()[0]).unwrap().unwrap();
+                let offset = half_turns(harmonic, planet);
+                let found = phases(harmonic, sun, &spacing, true).map(|phase| [phase, offset + phase]);
                 let cycles = set.planets.iter().map(|planet| {
                     let at_sun = f64::from(sun) * (planet.angle_rad - turn(Part::Sun)) - PI / 2.0;
                     let at_ring = f64::from(ring) * (planet.angle_rad - turn(Part::Ring)) - PI / 2.0;

@@ -15,9 +15,18 @@ pub(super) struct Spacing {
     /// Assembly position of each planet; empty for sets without tooth numbers, and for planets that cannot be
     /// assembled equally spaced.
     pub(super) places: Vec<u64>,
+    /// Assembly positions in a turn; 0 without.
+    pub(super) positions: u64,
+    /// Whether the teeth let planets stand at these angles, as far as it is known.
+    pub(super) fits: bool,
 }
 
 impl Spacing {
+    /// The place of a pair.
+    pub(super) fn alone() -> Self {
+        Self { angles_rad: vec![0.0], is_equal: false, places: vec![], positions: 0, fits: true }
+    }
+
     /// Places of the planets of a set; `None` if their number is unknown.
     ///
     /// # Errors
@@ -39,7 +48,7 @@ impl Spacing {
             ((place - place.round()).abs() < AT_POSITION).then_some(place.round() as u64 % positions)
         };
         let positions = set.assembly_positions().filter(|positions| *positions > 0);
-        let places = positions
+        let places: Vec<u64> = positions
             .and_then(|positions| turns.iter().map(|turn| place(turn, positions)).collect())
             .unwrap_or_default();
         let mut sorted = turns;
@@ -47,7 +56,8 @@ impl Spacing {
         let step = 1.0 / sorted.len() as f64;
         let is_equal =
             sorted.iter().enumerate().all(|(n, turn)| (turn - step * n as f64).abs() * TAU < EQUAL_SPACING);
-        Some(Ok(Self { angles_rad, is_equal, places }))
+        let fits = positions.is_none() || !places.is_empty();
+        Some(Ok(Self { angles_rad, is_equal, places, positions: positions.unwrap_or_default(), fits }))
     }
 }
 

@@ -6,13 +6,14 @@
 //! those of the planets of this set. A link excites the modes in which it rotates.
 
 use super::links::{Bodies, Train, TrainSet};
-use super::records::{NotCalculated, Order, Source, What};
+use super::orders::{self, Phased};
+use super::records::{NotCalculated, Source, What};
 use super::settled::Settled;
 use super::train_records::{
     StrainPart, TorsionalKinetic, TorsionalMode, TorsionalModes, TorsionalOrder, TorsionalResonance,
     TorsionalStrain,
 };
-use super::{Prepared, number, orders};
+use super::{Prepared, number};
 use crate::analyze::answer::analysis;
 use crate::error::Error;
 use crate::tolerance::{ROUNDED, rounded};
@@ -30,7 +31,7 @@ pub(super) fn modes(
     sets: &[TrainSet<'_>],
     settled: &Settled,
 ) -> Result<Result<TorsionalModes, NotCalculated>, Error> {
-    let laid = match train.laid(gear, sets, What::Torsional, Prepared::torsional) {
+    let laid = match train.laid(gear, sets, What::Torsional, Prepared::torsional)? {
         Ok(laid) => laid,
         Err(missing) => return Ok(Err(missing)),
     };
@@ -39,8 +40,9 @@ pub(super) fn modes(
     let shafts: Vec<Shaft> = between
         .map(|(shaft, (links, stiffness))| Shaft { name: shaft.entry.id.clone(), links, stiffness })
         .collect();
-    let placed: Vec<Placed<'_>> = std::iter::zip(sets, &laid.sets)
-        .map(|(one, (set, links))| Placed { name: format!("{} ", one.of.entry.id), set, links: *links })
+    let placed = std::iter::zip(sets, laid.sets);
+    let placed: Vec<Placed> = placed
+        .map(|(one, (set, links))| Placed { name: format!("{} ", one.of.set.id()), set, links })
         .collect();
     let refuse = |error| train.refused(gear, &error);
     let (model, parts) = torsional(&bodies.links, &placed, &shafts).map_err(refuse)?;
@@ -62,8 +64,8 @@ pub(super) fn modes(
     if let Some([low, high]) = all.input_speeds_rad_s {
         let analysis = analysis(&train.subject.train, gear.name())?;
         all.orders = of_links(&analysis, bodies);
-        for (place, one) in sets.iter().enumerate() {
-            all.orders.extend(of_set(&analysis, place, one, settled.harmonics));
+        for one in sets {
+            all.orders.extend(of_set(&analysis, one, settled.harmonics));
         }
         for order in &all.orders {
             all.resonances.extend(met(order, &all.modes, [low, high]));
@@ -80,6 +82,7 @@ fn of_links(analysis: &Analysis<'_>, bodies: &Bodies) -> Vec<TorsionalOrder> {
         (of_input > ROUNDED).then(|| TorsionalOrder {
             of: bodies.links[*place].name.clone(),
             source: Source::LinkTurn,
+            part: None,
             harmonic: 1,
             of_input,
             excites: Some(Kind::Rotational),
@@ -90,28 +93,21 @@ fn of_links(analysis: &Analysis<'_>, bodies: &Bodies) -> Vec<TorsionalOrder> {
 
 /// Orders of the teeth and planets of a set, in coordinates on its carrier; empty if tooth numbers or speeds
 /// are unknown.
-fn of_set(analysis: &Analysis<'_>, place: usize, one: &TrainSet<'_>, harmonics: u32) -> Vec<TorsionalOrder> {
-    let (planets, Some(teeth)) = (one.prepared.planets, one.prepared.teeth) else { return vec![] };
-    let [Some(sun), Some(ring), Some(carrier)] = analysis.sets()[place].members[..] else { return vec![] };
-    let set = &one.of.entry.id;
-    let periods = |order: &Order| match order.source {
-        Source::Mesh => Some(u64::from(order.harmonic) * u64::from(teeth[0])),
-        Source::SunTurn | Source::RingTurn => Some(1),
-        Source::SunPlanetPass | Source::RingPlanetPass => Some(u64::from(planets)),
-        // Each planet has its own phase, so no common rule applies.
-        Source::PlanetTurn | Source::LinkTurn => None,
-    };
-    let is_equal = one.prepared.is_equally_spaced();
-    let speeds = [sun, ring, carrier];
-    let all = orders::all(set, analysis.gear().name(), teeth, planets, is_equal, speeds, harmonics);
+fn of_set(analysis: &Analysis<'_>, one: &TrainSet<'_>, harmonics: u32) -> Vec<TorsionalOrder> {
+    let members = analysis.sets()[one.place].members.iter().copied().collect::<Option<Vec<f64>>>();
+    let Some(members) = members.filter(|_| !one.prepared.teeth.is_empty()) else { return vec![] };
+    let all = orders::all(&one.of, &one.prepared, analysis.gear().name(), &members, harmonics);
     all.into_iter()
-        .map(|order| {
+        .map(|phased| {
+            let Phased { order, periods, .. } = phased;
             // The rule applies only to equally spaced planets.
-            let periods = periods(&order).filter(|_| is_equal);
+            let periods = periods.filter(|_| one.prepared.is_equally_spaced());
+            let planets = one.prepared.planets;
             let excites = periods.and_then(|periods| phasing::torsional(periods, planets).ok());
             TorsionalOrder {
-                of: set.clone(),
+                of: order.set,
                 source: order.source,
+                part: order.part,
                 harmonic: order.harmonic,
                 of_input: order.of_input,
                 excites,
@@ -135,6 +131,7 @@ fn met(order: &TorsionalOrder, modes: &[TorsionalMode], [low, high]: [f64; 2]) -
                 input_speed_rad_s,
                 of: order.of.clone(),
                 source: order.source,
+                part: order.part.clone(),
                 harmonic: order.harmonic,
                 mode: mode.mode,
                 frequency_hz: mode.frequency_hz,
@@ -152,8 +149,8 @@ fn share(order: &TorsionalOrder, mode: &TorsionalMode) -> f64 {
             mode.kinetic.iter().filter(|one| one.planets_of.is_none() && one.links.join("+") == order.of);
         return own.map(|one| one.share).sum();
     }
-    let is_mesh = |part| matches!(part, StrainPart::SunMeshes | StrainPart::RingMeshes);
-    mode.strain.iter().filter(|one| is_mesh(one.part) && one.of == order.of).map(|one| one.share).sum()
+    let meshes = mode.strain.iter().filter(|one| one.mesh.is_some() && one.of == order.of);
+    meshes.map(|one| one.share).sum()
 }
 
 fn mode(
@@ -174,20 +171,21 @@ fn mode(
             share: rounded(energy.kinetic_of(*body)),
         })
         .collect();
-    kinetic.extend(parts.planets.iter().zip(sets).map(|(planets, set)| TorsionalKinetic {
+    let with_planets = parts.sets.iter().zip(sets).filter(|(own, _)| !own.planets.is_empty());
+    kinetic.extend(with_planets.map(|(own, set)| TorsionalKinetic {
         links: vec![],
-        planets_of: Some(set.of.entry.id.clone()),
-        share: rounded(planets.iter().map(|planet| energy.kinetic_of(*planet)).sum()),
+        planets_of: Some(set.of.set.id().to_owned()),
+        share: rounded(own.planets.iter().map(|planet| energy.kinetic_of(*planet)).sum()),
     }));
     let mut strain: Vec<TorsionalStrain> = vec![];
     if !group.is_zero() {
-        let mut add = |part, of: String, springs: &[SpringId]| {
-            strain.push(TorsionalStrain { part, of, share: rounded(energy.strain_of(springs)) });
-        };
-        for (place, set) in sets.iter().enumerate() {
-            add(StrainPart::SunMeshes, set.of.entry.id.clone(), &parts.sun_meshes[place]);
-            add(StrainPart::RingMeshes, set.of.entry.id.clone(), &parts.ring_meshes[place]);
+        let share = |springs: &[SpringId]| rounded(energy.strain_of(springs));
+        for (set, own) in sets.iter().zip(&parts.sets) {
+            strain.extend(TorsionalStrain::of_meshes(set, &own.meshes, share));
         }
+        let mut add = |part, of: String, springs: &[SpringId]| {
+            strain.push(TorsionalStrain { part, of, mesh: None, share: share(springs) });
+        };
         for (shaft, spring) in shafts.iter().zip(&parts.shafts) {
             add(StrainPart::Shaft, shaft.name.clone(), &[*spring]);
         }

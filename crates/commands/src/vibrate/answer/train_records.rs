@@ -1,9 +1,11 @@
 //! Records of the vibration of a whole gearbox: torsional modes with their resonances, and coupled modes in
 //! the plane.
 
+use super::links::TrainSet;
 use super::records::Source;
-use epicyclic_pictures::modes::Part;
-use epicyclic_vibration::Kind;
+use epicyclic_train::compound::CentralKind;
+use epicyclic_train::planet_set::GearOf;
+use epicyclic_vibration::{Kind, SpringId};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -33,6 +35,8 @@ pub struct TorsionalOrder {
     pub of: String,
     /// Source of the excitation.
     pub source: Source,
+    /// Part of the set that excites, as for orders of a set; null for links and simple sets.
+    pub part: Option<String>,
     /// Number of the harmonic of the source.
     pub harmonic: u32,
     /// Frequency relative to the input's rotational frequency.
@@ -52,6 +56,8 @@ pub struct TorsionalResonance {
     pub of: String,
     /// Source of the excitation.
     pub source: Source,
+    /// Part of the set that excites, as for orders of a set; null for links and simple sets.
+    pub part: Option<String>,
     /// Number of the harmonic of the source.
     pub harmonic: u32,
     /// Number of the mode.
@@ -101,8 +107,34 @@ pub struct TorsionalStrain {
     pub part: StrainPart,
     /// Name of the set of the meshes, of the shaft, or of the supported part.
     pub of: String,
+    /// Name of the meshes in their set: a central gear, or both gears; null for other springs.
+    pub mesh: Option<String>,
     /// Part of the strain energy, from 0 to 1.
     pub share: f64,
+}
+
+impl TorsionalStrain {
+    /// Parts of the meshes of a set, those of one kind together.
+    pub(super) fn of_meshes(
+        set: &TrainSet<'_>,
+        springs: &[SpringId],
+        share: impl Fn(&[SpringId]) -> f64,
+    ) -> impl Iterator<Item = Self> {
+        set.prepared.meshes.iter().enumerate().map(move |(place, mesh)| {
+            let central = mesh.gears.iter().find_map(|(gear, _)| match gear {
+                GearOf::Central(central) => Some(set.of.set.centrals()[*central].kind),
+                GearOf::Planet(..) => None,
+            });
+            let part = match central {
+                _ if set.of.set.is_pair() => StrainPart::PairMesh,
+                Some(CentralKind::Ring) => StrainPart::RingMeshes,
+                Some(_) => StrainPart::SunMeshes,
+                None => StrainPart::PlanetMeshes,
+            };
+            let share = share(&set.prepared.of_mesh(springs, place));
+            Self { part, of: set.of.set.id().to_owned(), mesh: Some(mesh.name.clone()), share }
+        })
+    }
 }
 
 /// Kinds of springs in a mode of the whole gearbox.
@@ -113,6 +145,10 @@ pub enum StrainPart {
     SunMeshes,
     /// Meshes of a ring.
     RingMeshes,
+    /// Meshes of two planets.
+    PlanetMeshes,
+    /// Mesh of a pair.
+    PairMesh,
     /// Torsion of a shaft.
     Shaft,
     /// Support that holds a member against rotation.
@@ -159,7 +195,7 @@ pub struct CentreMember {
     /// Name of the set.
     pub set: String,
     /// Name of the member.
-    pub member: Part,
+    pub member: String,
 }
 
 /// Modes of one frequency and kind.
@@ -188,7 +224,7 @@ pub struct CoupledMode {
 pub struct SetInMode {
     /// Name of the set.
     pub set: String,
-    /// Motion of sun, ring and carrier; null if the planets are at rest, too.
+    /// Motion of central gears and carrier; null if the planets are at rest, too.
     pub kind: Option<Kind>,
 }
 

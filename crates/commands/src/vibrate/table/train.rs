@@ -1,6 +1,6 @@
 //! Modes of the whole gearbox as tables: torsional with what excites them, and coupled in the plane.
 
-use super::{SECONDS_A_MINUTE, kind, member, most, ray_name, share, source};
+use super::{SECONDS_A_MINUTE, excited_by, kind, most, part, ray_name, share};
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, rpm, text};
 use crate::table::report::Records;
@@ -21,7 +21,7 @@ pub fn torsional_campbell(all: &Vibration, place: usize) -> Option<Campbell> {
     let ends = one.input_speeds_rad_s?;
     let several = all.sets.iter().any(|set| set.set != all.sets[0].set);
     let ray = |order: &TorsionalOrder| {
-        let name = ray_name(order.source, order.harmonic);
+        let name = ray_name(order.source, order.part.as_deref(), order.harmonic);
         let of = match order.source {
             Source::LinkTurn => format!("turn of {}", order.of),
             _ if several => format!("{}: {name}", order.of),
@@ -47,9 +47,12 @@ pub fn torsional_campbell(all: &Vibration, place: usize) -> Option<Campbell> {
 /// A part that springs, in words.
 fn strained(one: &TorsionalStrain) -> (f64, String) {
     let of = &one.of;
+    let mesh = one.mesh.as_deref().unwrap_or_default();
     let name = match one.part {
-        StrainPart::SunMeshes => format!("sun meshes of {of}"),
-        StrainPart::RingMeshes => format!("ring meshes of {of}"),
+        StrainPart::SunMeshes | StrainPart::RingMeshes | StrainPart::PlanetMeshes => {
+            format!("{mesh} meshes of {of}")
+        }
+        StrainPart::PairMesh => format!("mesh of {of}"),
         StrainPart::PlanetBearings => format!("planet bearings of {of}"),
         StrainPart::Shaft => format!("shaft {of}"),
         StrainPart::Bending => format!("bending of shaft {of}"),
@@ -85,12 +88,14 @@ pub(super) fn resonances(all: &[TorsionalModes]) -> Records {
         .text("gear", "gear", |(gear, _)| &gear.gear)
         .quantity("input_speed", "n in", AngularSpeed, |(_, one)| one.input_speed_rad_s)
         .text("of", "of", |(_, one)| &one.of)
-        .words("source", "excited by", |(_, one)| Figure::choice(one.source, source(one.source)))
+        .words("source", "excited by", |(_, one)| excited_by(one.source, one.part.as_deref()))
+        .words("part", "part", |(_, one)| part(one.part.as_deref()))
+        .only_if(all.iter().any(|gear| gear.resonances.iter().any(|one| one.part.is_some())))
         .number("harmonic", "harm.", |(_, one)| one.harmonic)
         .number("mode", "mode", |(_, one)| one.mode)
         .measured("frequency", "f", Frequency, 1, |(_, one)| one.frequency_hz)
         .number("share", "share, %", |(_, one)| share(one.share))
-        .all("Torsional resonances")
+        .view("Torsional resonances", "gear input_speed of source harmonic mode frequency share")
         .note(
             "Speeds of the input at which what excites has the frequency of a torsional mode that it can excite. Share: of the meshes of the set in the strain energy \
              of the mode, or of the shaft in its kinetic energy; where it is small, the resonance is.",
@@ -104,11 +109,13 @@ pub(super) fn orders(all: &[TorsionalModes]) -> Records {
     Table::new("torsional_orders", rows)
         .text("gear", "gear", |(gear, _)| &gear.gear)
         .text("of", "of", |(_, one)| &one.of)
-        .words("source", "excited by", |(_, one)| Figure::choice(one.source, source(one.source)))
+        .words("source", "excited by", |(_, one)| excited_by(one.source, one.part.as_deref()))
+        .words("part", "part", |(_, one)| part(one.part.as_deref()))
+        .only_if(all.iter().any(|gear| gear.orders.iter().any(|one| one.part.is_some())))
         .number("harmonic", "harm.", |(_, one)| one.harmonic)
         .multiple("of_input", "order", |(_, one)| one.of_input)
         .words("excites", "excites", |(_, one)| excited(one))
-        .all("Torsional orders")
+        .view("Torsional orders", "gear of source harmonic of_input excites")
         .note("Which torsional modes the phases of the planets of a set let it excite; a shaft excites those in which it rotates.")
         .records()
 }
@@ -148,7 +155,7 @@ pub(super) fn coupled(all: &[CoupledModes]) -> Records {
 
 pub(super) fn centres(all: &[CoupledModes]) -> Records {
     let members = |centre: &CentreBody| {
-        centre.members.iter().map(|one| format!("{} of {}", member(one.member), one.set)).collect::<Vec<_>>()
+        centre.members.iter().map(|one| format!("{} of {}", one.member, one.set)).collect::<Vec<_>>()
     };
     Table::new("centres", all.iter().flat_map(|gear| gear.centres.iter().map(move |centre| (gear, centre))))
         .text("gear", "gear", |(gear, _)| &gear.gear)
