@@ -134,7 +134,7 @@ pub enum DescriptionError {
         /// The set.
         set: String,
         /// Missing data, in words.
-        missing: &'static str,
+        missing: String,
     },
     /// The basic rack.
     #[error(transparent)]
@@ -172,7 +172,7 @@ pub enum DescriptionError {
         /// The set.
         set: String,
         /// Missing data, in words.
-        missing: &'static str,
+        missing: String,
     },
     /// A value of a gear that the set has not.
     #[error("set `{set}`: `{key}` has a value of `{gear}`, and its gears are {gears}")]
