@@ -35,16 +35,13 @@ pub const DEVIATION_MM: f64 = 5e-4;
 /// The same in modules, for small gears.
 const DEVIATION: f64 = 1e-3;
 
-/// Rim of a ring beyond its root circle, modules.
-const RIM: f64 = 3.0;
-
 /// Parts of a degree, a shift, a module in millimetres and a millimetre to which figures are given.
 const PART_OF_DEGREE: f64 = 1e4;
 const PART_OF_SHIFT: f64 = 1e4;
 const PART_OF_MODULE: f64 = 1e6;
 const PART_OF_MM: f64 = 1e3;
 
-/// Height of letters over half the width of a plane.
+/// Height of letters over half the width of the widest plane.
 const LETTER: f64 = 0.06;
 
 /// Widths of the lines of gears and circles, mm, of a plane up to half as wide as [`USUAL_MM`].
@@ -74,13 +71,13 @@ pub fn scene(title: &str, sets: &[ToothedSet<'_>]) -> Result<Scene, Error> {
     }
     let circles = scene.layer(free_name(&scene, "working circles"), Style::centre_line().width(thin))?;
     let labels = scene.layer(free_name(&scene, "labels"), Style::line(thin))?;
+    let letter = LETTER * widest;
     let columns = (planes.len() as f64).sqrt().ceil().max(1.0) as usize;
     let mut top = 0.0;
     for (row, layers) in planes.chunks(columns).zip(layers.chunks(columns)) {
         let tall = row.iter().map(|plane| plane.size()[1]).fold(0.0, f64::max);
         let (mut left, mut below) = (0.0, top);
         for (plane, layers) in row.iter().zip(layers) {
-            let letter = LETTER * plane.size()[0];
             let lines = plane.lines().into_iter().map(|line| Text::new(Point::default(), letter, line));
             let lines: Vec<Text> = lines.map(|line| line.align(Align::Middle)).collect();
             let wide = lines.iter().map(|line| 0.5 * line.width_mm()).fold(plane.size()[0], f64::max);
@@ -129,9 +126,7 @@ impl Plane<'_> {
 
     /// Outer radius of a gear, mm.
     fn outside(&self, gear: usize) -> f64 {
-        let gear = self.gear(gear);
-        let outside = if gear.is_ring() { gear.curve.root_radius() + RIM } else { gear.curve.tip_radius() };
-        self.toothed.unit_mm() * gear.module * outside
+        self.toothed.unit_mm() * self.gear(gear).outer_radius()
     }
 
     /// Half the width and half the height of the plane, mm.

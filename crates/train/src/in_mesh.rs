@@ -32,6 +32,9 @@ use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_units::Physical;
 use std::f64::consts::{PI, TAU};
 
+/// Rim of a ring beyond its root circle as it is drawn, modules.
+const RIM: f64 = 3.0;
+
 /// Reason why the gears of a set have no places in mesh.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -77,6 +80,12 @@ impl GearInMesh {
     #[must_use]
     pub fn tip_radius(&self) -> f64 {
         self.module * self.curve.tip_radius()
+    }
+
+    /// Outer radius in the unit of the modules: of a ring that of the rim with which it is drawn.
+    #[must_use]
+    pub fn outer_radius(&self) -> f64 {
+        if self.is_ring() { self.module * (self.curve.root_radius() + RIM) } else { self.tip_radius() }
     }
 }
 
@@ -220,22 +229,25 @@ impl<'s> Placing<'s> {
         Ok(Self { set, gears, meshes, planets })
     }
 
-    /// Whether planets at these angles do not overlap.
+    /// Whether planets at these angles do not overlap; those of one angle may mesh.
     fn have_room(&self, angles: &[f64]) -> bool {
         let tip = |planet: usize| {
             let own = self.gears.iter().filter(|gear| planet_of(gear.of) == Some(planet));
             own.map(GearInMesh::tip_radius).fold(0.0, f64::max)
         };
-        let places = 0..self.planets.len();
-        let pairs = places.clone().flat_map(|one| places.clone().map(move |other| (one, other)));
-        pairs.into_iter().all(|(one, other)| {
-            let ([r1, a1], [r2, a2]) = (self.planets[one], self.planets[other]);
-            angles.iter().skip(1).all(|angle| {
-                let angle = a2 + angle - angles[0] - a1;
-                let apart = (r1 * r1 + r2 * r2 - 2.0 * r1 * r2 * libm::cos(angle)).sqrt();
-                apart > tip(one) + tip(other)
+        let tips: Vec<f64> = (0..self.planets.len()).map(tip).collect();
+        let clears = |between: f64| {
+            self.planets.iter().zip(&tips).all(|([r1, a1], one)| {
+                self.planets.iter().zip(&tips).all(|([r2, a2], other)| {
+                    let square = r1 * r1 + r2 * r2 - 2.0 * r1 * r2 * libm::cos(a2 - a1 + between);
+                    square.sqrt() > one + other
+                })
             })
-        })
+        };
+        angles
+            .iter()
+            .enumerate()
+            .all(|(place, one)| angles.iter().skip(place + 1).all(|other| clears(other - one)))
     }
 
     /// Centres of the two gears of a pair; their tips are equally far from the origin, which is the centre of
@@ -276,8 +288,7 @@ impl<'s> Placing<'s> {
                 }
             };
             let mut turns = central_turns.clone();
-            // If a round places no new gear, the angle of a planet is passed on to its other gears.
-            while let Some(unplaced) = turns.iter().position(Option::is_none) {
+            while turns.contains(&None) {
                 let mut is_new = false;
                 for &Mesh { gears: [one, other], .. } in meshes {
                     let (from, to, turn) = match (turns[one], turns[other]) {
@@ -299,11 +310,20 @@ impl<'s> Placing<'s> {
                     });
                     is_new = true;
                 }
-                if !is_new {
-                    let body = |gear: usize| set.body(gears[gear].of);
-                    let with =
-                        (0..gears.len()).find(|gear| turns[*gear].is_some() && body(*gear) == body(unplaced));
-                    turns[unplaced] = Some(with.and_then(|gear| turns[gear]).unwrap_or(0.0));
+                if is_new {
+                    continue;
+                }
+                // The angle of a planet is passed on to its other gears; a gear that nothing ties to the
+                // others is at 0.
+                let like = |gear: usize| {
+                    let on_body = |other: &usize| set.body(gears[*other].of) == set.body(gears[gear].of);
+                    let turn = (0..gears.len()).filter(on_body).find_map(|other| turns[other]);
+                    turn.map(|turn| (gear, turn))
+                };
+                let mut unplaced = (0..gears.len()).filter(|gear| turns[*gear].is_none());
+                let first = unplaced.clone().next().map(|gear| (gear, 0.0));
+                if let Some((gear, turn)) = unplaced.find_map(like).or(first) {
+                    turns[gear] = Some(turn);
                 }
             }
             let placed = |gear: usize| Placed {

@@ -322,8 +322,7 @@ impl SetSpec {
         if self.tooth_shape.has_shape() { self.toothed_set(rack) } else { None }
     }
 
-    /// The gears of a simple set as they are drawn: with their shifts, or without any where equal centre
-    /// distances need none. Planets of an unknown number are taken as one.
+    /// The gears of a simple set: with their shifts, or without any where equal centre distances need none. Planets of an unknown number are taken as one.
     ///
     /// `None` of a set that is not simple, whose teeth are not known, or that needs shifts and has none.
     ///

@@ -10,9 +10,6 @@ use epicyclic_train::planet_set::GearOf;
 /// with 300 teeth.
 const DEVIATION: f64 = 4e-3;
 
-/// Rim thickness of a ring beyond its root circle, in modules.
-const RIM: f64 = 3.0;
-
 /// Shape of a set from its gears in mesh.
 pub(super) fn of(set: &PlanetSet, in_mesh: &InMesh) -> Result<Shape, Error> {
     let unit = in_mesh.meshes.first().map_or(1.0, |mesh| mesh.module);
@@ -46,14 +43,13 @@ fn shown(set: &PlanetSet, gear: &GearInMesh, unit: f64) -> Result<(FrontGear, f6
     };
     let module = gear.module / unit;
     let curve = &gear.curve;
-    let rim = if gear.is_ring() { curve.root_radius() + RIM } else { curve.tip_radius() };
     let outline = curve.outline(DEVIATION)?;
     let shown = FrontGear {
         name: set.gear_name(gear.of),
         part,
         teeth: Some(curve.gear().teeth().get()),
         pitch_radius: gear.working_radius / unit,
-        rim_radius: module * rim,
+        rim_radius: gear.outer_radius() / unit,
         centre: [0.0; 2],
         turn_rad: 0.0,
         outline: outline.into_iter().map(|point| point.map(|along| module * along)).collect(),

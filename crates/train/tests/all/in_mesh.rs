@@ -116,6 +116,7 @@ fn check(in_mesh: &InMesh, kinds: usize) -> Result<(), TestCaseError> {
 fn check_planets(in_mesh: &InMesh, kinds: usize) -> Result<(), TestCaseError> {
     for planet in 0..kinds {
         let turned = |copy: usize| &in_mesh.planets[copy * kinds + planet].gears;
+        prop_assert!(turned(0).iter().all(|gear| gear.turn_rad == turned(0)[0].turn_rad), "teeth in line");
         for copy in 1..in_mesh.planets.len() / kinds.max(1) {
             let (first, own) = (turned(0), turned(copy));
             let pitch = |gear: &Placed| TAU / in_mesh.gears[gear.gear].curve.gear().teeth().as_f64();
