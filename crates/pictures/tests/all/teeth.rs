@@ -9,7 +9,7 @@ use epicyclic_drawing::text::overlaps;
 use epicyclic_drawing::{Scene, dxf};
 use epicyclic_formats::Document;
 use epicyclic_formats::gearbox::GearboxFile;
-use epicyclic_gears::involute::curve::ToothCurve;
+use epicyclic_gears::involute::curve::{Point, ToothCurve};
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_pictures::toothed_sets::{ToothedSet, scene};
 use epicyclic_train::Gearbox;
@@ -92,7 +92,7 @@ fn samples(spline: &Spline) -> Vec<[f64; 2]> {
 
 /// The exact half of a tooth by chords of 1e-6 modules.
 fn exact(curve: &ToothCurve) -> Vec<[f64; 2]> {
-    curve.half(1e-6).unwrap().into_iter().map(|point| point.coordinates()).collect()
+    curve.half(1e-6).unwrap().into_iter().map(Point::coordinates).collect()
 }
 
 fn distance([x, y]: [f64; 2], chain: &[[f64; 2]]) -> f64 {
@@ -158,7 +158,7 @@ fn check_layer((arcs, splines): &Lines<'_>, curve: &ToothCurve, module_mm: f64, 
             let near = tips.iter().min_by(|one, other| from(one).total_cmp(&from(other))).unwrap();
             let sweep = (near.end_angle - near.start_angle).rem_euclid(360.0);
             let tooth = (near.start_angle + 0.5 * sweep).to_radians();
-            let (radius, angle) = (from(&near), libm::atan2(y - near.center.y, x - near.center.x) - tooth);
+            let (radius, angle) = (from(near), libm::atan2(y - near.center.y, x - near.center.x) - tooth);
             let angle = (angle - (angle / pitch).round() * pitch).abs();
             let point = [libm::cos(angle), libm::sin(angle)].map(|along| along * radius / module_mm);
             worst = worst.max(module_mm * distance(point, &chain));
