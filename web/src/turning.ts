@@ -123,7 +123,8 @@ export class Turning {
     // Large gears lie behind small ones.
     const sorted = (part: FrontGear['part']) => set.gears.filter((gear) => gear.part === part).sort((one, other) => other.rim_radius - one.rim_radius);
     const turning = (group: SVGGElement, speed: number | null | undefined, turn: number, [x, y]: number[] = [0, 0]) => {
-      this.parts.push({ group, at: (input) => `translate(${x!.toFixed(4)} ${y!.toFixed(4)}) rotate(${degrees((speed ?? 0) * input + turn)})` });
+      const place = x || y ? `translate(${x} ${y}) ` : '';
+      this.parts.push({ group, at: (input) => `${place}rotate(${degrees((speed ?? 0) * input + turn)})` });
       return group;
     };
     const rings = sorted('ring').map((ring) =>
