@@ -105,7 +105,7 @@ export class Turning {
     else words.push('Speeds are multiples of the input’s; counter-clockwise is positive.');
     if (front.sets.some((set) => !set.has_teeth)) words.push('Circles are pitch circles, where the file has k and no teeth.');
     if (front.sets.some((set) => !set.planets_are_given)) words.push('Where the file does not say how many planets there are, three are shown.');
-    if (front.left_out.length) words.push(`Not shown, since they stand on fixed axes, have bevel gears, or do not say their teeth: ${front.left_out.join(', ')}.`);
+    if (front.left_out.length) words.push(`Not shown, since they have bevel gears or do not say their teeth: ${front.left_out.join(', ')}.`);
     for (const { set, why } of front.uncut) words.push(`The teeth of ${set} are not shown: ${why}.`);
     this.note.textContent = words.join(' ');
     this.place();
@@ -122,16 +122,20 @@ export class Turning {
     const bore = (radius: number) => s('circle', { class: 'g-hole g-edge', r: radius });
     // Large gears lie behind small ones.
     const sorted = (part: FrontGear['part']) => set.gears.filter((gear) => gear.part === part).sort((one, other) => other.rim_radius - one.rim_radius);
-    const turning = (group: SVGGElement, speed: number | null | undefined, turn: number) => {
-      this.parts.push({ group, at: (input) => `rotate(${degrees((speed ?? 0) * input + turn)})` });
+    const turning = (group: SVGGElement, speed: number | null | undefined, turn: number, [x, y]: number[] = [0, 0]) => {
+      const place = x || y ? `translate(${x} ${y}) ` : '';
+      this.parts.push({ group, at: (input) => `${place}rotate(${degrees((speed ?? 0) * input + turn)})` });
       return group;
     };
     const rings = sorted('ring').map((ring) =>
-      turning(s('g', {}, s('path', { class: 'g-ring g-edge', 'fill-rule': 'evenodd', d: around(ring.rim_radius) + body(ring) }), mark(0.97 * ring.rim_radius - dot)), ring.speed_of_input, ring.turn_rad),
+      turning(s('g', {}, s('path', { class: 'g-ring g-edge', 'fill-rule': 'evenodd', d: around(ring.rim_radius) + body(ring) }), mark(0.97 * ring.rim_radius - dot)), ring.speed_of_input, ring.turn_rad, ring.centre),
     );
-    const suns = sorted('sun').map((sun, place, all) =>
-      turning(s('g', {}, s('path', { class: `g-sun g-edge${place < all.length - 1 ? ' g-behind' : ''}`, d: body(sun) }), mark(0.7 * sun.pitch_radius), ...(place === all.length - 1 ? [bore(0.25 * sun.pitch_radius)] : [])), sun.speed_of_input, sun.turn_rad),
-    );
+    const suns = sorted('sun').map((sun, place, all) => {
+      // The gears of a pair lie side by side, other suns one over the other.
+      const isInFront = place === all.length - 1 || !set.planets.length;
+      const teeth = s('path', { class: `g-sun g-edge${isInFront ? '' : ' g-behind'}`, d: body(sun) });
+      return turning(s('g', {}, teeth, mark(0.7 * sun.pitch_radius), ...(isInFront ? [bore(0.25 * sun.pitch_radius)] : [])), sun.speed_of_input, sun.turn_rad, sun.centre);
+    });
     const standing = set.planets.flatMap((at) => at.gears.map((own) => ({ at, own, gear: set.gears[own.gear]! })));
     standing.sort((one, other) => other.gear.rim_radius - one.gear.rim_radius);
     const planets = standing.map(({ at, own, gear }) => {
@@ -152,7 +156,7 @@ export class Turning {
     const centrals = set.gears.filter(({ part }) => part !== 'planet');
     const speeds = [
       ...centrals.map(({ name, speed_of_input }) => `${name} ${shown(speed_of_input)}`),
-      `carrier ${shown(set.carrier_of_input)}`,
+      ...(set.planets.length ? [`carrier ${shown(set.carrier_of_input)}`] : []),
       ...set.gears.filter(({ part }) => part === 'planet').map(({ name, speed_of_input }) => `${name} ${shown(speed_of_input)}`),
     ];
     const words = speeds.join(', ');

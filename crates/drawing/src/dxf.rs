@@ -2,7 +2,7 @@
 //!
 //! AutoCAD 2000 (`AC1015`): the oldest version with `LWPOLYLINE`, line weights and units, and one that every
 //! reader takes. Lines, circles, arcs and text become entities of their kind, polylines `LWPOLYLINE` with
-//! bulges; layers keep name, colour and dashes. Fills are left out: a filled shape is its outline. The same
+//! bulges; contours become `ARC` and, of their curves, cubic `SPLINE`; layers keep name, colour and dashes. Fills are left out: a filled shape is its outline. The same
 //! scene gives the same text: no time and no random number is in it.
 //!
 //! # Source
@@ -12,8 +12,9 @@ use std::fmt::{Display, Write};
 
 use crate::error::Error;
 use crate::label::{Align, Text, one_line};
-use crate::scene::{Item, Scene, Shape};
+use crate::scene::{Item, Piece, Point, Scene, Shape};
 use crate::style::{Color, Dash, Style};
+use crate::tolerance::SMOOTH;
 
 /// Handles of what every drawing has.
 mod handle {
@@ -268,14 +269,8 @@ impl Writer {
         dictionary(self, handle::GROUPS, handle::DICTIONARY);
     }
 
-    fn entity(&mut self, scene: &Scene, item: &Item) {
-        let kind = match &item.shape {
-            Shape::Line { .. } => "LINE",
-            Shape::Circle { .. } => "CIRCLE",
-            Shape::Arc { .. } => "ARC",
-            Shape::Polyline { .. } => "LWPOLYLINE",
-            Shape::Text(_) => "TEXT",
-        };
+    /// What every entity of a shape begins with.
+    fn begin(&mut self, kind: &str, scene: &Scene, item: &Item) {
         let own = self.fresh();
         self.pair(0, kind);
         self.handle(5, own);
@@ -287,29 +282,28 @@ impl Writer {
             self.pair(6, line_type(style.dash).0);
             self.pair(370, line_weight(style.width_mm));
         }
+    }
+
+    fn entity(&mut self, scene: &Scene, item: &Item) {
         match &item.shape {
             Shape::Line { from, to } => {
+                self.begin("LINE", scene, item);
                 self.pair(100, "AcDbLine");
                 self.point(10, from.x, from.y);
                 self.point(11, to.x, to.y);
             }
             Shape::Circle { centre, radius } => {
+                self.begin("CIRCLE", scene, item);
                 self.pair(100, "AcDbCircle");
                 self.point(10, centre.x, centre.y);
                 self.number(40, *radius);
             }
             Shape::Arc { centre, radius, start_rad, sweep_rad } => {
-                self.pair(100, "AcDbCircle");
-                self.point(10, centre.x, centre.y);
-                self.number(40, *radius);
-                self.pair(100, "AcDbArc");
-                // Always counter-clockwise, in degrees.
-                let ends = [*start_rad, start_rad + sweep_rad].map(f64::to_degrees);
-                let [from, to] = if *sweep_rad < 0.0 { [ends[1], ends[0]] } else { ends };
-                self.number(50, from.rem_euclid(360.0));
-                self.number(51, to.rem_euclid(360.0));
+                self.begin("ARC", scene, item);
+                self.arc(*centre, *radius, [*start_rad, start_rad + sweep_rad]);
             }
             Shape::Polyline { vertices, closed } => {
+                self.begin("LWPOLYLINE", scene, item);
                 self.pair(100, "AcDbPolyline");
                 self.pair(90, vertices.len());
                 self.pair(70, u8::from(*closed));
@@ -321,8 +315,71 @@ impl Writer {
                     }
                 }
             }
-            Shape::Text(text) => self.label(text),
+            Shape::Contour(pieces) => {
+                for run in pieces.chunk_by(goes_on) {
+                    match *run {
+                        [Piece::Arc { centre, radius, start_rad, sweep_rad }] => {
+                            self.begin("ARC", scene, item);
+                            self.arc(centre, radius, [start_rad, start_rad + sweep_rad]);
+                        }
+                        _ => {
+                            self.begin("SPLINE", scene, item);
+                            self.spline(run);
+                        }
+                    }
+                }
+            }
+            Shape::Text(text) => {
+                self.begin("TEXT", scene, item);
+                self.label(text);
+            }
         }
+    }
+
+    fn arc(&mut self, centre: Point, radius: f64, ends_rad: [f64; 2]) {
+        self.pair(100, "AcDbCircle");
+        self.point(10, centre.x, centre.y);
+        self.number(40, radius);
+        self.pair(100, "AcDbArc");
+        // Always counter-clockwise, in degrees.
+        let [from, to] = ends_rad.map(f64::to_degrees);
+        let [from, to] = if to < from { [to, from] } else { [from, to] };
+        self.number(50, from.rem_euclid(360.0));
+        self.number(51, to.rem_euclid(360.0));
+    }
+
+    /// Cubic curves that go smoothly over into each other, as one spline. Where two meet, a double knot leaves
+    /// out their common point: it lies between its neighbours as the knots say.
+    fn spline(&mut self, curves: &[Piece]) {
+        let mut points: Vec<Point> = curves.first().map(Piece::start).into_iter().collect();
+        let (mut knots, mut knot) = (vec![0.0; 4], 0.0);
+        let mut before: Option<([Point; 2], f64)> = None;
+        for piece in curves {
+            let Piece::Cubic([start, one, other, end]) = *piece else { continue };
+            let length = before.map_or(1.0, |([handle, joint], length)| {
+                // Equal speeds along both curves where they meet.
+                points.pop();
+                knots.push(knot);
+                length * apart(start, one) / apart(handle, joint)
+            });
+            points.extend([one, other, end]);
+            knot += length;
+            knots.push(knot);
+            before = Some(([other, end], length));
+        }
+        knots.extend([knot; 3]);
+        self.pair(100, "AcDbSpline");
+        self.number(210, 0.0);
+        self.number(220, 0.0);
+        self.number(230, 1.0);
+        self.pair(70, 8); // in a plane
+        self.pair(71, 3);
+        self.pair(72, knots.len());
+        self.pair(73, points.len());
+        self.pair(74, 0);
+        // Knots are numbers without a unit, and need all their digits.
+        knots.into_iter().for_each(|knot| self.pair(40, format_args!("{knot:?}")));
+        points.into_iter().for_each(|point| self.point(10, point.x, point.y));
     }
 
     fn label(&mut self, text: &Text) {
@@ -350,6 +407,23 @@ impl Writer {
         self.pair(100, "AcDbText");
         self.pair(73, 2); // middle in height
     }
+}
+
+fn apart(one: Point, other: Point) -> f64 {
+    libm::hypot(other.x - one.x, other.y - one.y)
+}
+
+/// Whether two pieces are curves that have a tangent in common where they meet.
+fn goes_on(one: &Piece, next: &Piece) -> bool {
+    let (Piece::Cubic([.., handle, end]), Piece::Cubic([start, first, ..])) = (one, next) else {
+        return false;
+    };
+    let (reach, length) = (apart(*handle, *end), apart(*start, *first));
+    let [x1, y1] = [end.x - handle.x, end.y - handle.y];
+    let [x2, y2] = [first.x - start.x, first.y - start.y];
+    let (ahead, across) = (x1 * x2 + y1 * y2, x1 * y2 - y1 * x2);
+    // Without a tangent at the end of one of them there is no knot between them.
+    reach.min(length) > SMOOTH * reach.max(length) && ahead > 0.0 && across.abs() < SMOOTH * ahead
 }
 
 /// Text in ASCII: other characters as `\U+XXXX`, those beyond the first plane as `?`. The reader does not

@@ -48,5 +48,5 @@ mod tolerance;
 pub use bounds::{Bounds, Point};
 pub use error::Error;
 pub use label::{Align, Text};
-pub use scene::{LayerId, Scene, Shape, Vertex};
+pub use scene::{LayerId, Piece, Scene, Shape, Vertex};
 pub use style::{Color, Dash, Style};

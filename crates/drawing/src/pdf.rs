@@ -18,7 +18,7 @@ use crate::bounds::Point;
 use crate::error::Error;
 use crate::glyphs::{self, Step};
 use crate::label::one_line;
-use crate::scene::{Scene, Shape, arc_of_side, sides};
+use crate::scene::{Piece, Scene, Shape, arc_of_side, sides};
 use crate::style::{Color, Style};
 use crate::svg::page;
 
@@ -140,6 +140,20 @@ fn path(content: &mut Content, shape: &Shape) {
             if *closed {
                 content.close_path();
             }
+        }
+        Shape::Contour(pieces) => {
+            if let Some(first) = pieces.first() {
+                moved(content, first.start());
+            }
+            for piece in pieces {
+                match *piece {
+                    Piece::Arc { centre, radius, start_rad, sweep_rad } => {
+                        arc(content, centre, radius, start_rad, sweep_rad);
+                    }
+                    Piece::Cubic([_, one, other, to]) => draw(content, Step::Curve([one, other], to)),
+                }
+            }
+            content.close_path();
         }
         Shape::Text(_) => {}
     }

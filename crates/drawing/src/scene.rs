@@ -21,6 +21,45 @@ pub struct Vertex {
     pub bulge: f64,
 }
 
+/// Piece of a contour.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Piece {
+    /// An arc of a circle.
+    Arc {
+        /// Centre.
+        centre: Point,
+        /// Radius.
+        radius: f64,
+        /// Angle where it starts.
+        start_rad: f64,
+        /// Angle that it covers; negative clockwise; within a full turn.
+        sweep_rad: f64,
+    },
+    /// A cubic Bézier curve by its control points.
+    Cubic([Point; 4]),
+}
+
+impl Piece {
+    /// First point.
+    #[must_use]
+    pub fn start(&self) -> Point {
+        match self {
+            Self::Arc { centre, radius, start_rad, .. } => Point::polar(*centre, *radius, *start_rad),
+            Self::Cubic([start, ..]) => *start,
+        }
+    }
+
+    fn bounds(&self) -> Bounds {
+        match self {
+            Self::Arc { centre, radius, start_rad, sweep_rad } => {
+                arc_bounds(*centre, *radius, *start_rad, *sweep_rad)
+            }
+            // A curve lies within its control points.
+            Self::Cubic(points) => Bounds::of(*points),
+        }
+    }
+}
+
 /// Shape that is drawn.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -57,6 +96,8 @@ pub enum Shape {
         /// Whether the last vertex is joined to the first.
         closed: bool,
     },
+    /// A closed line of arcs and cubic curves, each from the end of the one before.
+    Contour(Vec<Piece>),
     /// Text.
     Text(Text),
 }
@@ -112,6 +153,7 @@ impl Shape {
                     }
                 })
             }
+            Self::Contour(pieces) => pieces.iter().fold(Bounds::EMPTY, |all, piece| all.with(piece.bounds())),
             Self::Text(text) => text.bounds(),
         }
     }
@@ -246,6 +288,12 @@ impl Scene {
         &self.layers[item.layer.0]
     }
 
+    /// Style of a layer.
+    #[must_use]
+    pub fn layer_style(&self, layer: LayerId) -> Style {
+        self.layers[layer.0].style
+    }
+
     /// The shapes.
     #[must_use]
     pub fn items(&self) -> &[Item] {
@@ -299,6 +347,16 @@ impl Scene {
             Shape::Polyline { vertices, .. } => {
                 vertices.iter().try_for_each(|vertex| within(&[vertex.at.x, vertex.at.y, vertex.bulge]))
             }
+            Shape::Contour(pieces) if pieces.is_empty() => {
+                Err(Error::TooFewPoints { layer: layer(), points: 0 })
+            }
+            Shape::Contour(pieces) => pieces.iter().try_for_each(|piece| match piece {
+                Piece::Arc { centre, radius, start_rad, sweep_rad } => {
+                    within(&[centre.x, centre.y, *start_rad, *sweep_rad])?;
+                    positive(*radius)
+                }
+                Piece::Cubic(points) => points.iter().try_for_each(|point| within(&[point.x, point.y])),
+            }),
             Shape::Text(text) => {
                 within(&[text.at.x, text.at.y, text.rotation_rad])?;
                 positive(text.height_mm)

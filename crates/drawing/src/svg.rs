@@ -4,6 +4,8 @@
 //! Shapes keep their order across layers: if other layers are drawn between shapes of a layer, it appears as
 //! several groups, and the first has the `id`. Consecutive shapes with one style of their own share a group.
 
+use std::f64::consts::PI;
+
 use quick_xml::Writer;
 use quick_xml::escape::partial_escape;
 use quick_xml::events::{BytesEnd, BytesStart, BytesText, Event};
@@ -11,7 +13,7 @@ use quick_xml::events::{BytesEnd, BytesStart, BytesText, Event};
 use crate::bounds::Bounds;
 use crate::error::Error;
 use crate::label::{Align, FONTS, Text, one_line};
-use crate::scene::{Item, Point, Scene, Shape, Vertex, arc_of_side, sides};
+use crate::scene::{Item, Piece, Point, Scene, Shape, Vertex, arc_of_side, sides};
 use crate::style::{Color, Style};
 
 /// Blank border of the image in millimetres.
@@ -221,7 +223,7 @@ fn letters(image: &mut Image, text: &Text, style: Style) {
     image.words("text", &attributes, &one_line(&text.content));
 }
 
-/// Path data of a line, an arc or a polyline.
+/// Path data of a line, an arc, a polyline or a contour.
 fn path(shape: &Shape) -> String {
     match shape {
         Shape::Line { from, to } => format!("M{}L{}", place(*from), place(*to)),
@@ -232,6 +234,7 @@ fn path(shape: &Shape) -> String {
             format!("M{}{}{}", place(at(0.0)), half(0.5), half(1.0))
         }
         Shape::Polyline { vertices, closed } => polyline(vertices, *closed),
+        Shape::Contour(pieces) => contour(pieces),
         Shape::Circle { .. } | Shape::Text(_) => String::new(),
     }
 }
@@ -247,6 +250,21 @@ fn polyline(vertices: &[Vertex], closed: bool) -> String {
     if closed {
         data.push('Z');
     }
+    data
+}
+
+fn contour(pieces: &[Piece]) -> String {
+    let mut data = pieces.first().map_or_else(String::new, |piece| format!("M{}", place(piece.start())));
+    for piece in pieces {
+        data += &match *piece {
+            Piece::Arc { centre, radius, start_rad, sweep_rad } => {
+                let to = Point::polar(centre, radius, start_rad + sweep_rad);
+                arc(radius, sweep_rad, sweep_rad.abs() > PI, to)
+            }
+            Piece::Cubic([_, one, other, to]) => format!("C{} {} {}", place(one), place(other), place(to)),
+        };
+    }
+    data.push('Z');
     data
 }
 

@@ -1,7 +1,7 @@
 //! Text, and labels that overlap.
 
 pub use crate::label::{Align, FONTS, Text};
-use crate::scene::{Bounds, Point, Scene, Shape, arc_of_side, sides};
+use crate::scene::{Bounds, Piece, Point, Scene, Shape, arc_of_side, sides};
 
 /// Overlap of a label with another label or a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -124,6 +124,17 @@ fn pieces(shape: &Shape, mut each: impl FnMut(Point, Point)) {
                 match arc_of_side(from, to, bulge) {
                     Some((centre, radius, start, sweep)) => arc(centre, radius, start, sweep, &mut each),
                     None => each(from, to),
+                }
+            }
+        }
+        Shape::Contour(pieces) => {
+            for piece in pieces {
+                match *piece {
+                    Piece::Arc { centre, radius, start_rad, sweep_rad } => {
+                        arc(centre, radius, start_rad, sweep_rad, &mut each);
+                    }
+                    // Its control polygon, which lies around it.
+                    Piece::Cubic(points) => points.windows(2).for_each(|ends| each(ends[0], ends[1])),
                 }
             }
         }

@@ -6,7 +6,7 @@ use std::io::Cursor;
 use ::dxf::Drawing;
 use ::dxf::entities::{Entity, EntityType};
 use ::dxf::enums::{AcadVersion, Units};
-use epicyclic_drawing::{Align, Color, Dash, Point, Scene, Shape, Style, Text, Vertex, dxf};
+use epicyclic_drawing::{Align, Color, Dash, Piece, Point, Scene, Shape, Style, Text, Vertex, dxf};
 use proptest::prelude::*;
 
 fn read(scene: &Scene) -> Drawing {
@@ -85,7 +85,80 @@ fn the_same_scene_gives_the_same_text() {
     assert_eq!(dxf::write(&scene), dxf::write(&scene));
 }
 
+/// A point of a spline by the recursion of de Boor.
+fn on_spline(spline: &::dxf::entities::Spline, t: f64) -> [f64; 2] {
+    let knots = &spline.knot_values;
+    let span =
+        (3..spline.control_points.len()).rfind(|&i| knots[i] <= t && knots[i] < knots[i + 1]).unwrap_or(3);
+    let mut points: Vec<[f64; 2]> =
+        (0..4).map(|i| &spline.control_points[span - 3 + i]).map(|point| [point.x, point.y]).collect();
+    for level in 1..4 {
+        for i in (level..4).rev() {
+            let [from, to] = [knots[span - 3 + i], knots[span + 1 + i - level]];
+            let share = (t - from) / (to - from);
+            points[i] = [0, 1].map(|axis| (1.0 - share) * points[i - 1][axis] + share * points[i][axis]);
+        }
+    }
+    points[3]
+}
+
 proptest! {
+    /// Curves that go over into each other are one spline, through the same points.
+    #[test]
+    fn smooth_curves_come_back_as_one_spline(
+        steps in prop::collection::vec((0.2..3.0_f64, -1.0..1.0_f64), 4..9), corner: bool,
+    ) {
+        // Points and arms along a line that bends; both arms of a point lie on one line.
+        let (mut at, mut direction, mut joints) = (Point::new(5.0, 0.0), 0.0, vec![]);
+        for (length, bend) in &steps {
+            joints.push((at, direction, *length));
+            direction += bend;
+            at = Point::polar(at, 3.0 * length, direction);
+        }
+        let curves: Vec<[Point; 4]> = joints
+            .windows(2)
+            .map(|ends| {
+                let ([(from, out, reach), (to, into, mates)], own) = ([ends[0], ends[1]], 0.4);
+                [from, Point::polar(from, own * reach, out), Point::polar(to, -0.7 * own * mates, into), to]
+            })
+            .collect();
+        let mut pieces: Vec<Piece> = curves.iter().copied().map(Piece::Cubic).collect();
+        let (start, end) = (curves[0][0], curves[curves.len() - 1][3]);
+        if corner {
+            pieces.push(Piece::Cubic([end, Point::new(end.x, end.y + 1.0), Point::new(start.x, -9.0), start]));
+        }
+        let mut scene = Scene::new("contour");
+        let layer = scene.layer("wheel", Style::line(0.5)).expect("a fit name");
+        scene.add(layer, Shape::Contour(pieces.clone()));
+        let drawing = read(&scene);
+        let splines: Vec<_> = drawing
+            .entities()
+            .map(|entity| match &entity.specific {
+                EntityType::Spline(spline) => spline.clone(),
+                other => panic!("a spline is a spline: {other:?}"),
+            })
+            .collect();
+        prop_assert_eq!(splines.len(), 1 + usize::from(corner));
+        let spline = &splines[0];
+        prop_assert_eq!(spline.control_points.len(), 2 * curves.len() + 2);
+        prop_assert_eq!(spline.knot_values.len(), spline.control_points.len() + 4);
+        let mut ends = spline.knot_values.clone();
+        ends.dedup();
+        for (curve, knots) in curves.iter().zip(ends.windows(2)) {
+            for part in 0..=10 {
+                let t = f64::from(part) / 10.0;
+                let weights = [(1.0 - t).powi(3), 3.0 * t * (1.0 - t).powi(2), 3.0 * t * t * (1.0 - t), t.powi(3)];
+                let sum = |of: &dyn Fn(&Point) -> f64| -> f64 {
+                    curve.iter().zip(weights).map(|(point, weight)| weight * of(point)).sum()
+                };
+                // Ends belong to two curves.
+                let inside = knots[0] + (knots[1] - knots[0]) * t.clamp(1e-12, 1.0 - 1e-12);
+                let [x, y] = on_spline(spline, inside);
+                prop_assert!(libm::hypot(x - sum(&|point| point.x), y - sum(&|point| point.y)) < 1e-7, "{t}");
+            }
+        }
+    }
+
     #[test]
     fn polylines_come_back_to_a_nanometre(
         points in prop::collection::vec((-1e4..1e4_f64, -1e4..1e4_f64, -2.0..2.0_f64), 2..40), closed: bool,

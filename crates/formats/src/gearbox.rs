@@ -135,7 +135,7 @@ pub enum DescriptionError {
         /// The set.
         set: String,
         /// Missing data, in words.
-        missing: &'static str,
+        missing: String,
     },
     /// The basic rack.
     #[error(transparent)]
@@ -173,7 +173,7 @@ pub enum DescriptionError {
         /// The set.
         set: String,
         /// Missing data, in words.
-        missing: &'static str,
+        missing: String,
     },
     /// A value of a gear that the set has not.
     #[error("set `{set}`: `{key}` has a value of `{gear}`, and its {of} are {gears}{}", meant.as_ref().map(|one| format!("; write {one}?")).unwrap_or_default())]

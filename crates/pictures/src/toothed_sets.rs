@@ -1,118 +1,247 @@
-//! Planet sets seen along their axis with every tooth in mesh: exact involutes and fillets.
+//! Sets seen along their axis with every tooth in mesh: exact involutes and fillets.
+//!
+//! Gears that mesh with each other are drawn in one plane; the planes of a set, as those of stepped planets, are
+//! side by side. Large gears lie behind small ones. Each gear has a layer of its own.
 
 use crate::Error;
-use epicyclic_drawing::{Align, Color, Point, Scene, Shape, Style, Text};
-use epicyclic_gears::involute::PlanetSet;
-use epicyclic_gears::involute::curve::ToothCurve;
+use epicyclic_drawing::{Align, Color, LayerId, Piece, Point, Scene, Shape, Style, Text};
+use epicyclic_gears::involute::contour::Piece as OfGear;
+use epicyclic_train::PlanetSet;
+use epicyclic_train::in_mesh::{GearInMesh, InMesh, Mesh, Placed};
+use epicyclic_train::planet_set::GearOf;
 use epicyclic_units::Physical;
 use uom::si::f64::Length;
 
 /// A set to draw.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ToothedSet {
-    /// Name of the set.
-    pub name: String,
-    /// Gears of the set.
-    pub set: PlanetSet,
-    /// Module of the set.
-    pub module: Length,
+pub struct ToothedSet<'s> {
+    /// The set.
+    pub set: &'s PlanetSet,
+    /// Its gears in mesh.
+    pub in_mesh: InMesh,
+    /// Length of the unit of the gears in mesh; `None` where no module is stated: 1 mm is drawn for it.
+    pub unit: Option<Length>,
 }
 
-/// Largest distance of the sides of an outline from the curve, modules.
+impl ToothedSet<'_> {
+    fn unit_mm(&self) -> f64 {
+        self.unit.map_or(1.0, Length::mm)
+    }
+}
+
+/// Largest distance of an outline from the exact curve, mm.
+pub const DEVIATION_MM: f64 = 5e-4;
+
+/// The same in modules, for small gears.
 const DEVIATION: f64 = 1e-3;
 
-/// Parts of a degree to which a helix angle is given.
+/// Parts of a degree, a shift, a module in millimetres and a millimetre to which figures are given.
 const PART_OF_DEGREE: f64 = 1e4;
+const PART_OF_SHIFT: f64 = 1e4;
+const PART_OF_MODULE: f64 = 1e6;
+const PART_OF_MM: f64 = 1e3;
 
-/// Sets side by side, 1 mm of the drawing 1 mm of each; sun and planets as a hob leaves them, rings as a
-/// shaper does.
+/// Height of letters over half the width of the widest plane.
+const LETTER: f64 = 0.06;
+
+/// Widths of the lines of gears and circles, mm, of a plane up to half as wide as [`USUAL_MM`].
+const LINES_MM: [f64; 2] = [0.13, 0.1];
+
+/// Half the width of a plane whose lines have the usual width; those of larger planes are wider.
+const USUAL_MM: f64 = 150.0;
+
+/// Sets in rows, 1 mm of the drawing 1 mm of each; gears as their tools leave them, helical ones in their
+/// transverse section.
 ///
 /// # Errors
-/// [`Error::Gear`] for gears that the tools do not cut, [`Error::Drawing`] for sets larger than a drawing.
-pub fn scene(title: &str, sets: &[ToothedSet]) -> Result<Scene, Error> {
+/// [`Error::Gear`] for outlines that cannot be followed, [`Error::Drawing`] for sets larger than a drawing.
+pub fn scene(title: &str, sets: &[ToothedSet<'_>]) -> Result<Scene, Error> {
     let mut scene = Scene::new(title);
-    let rings = scene.layer("rings", Style::line(0.13).fill(Color::new(226, 226, 230)))?;
-    let planets = scene.layer("planets", Style::line(0.13).fill(Color::new(214, 228, 242)))?;
-    let suns = scene.layer("suns", Style::line(0.13).fill(Color::new(246, 226, 206)))?;
-    let circles = scene.layer("working circles", Style::centre_line().width(0.1))?;
-    let labels = scene.layer("labels", Style::line(0.1))?;
-    let mut left = 0.0;
-    for ToothedSet { name, set, module } in sets {
-        let m = module.mm();
-        let [sun, planet, ring] = set.tooth_curves()?;
-        // A rim of some modules about the roots; letters keep their proportion to the set.
-        let rim = m * (ring.root_radius() + 3.0);
-        let letter = rim / 22.0;
-        let centre = Point::new(left + rim, 0.0);
-        let outline = |curve: &ToothCurve, at: Point, turn: f64| -> Result<Shape, Error> {
-            let (sin, cos) = libm::sincos(turn);
-            let points = curve.outline(DEVIATION)?;
-            let placed = points.into_iter();
-            Ok(Shape::polygon(
-                placed
-                    .map(|[x, y]| Point::new(at.x + m * (x * cos - y * sin), at.y + m * (x * sin + y * cos))),
-            ))
-        };
-        let circle = |centre: Point, diameter: f64| Shape::Circle { centre, radius: 0.5 * m * diameter };
-        scene.add(rings, Shape::Circle { centre, radius: rim });
-        let inner = Style::line(0.13).fill(Color::WHITE);
-        scene.add_styled(rings, inner, outline(&ring, centre, set.ring_turn_rad())?);
-        scene.add(suns, outline(&sun, centre, 0.0)?);
-        let [[of_sun, of_planet], [_, of_ring]] =
-            [set.sun_mesh(), set.ring_mesh()].map(epicyclic_gears::involute::Pair::working_diameters);
-        scene.add(circles, circle(centre, of_sun));
-        scene.add(circles, circle(centre, of_ring));
-        for placed in set.placed_planets() {
-            let at = Point::polar(centre, m * set.centre_distance(), placed.angle_rad);
-            scene.add(planets, outline(&planet, at, placed.turn_rad)?);
-            scene.add(circles, circle(at, of_planet));
+    let mut planes: Vec<Plane<'_>> = vec![];
+    for toothed in sets {
+        for (place, gears) in toothed.in_mesh.planes().into_iter().enumerate() {
+            planes.push(Plane { toothed, place, gears });
         }
-        let shift = |place: usize| set.gears()[place].shift();
-        let a = m * set.centre_distance();
-        let helix = (sun.gear().profile().helix_angle.degrees() * PART_OF_DEGREE).round() / PART_OF_DEGREE;
-        let lines = [
-            format!("set {name}: {}/{}/{}", sun.gear().teeth(), planet.gear().teeth(), ring.gear().teeth()),
-            format!("x = {:.4}, {:.4}, {:.4}", shift(0), shift(1), shift(2)),
-            if helix == 0.0 {
-                format!("m = {m} mm, a = {a:.3} mm")
-            } else {
-                format!("m_n = {m} mm, β = {helix}°, a = {a:.3} mm")
-            },
-        ];
-        for (line, place) in lines.into_iter().zip([1.5, 3.0, 4.5]) {
-            let at = [left + rim, -rim - place * letter];
-            scene.add(labels, Text::new(at, letter, line).align(Align::Middle));
+    }
+    let widest = planes.iter().map(|plane| plane.size()[0]).fold(0.0, f64::max);
+    let [line, thin] = LINES_MM.map(|width| width * (widest / USUAL_MM).max(1.0));
+    let mut layers = vec![];
+    for plane in &planes {
+        layers.push(plane.layers(&mut scene, Style::line(line))?);
+    }
+    let circles = scene.layer(free_name(&scene, "working circles"), Style::centre_line().width(thin))?;
+    let labels = scene.layer(free_name(&scene, "labels"), Style::line(thin))?;
+    let letter = LETTER * widest;
+    let columns = (planes.len() as f64).sqrt().ceil().max(1.0) as usize;
+    let mut top = 0.0;
+    for (row, layers) in planes.chunks(columns).zip(layers.chunks(columns)) {
+        let tall = row.iter().map(|plane| plane.size()[1]).fold(0.0, f64::max);
+        let (mut left, mut below) = (0.0, top);
+        for (plane, layers) in row.iter().zip(layers) {
+            let lines = plane.lines().into_iter().map(|line| Text::new(Point::default(), letter, line));
+            let lines: Vec<Text> = lines.map(|line| line.align(Align::Middle)).collect();
+            let wide = lines.iter().map(|line| 0.5 * line.width_mm()).fold(plane.size()[0], f64::max);
+            let centre = Point::new(left + wide, top - tall);
+            plane.draw(&mut scene, centre, layers, circles)?;
+            let mut base = top - 2.0 * tall - letter;
+            for line in lines {
+                base -= 1.6 * letter;
+                scene.add(labels, Text { at: Point::new(centre.x, base), ..line });
+            }
+            below = f64::min(below, base - 3.0 * letter);
+            left += 2.0 * wide + 2.0 * letter;
         }
-        left += 2.0 * rim + 2.0 * letter;
+        top = below;
     }
     scene.check()?;
     Ok(scene)
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use epicyclic_drawing::text::overlaps;
-    use epicyclic_gears::ToothCount;
-    use epicyclic_gears::involute::closing::Closing;
+/// A name that CAD programs take and no other layer has.
+fn free_name(scene: &Scene, name: &str) -> String {
+    let fit = |c: char| if c.is_alphanumeric() || " -+._".contains(c) { c } else { '_' };
+    let name: String = name.chars().take(200).map(fit).collect();
+    let name = name.trim();
+    let is_free =
+        |name: &String| scene.layers().iter().all(|layer| layer.name.to_lowercase() != name.to_lowercase());
+    let numbered = (2..).map(|number: u32| format!("{name} {number}"));
+    std::iter::once(name.to_owned()).chain(numbered).find(is_free).unwrap_or_default()
+}
 
-    #[test]
-    fn sets_stand_side_by_side_with_all_their_teeth() {
-        let set = |name: &str, counts: [u32; 3], module| {
-            let teeth = counts.map(|count| ToothCount::new(count).unwrap());
-            let set = Closing::default().close(teeth).unwrap().set;
-            ToothedSet { name: name.to_owned(), set, module: Length::from_mm(module) }
+/// Gears of a set in one plane.
+struct Plane<'p> {
+    toothed: &'p ToothedSet<'p>,
+    place: usize,
+    gears: Vec<usize>,
+}
+
+impl Plane<'_> {
+    fn gear(&self, gear: usize) -> &GearInMesh {
+        &self.toothed.in_mesh.gears[gear]
+    }
+
+    fn placed(&self) -> impl Iterator<Item = &Placed> {
+        self.toothed.in_mesh.placed().filter(|placed| self.gears.contains(&placed.gear))
+    }
+
+    /// Outer radius of a gear, mm.
+    fn outside(&self, gear: usize) -> f64 {
+        self.toothed.unit_mm() * self.gear(gear).outer_radius()
+    }
+
+    /// Half the width and half the height of the plane, mm.
+    fn size(&self) -> [f64; 2] {
+        let reach = |placed: &Placed, axis: usize| {
+            self.toothed.unit_mm() * placed.centre[axis].abs() + self.outside(placed.gear)
         };
-        let scene = scene("two", &[set("1", [18, 36, 93], 2.0), set("2", [21, 43, 108], 1.75)]).unwrap();
-        assert_eq!(overlaps(&scene), []);
-        let polygons = scene
-            .items()
-            .iter()
-            .filter(|item| matches!(item.shape, Shape::Polyline { closed: true, .. }))
-            .count();
-        // Sun, ring and three planets of each.
-        assert_eq!(polygons, 10);
-        let rim = |teeth: f64, module: f64| module * (teeth + 6.0);
-        assert!(scene.bounds().width() > rim(93.0, 2.0) + rim(108.0, 1.75));
+        [0, 1].map(|axis| self.placed().map(|placed| reach(placed, axis)).fold(0.0, f64::max))
+    }
+
+    /// A layer for each of the gears, with this line.
+    fn layers(&self, scene: &mut Scene, line: Style) -> Result<Vec<LayerId>, Error> {
+        let mut layers = vec![];
+        for gear in &self.gears {
+            let gear = self.gear(*gear);
+            let fill = match gear.of {
+                _ if gear.is_ring() => Color::new(226, 226, 230),
+                GearOf::Planet(..) => Color::new(214, 228, 242),
+                GearOf::Central(_) => Color::new(246, 226, 206),
+            };
+            let set = self.toothed.set;
+            let name = free_name(scene, &format!("{} {}", set.id(), set.gear_name(gear.of)));
+            layers.push(scene.layer(name, line.fill(fill))?);
+        }
+        Ok(layers)
+    }
+
+    /// Draws the gears about a centre, each on its layer.
+    fn draw(
+        &self,
+        scene: &mut Scene,
+        centre: Point,
+        layers: &[LayerId],
+        circles: LayerId,
+    ) -> Result<(), Error> {
+        let unit = self.toothed.unit_mm();
+        let mut gears: Vec<(usize, LayerId)> =
+            self.gears.iter().copied().zip(layers.iter().copied()).collect();
+        let order = |(gear, _): (usize, LayerId)| (!self.gear(gear).is_ring(), -self.outside(gear));
+        gears.sort_by(|one, other| {
+            order(*one).partial_cmp(&order(*other)).unwrap_or(std::cmp::Ordering::Equal)
+        });
+        let mut has_ring = false;
+        for (gear, layer) in gears {
+            let own = self.gear(gear);
+            let module = unit * own.module;
+            let style = scene.layer_style(layer);
+            let pieces = own.curve.contour(DEVIATION.min(DEVIATION_MM / module))?;
+            for placed in self.placed().filter(|placed| placed.gear == gear) {
+                let at = Point::new(centre.x + unit * placed.centre[0], centre.y + unit * placed.centre[1]);
+                let place = |[x, y]: [f64; 2]| Point::new(at.x + module * x, at.y + module * y);
+                let piece = |piece: &OfGear| match piece.turned(placed.turn_rad) {
+                    OfGear::Arc { radius, angles: [from, to] } => Piece::Arc {
+                        centre: at,
+                        radius: module * radius,
+                        start_rad: from,
+                        sweep_rad: to - from,
+                    },
+                    OfGear::Cubic(points) => Piece::Cubic(points.map(place)),
+                };
+                let outline = Shape::Contour(pieces.iter().map(piece).collect());
+                if !own.is_ring() {
+                    scene.add(layer, outline);
+                } else if has_ring {
+                    // Another ring in the plane must not hide the first.
+                    scene.add_styled(layer, Style { fill: None, ..style }, outline);
+                } else {
+                    scene.add(layer, Shape::Circle { centre: at, radius: self.outside(gear) });
+                    scene.add_styled(layer, style.fill(Color::WHITE), outline);
+                    has_ring = true;
+                }
+                scene.add(circles, Shape::Circle { centre: at, radius: unit * own.working_radius });
+            }
+        }
+        Ok(())
+    }
+
+    /// The set, its gears, and modules and centre distances of its meshes.
+    fn lines(&self) -> Vec<String> {
+        let ToothedSet { set, in_mesh, unit: stated } = self.toothed;
+        let unit = self.toothed.unit_mm();
+        let rounded = |value: f64, digits: f64| (value * digits).round() / digits;
+        let number = |value: f64, digits: f64| rounded(value, digits).to_string().replace('-', "−");
+        let planes = in_mesh.planes().len();
+        let of = if planes > 1 { format!(", plane {} of {planes}", self.place + 1) } else { String::new() };
+        let mut lines = vec![format!("set {}{of}", set.id())];
+        for gear in &self.gears {
+            let own = self.gear(*gear).curve.gear();
+            let count = self.placed().filter(|placed| placed.gear == *gear).count();
+            let times = if count > 1 { format!("{count} × ") } else { String::new() };
+            let name = set.gear_name(self.gear(*gear).of);
+            let shift = match own.shift() {
+                0.0 => String::new(),
+                shift => format!(", x = {}", number(shift, PART_OF_SHIFT)),
+            };
+            lines.push(format!("{times}{name}: z = {}{shift}", own.teeth()));
+        }
+        // Gears of one plane have one module and one helix angle.
+        let meshes: Vec<&Mesh> =
+            in_mesh.meshes.iter().filter(|mesh| self.gears.contains(&mesh.gears[0])).collect();
+        if let Some(mesh) = meshes.first() {
+            let module = number(unit * mesh.module, PART_OF_MODULE);
+            let helix = rounded(mesh.pair.gears()[0].profile().helix_angle.degrees(), PART_OF_DEGREE);
+            let unstated = if stated.is_none() { ", no module is stated" } else { "" };
+            lines.push(if helix == 0.0 {
+                format!("m = {module} mm{unstated}")
+            } else {
+                format!("m_n = {module} mm, β = {helix}°{unstated}")
+            });
+        }
+        let distance = |mesh: &&Mesh| unit * mesh.module * mesh.pair.centre_distance();
+        let mut distances: Vec<String> =
+            meshes.iter().map(|mesh| number(distance(mesh), PART_OF_MM)).collect();
+        distances.dedup();
+        lines.push(format!("a = {} mm", distances.join(", ")));
+        lines
     }
 }

@@ -80,6 +80,7 @@ pub mod error;
 pub mod formula;
 pub mod gearbox;
 pub mod groups;
+pub mod in_mesh;
 pub mod inputs;
 mod kernel;
 pub mod kreines;

@@ -251,42 +251,6 @@ fn pair(
     })
 }
 
-/// A set of unshifted gears seen along its axis. Lengths are in modules of its first mesh.
-#[derive(Debug, Clone, PartialEq)]
-pub struct AlongAxis {
-    /// Module of each mesh, over that of the first: for a stepped planet the modules that its one centre
-    /// distance requires.
-    pub modules: Vec<f64>,
-    /// Radius of each planet's centre, and its angle about the axis in rad. The first planet is at angle 0.
-    pub planets: Vec<[f64; 2]>,
-}
-
-impl PlanetSet {
-    /// Positions of the planets of a set, from its teeth alone. `None` if a tooth number is not known, for
-    /// bevel gears and pairs on fixed axes, and if two planets in mesh do not reach each other.
-    #[must_use]
-    pub fn along_axis(&self) -> Option<AlongAxis> {
-        let mut given = Given::nothing(self);
-        *given.modules.first_mut()? = Some(1.0);
-        let first = places(self, &given);
-        // Modules that no centre distance determines are those of the first mesh.
-        let given = Given { modules: first.modules, radii: first.radii, module: Some(1.0), ..given };
-        let places = places(self, &given);
-        let reach = |pair: &Result<Pair, NoPair>| matches!(pair, Ok(_) | Err(NoPair::OtherMesh));
-        let has_all_teeth =
-            self.meshes().iter().flat_map(|mesh| mesh.gears).all(|gear| teeth_of(self, gear).is_some());
-        if !has_all_teeth || !places.pairs.iter().all(reach) || self.planets().is_empty() {
-            return None;
-        }
-        let angles = places.angles(self);
-        let radii = places.radii.iter().copied().collect::<Option<Vec<_>>>()?;
-        Some(AlongAxis {
-            modules: places.modules.iter().copied().collect::<Option<_>>()?,
-            planets: radii.into_iter().zip(angles).map(|(radius, (_, angle))| [radius, angle]).collect(),
-        })
-    }
-}
-
 impl Places {
     /// Angles of the planets about the main axis, from the first of those that meshes of planets tie
     /// together; and which is that first.

@@ -36,24 +36,23 @@ use epicyclic_units::Physical;
 use uom::si::f64::Angle;
 
 /// Reason why a set has no teeth in mesh.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Untoothed {
     /// Teeth of a central gear are not known.
+    #[error("`teeth` are missing")]
     Teeth,
     /// Teeth of a planet are not known.
+    #[error("the teeth of its planets are missing")]
     PlanetTeeth,
     /// The gears share a centre distance with profile shifts alone, and none are given.
+    #[error("its centre distances differ, so it needs `profile_shifts`")]
     Shifts,
     /// Bevel gears.
+    #[error("its gears are bevel gears")]
     Bevel,
     /// The given values leave no teeth or no mesh.
-    Refused(Error),
-}
-
-impl From<Error> for Untoothed {
-    fn from(error: Error) -> Self {
-        Self::Refused(error)
-    }
+    #[error(transparent)]
+    Refused(#[from] Error),
 }
 
 /// Two gears of a set in mesh.
@@ -74,6 +73,9 @@ pub struct ToothedSet {
     pub meshes: Vec<ToothedMesh>,
     /// Radius of the centres of each planet, in the unit of the modules.
     pub radii: Vec<Option<f64>>,
+    /// Angle of each planet about the main axis from the first of those that mesh with it, rad; `None` where
+    /// two in mesh do not reach each other.
+    pub angles: Option<Vec<f64>>,
 }
 
 impl ToothedSet {
@@ -181,9 +183,11 @@ impl PlanetSet {
             *first = Some(1.0);
         }
         given.distances = free.iter().map(|pair| Some(pair.centre_distance())).collect();
-        let places = places(self, &given);
+        let tied = places(self, &given);
         // A mesh that no centre distance and no gear ties to the others has the module of the first.
         let usual = given.modules.iter().copied().flatten().next().unwrap_or(1.0);
+        let given = Given { modules: tied.modules, radii: tied.radii, module: Some(usual), ..given };
+        let places = places(self, &given);
         let module = |mesh: usize| places.modules[mesh].unwrap_or(usual);
         let mut pairs = vec![];
         for (mesh, pair) in free.iter().enumerate() {
@@ -206,7 +210,9 @@ impl PlanetSet {
         }
         let meshes = ends.into_iter().zip(pairs).enumerate();
         let meshes = meshes.map(|(mesh, (gears, pair))| ToothedMesh { gears, pair, module: module(mesh) });
-        Ok(ToothedSet { meshes: meshes.collect(), radii: places.radii })
+        let reach = places.pairs.iter().all(|pair| matches!(pair, Ok(_) | Err(NoPair::OtherMesh)));
+        let angles = reach.then(|| places.angles(self).into_iter().map(|(_, angle)| angle).collect());
+        Ok(ToothedSet { meshes: meshes.collect(), radii: places.radii, angles })
     }
 
     /// Angle of each planet about the main axis, with the first of those that meshes of planets tie together,
@@ -334,8 +340,7 @@ impl SetSpec {
         if self.tooth_shape.has_shape() { self.toothed_set(rack) } else { None }
     }
 
-    /// The gears of a simple set as they are drawn: with their shifts, or without any where equal centre
-    /// distances need none. Planets of an unknown number are taken as one.
+    /// The gears of a simple set: with their shifts, or without any where equal centre distances need none. Planets of an unknown number are taken as one.
     ///
     /// `None` of a set that is not simple, whose teeth are not known, or that needs shifts and has none.
     ///

@@ -7,6 +7,7 @@ use crate::motor::answer::Numbers;
 use crate::shared::drawability::answer::Conflict;
 use crate::shared::gearbox::{Gearbox, Origin};
 use crate::shared::tooth_checks::answer::ToothChecks;
+use crate::shared::toothed::WithoutTeeth;
 use epicyclic_units::Physical as _;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -38,6 +39,8 @@ pub struct Drawing {
     pub files: Vec<File>,
     /// Tooth checks in a view of teeth; null in other views.
     pub tooth_checks: Option<ToothChecks>,
+    /// Sets that a view of teeth leaves out; empty in other views.
+    pub left_out: Vec<WithoutTeeth>,
 }
 
 /// Gearbox or motor that is drawn.
@@ -88,7 +91,8 @@ pub enum View {
     Centrodes,
     /// Of a motor: half a lobe with the construction of its arcs, (1)-(8).
     Construction,
-    /// Every tooth in mesh: of a motor, and of the simple sets of a gearbox, with their profile shifts.
+    /// Every tooth in mesh: of a motor, and of the sets and pairs of a gearbox with cylindrical gears, each
+    /// as its tool leaves it; in DXF as arcs and splines, a layer for each gear.
     Teeth,
     /// Of a motor: the motor in its housing with its ports.
     Motor,

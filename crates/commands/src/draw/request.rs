@@ -15,6 +15,7 @@ use crate::shared::gearbox::{Gearbox, Origin};
 use crate::shared::gearbox_choice::{Choice, subject};
 use crate::shared::places::Grid;
 use crate::shared::tooth_checks::answer::ToothChecks;
+use crate::shared::toothed::WithoutTeeth;
 use epicyclic_drawing::{Scene, svg};
 use epicyclic_formats as formats;
 use epicyclic_formats::FileKind;
@@ -168,6 +169,9 @@ fn write(
     files.extend(args.svg.as_deref().map(|file| (file, FileFormat::Svg)));
     files.extend(args.dxf.as_deref().map(|file| (file, FileFormat::Dxf)));
     if args.format == Format::Text {
+        for WithoutTeeth { set, why } in &drawing.left_out {
+            call.complain(&format!("warning: set `{set}` is not drawn: {why}"));
+        }
         for warning in drawing.tooth_checks.iter().flat_map(ToothChecks::warnings) {
             call.complain(&format!("warning: {}", warning.message));
         }
@@ -207,7 +211,8 @@ impl Request {
         if self.view() == View::Teeth {
             drawing.tooth_checks = Some(ToothChecks::of(gearbox.tooth_checks(), |_| true));
         }
-        Ok(Picture { drawing, scene: scenes::of_gearbox(self, gearbox)? })
+        let scene = scenes::of_gearbox(self, gearbox, &mut drawing.left_out)?;
+        Ok(Picture { drawing, scene })
     }
 
     /// Draws a motor; only the view applies to it.
@@ -256,6 +261,7 @@ impl Request {
             conflict: None,
             files: vec![],
             tooth_checks: None,
+            left_out: vec![],
         }
     }
 

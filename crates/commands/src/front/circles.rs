@@ -1,6 +1,6 @@
 //! Pitch circles of simple and double-planet sets with known ratio and unknown tooth numbers.
 
-use super::{FrontGear, FrontPlanet, Part, PlanetGear, SHOWN, Shape, group_angles};
+use super::{FrontGear, FrontPlanet, Part, PlanetGear, SHOWN, Shape};
 use epicyclic_train::PlanetSet;
 use epicyclic_train::planet_set::GearOf;
 use epicyclic_train::set::SetKind;
@@ -12,7 +12,7 @@ const EACH_OF_TWO: f64 = 0.29;
 /// Pitch circles of a set: the ring's radius is `k` times the sun's.
 pub(super) fn of(set: &PlanetSet) -> Option<Shape> {
     let k = set.ratio_between(0, 1).abs();
-    let angles = group_angles(set, SHOWN);
+    let angles = set.shown_angles(set.planet_count().unwrap_or(SHOWN));
     // Centre radius, pitch radius and `(ω − ω_H)/(ω_1 − ω_H)` of each planet.
     let planets: Vec<[f64; 3]> = match set.kind()? {
         SetKind::Simple => {
@@ -31,6 +31,7 @@ pub(super) fn of(set: &PlanetSet) -> Option<Shape> {
         teeth: set.teeth(of).map(epicyclic_gears::ToothCount::get),
         pitch_radius: radius,
         rim_radius: if part == Part::Ring { 1.08 * radius } else { radius },
+        centre: [0.0; 2],
         turn_rad: 0.0,
         outline: vec![],
         speed_of_input: None,

@@ -29,8 +29,11 @@ type Standing<'f> = (&'f FrontGear, [f64; 2], f64);
 
 /// Gears of a set with the planets of one copy.
 fn standing(set: &FrontSet, copy: usize, of_each: usize) -> Vec<Standing<'_>> {
-    let centrals =
-        set.gears.iter().filter(|gear| gear.part != Part::Planet).map(|gear| (gear, [0.0; 2], gear.turn_rad));
+    let centrals = set
+        .gears
+        .iter()
+        .filter(|gear| gear.part != Part::Planet)
+        .map(|gear| (gear, gear.centre, gear.turn_rad));
     let planets = set.planets[copy * of_each..(copy + 1) * of_each].iter().flat_map(|planet| {
         let (sin, cos) = libm::sincos(planet.angle_rad);
         let centre = [planet.centre_distance * cos, planet.centre_distance * sin];
@@ -42,7 +45,8 @@ fn standing(set: &FrontSet, copy: usize, of_each: usize) -> Vec<Standing<'_>> {
 /// Gears whose pitch circles touch must mesh at the pitch point and have the same speed there.
 fn check_meshes(set: &FrontSet, of_each: usize, expected: usize) {
     let carrier = set.carrier_of_input.unwrap();
-    for copy in 0..set.planets.len() / of_each {
+    // A pair has no planets, and its gears are seen once.
+    for copy in 0..(set.planets.len() / of_each.max(1)).max(1) {
         let all = standing(set, copy, of_each);
         let mut met = 0;
         let pairs = (0..all.len()).flat_map(|one| (0..all.len()).map(move |other| (one, other)));
@@ -96,6 +100,16 @@ fn gears_mesh_and_points_of_contact_have_one_speed_on_both() {
     let ravigneaux = example("ravigneaux.yaml", "2");
     check_meshes(&ravigneaux.sets[0], 2, 4);
     assert!(ravigneaux.left_out.is_empty());
+    check_meshes(&example("wolfrom.yaml", "only").sets[0], 1, 3);
+    // Helical teeth, and pairs on fixed axes.
+    let helical = "  - { id: P, kind: double_planet, sun: D, ring: T, carrier: B, teeth: [30, 72], planet_teeth: [18, 18], planets: 3, helix_angle: 15 deg }";
+    check_meshes(&short(helical, Some("1")).sets[0], 2, 3);
+    let wind = example("wind-gearbox.yaml", "only");
+    assert!(wind.left_out.is_empty() && wind.uncut.is_empty() && wind.sets.iter().all(|set| set.has_teeth));
+    check_meshes(&wind.sets[2], 0, 1);
+    assert!(wind.sets[2].planets.is_empty() && wind.sets[2].planets_are_given);
+    let inside = "{ gearbox: g, input: D, output: B, gears: [{ name: only }],\n  sets: [{ id: P, kind: internal_pair, sun: D, ring: B, teeth: [20, 61], helix_angle: 12 deg, profile_shifts: [0.2, 0.1] }] }";
+    check_meshes(&front_of(inside, Some("only")).sets[0], 0, 1);
 }
 
 #[test]

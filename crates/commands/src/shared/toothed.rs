@@ -5,8 +5,39 @@ use crate::shared::gearbox::Gearbox;
 use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::{SetData, keys_of};
 use epicyclic_train as train;
+use epicyclic_train::in_mesh::{InMesh, Unplaced};
 use epicyclic_train::toothed::{ToothedSet, Untoothed};
 use epicyclic_units::Physical;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Number of planets drawn if the file does not give it and so many have room.
+pub(crate) const SHOWN: u32 = 3;
+
+/// A set that is drawn without teeth or not at all.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct WithoutTeeth {
+    /// Name of the set.
+    pub set: String,
+    /// Reason why its teeth are not drawn.
+    pub why: String,
+}
+
+impl WithoutTeeth {
+    pub(crate) fn new(set: &train::PlanetSet, why: &Unplaced) -> Self {
+        Self { set: set.id().to_owned(), why: why.to_string() }
+    }
+}
+
+/// The gears of a set as they are drawn in mesh; lengths in metres if the file states a module of the set,
+/// otherwise in modules of its first mesh.
+///
+/// # Errors
+/// [`Unplaced`].
+pub(crate) fn in_mesh(subject: &Gearbox, set: &train::PlanetSet) -> Result<InMesh, Unplaced> {
+    set.in_mesh(&set.toothed(&subject.rack, subject.modules(set))?, SHOWN)
+}
 
 /// Error of teeth, at the key of the set that may hold its cause.
 fn at_key(subject: &Gearbox, set: &Path, error: &epicyclic_gears::Error) -> crate::error::Error {

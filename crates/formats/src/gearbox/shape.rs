@@ -179,12 +179,9 @@ impl Shape<'_> {
 }
 
 /// Missing data of teeth in mesh, in words; `None` of refused teeth, which the checks of teeth report.
-pub(super) fn missing(why: &Untoothed) -> Option<&'static str> {
-    Some(match why {
-        Untoothed::Teeth => "`teeth` are missing",
-        Untoothed::PlanetTeeth => "the teeth of its planets are missing",
-        Untoothed::Shifts => "its centre distances differ, so it needs `profile_shifts`",
-        Untoothed::Bevel => "its gears are bevel gears",
-        Untoothed::Refused(_) => return None,
-    })
+pub(super) fn missing(why: &Untoothed) -> Option<String> {
+    match why {
+        Untoothed::Refused(_) => None,
+        why => Some(why.to_string()),
+    }
 }

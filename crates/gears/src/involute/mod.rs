@@ -46,7 +46,7 @@
 //! | [`plain`] | which tooth numbers without profile shift cannot be cut or turned together |
 //! | [`curve`] | the exact outline of a tooth: involute and the fillet by a hob or a shaper |
 //! | [`outline`] | the same as polylines, of a tooth and of a whole gear |
-//! | [`placed`] | how sun, planets and ring are turned in mesh |
+//! | [`contour`] | the outline of a gear as arcs and cubic curves |
 //! | [`sliding`] | losses of a mesh by friction |
 //! | [`play`] | backlash of a mesh by tooth-thickness allowances |
 //!
@@ -57,6 +57,7 @@
 pub mod check;
 pub mod checks;
 pub mod closing;
+pub mod contour;
 pub mod curve;
 mod cut;
 pub mod family;
@@ -69,7 +70,6 @@ pub mod interference;
 pub mod left_out;
 pub mod outline;
 pub mod pair;
-pub mod placed;
 pub mod plain;
 pub mod play;
 pub mod profile;

@@ -18,17 +18,25 @@ impl ToothCurve {
     /// [`Error::NotPositive`] for a deviation of 0 or less, in modules.
     pub fn half(&self, deviation: f64) -> Result<Vec<Point>, Error> {
         positive(Quantity::ChordDeviation, deviation, "modules")?;
-        let fillet = |t: f64| self.fillet(t * self.joint());
-        // Along the angle of roll: the involute is a parabola in it.
-        let gear = self.gear();
-        let base = gear.base_diameter() / 2.0;
-        let [from, to] =
-            [self.joint_radius(), self.tip_radius()].map(|radius| gear.curvature_radius(2.0 * radius));
-        let flank = |t: f64| self.involute(libm::hypot(base, from + t * (to - from)));
+        let (fillet, flank) = (|t: f64| self.on_fillet(t), |t: f64| self.on_flank(t));
         let mut points = vec![fillet(0.0)];
         halve(&fillet, [0.0, 1.0], 0, deviation, &mut points);
         halve(&flank, [0.0, 1.0], 0, deviation, &mut points);
         Ok(points)
+    }
+
+    /// A point of the fillet as it is left: 0 at the root, 1 where the involute takes over.
+    pub(super) fn on_fillet(&self, t: f64) -> Point {
+        self.fillet(t * self.joint())
+    }
+
+    /// A point of the flank: 0 where it takes over from the fillet, 1 at the tip.
+    pub(super) fn on_flank(&self, t: f64) -> Point {
+        // Along the angle of roll: the involute is a parabola in it.
+        let gear = self.gear();
+        let [from, to] =
+            [self.joint_radius(), self.tip_radius()].map(|radius| gear.curvature_radius(2.0 * radius));
+        self.involute(libm::hypot(gear.base_diameter() / 2.0, from + t * (to - from)))
     }
 
     /// The closed outline of the gear, counterclockwise: coordinates about its axis, the centre line of a

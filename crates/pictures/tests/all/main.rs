@@ -5,4 +5,5 @@ mod common;
 mod diagrams;
 mod motor;
 mod scheme;
+mod teeth;
 mod to_scale;

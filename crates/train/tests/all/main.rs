@@ -5,6 +5,7 @@ mod circulation;
 mod common;
 mod drags;
 mod formula;
+mod in_mesh;
 mod inputs;
 mod invalid;
 mod losses;

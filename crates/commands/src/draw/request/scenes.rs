@@ -7,18 +7,25 @@ use crate::losses::table::efficiency_map;
 use crate::shared::drawability::answer::Conflict;
 use crate::shared::gearbox::{Gearbox, Origin};
 use crate::shared::gearbox_choice::{analysis, refuse};
+use crate::shared::toothed::{WithoutTeeth, in_mesh};
 use epicyclic_drawing::Scene;
 use epicyclic_formats::Path;
 use epicyclic_layout::{Layout, Options, Verdict, draw};
 use epicyclic_pictures::gearbox::{ladder, levers, scheme, speeds};
 use epicyclic_pictures::toothed_sets::{self, ToothedSet};
+use epicyclic_train::in_mesh::Unplaced;
 use epicyclic_train::planet_bearings::PlanetBearing;
+use epicyclic_train::toothed::Untoothed;
 use epicyclic_train::{self as train, Analysis, PlanetSet};
 use epicyclic_units::Physical as _;
 use uom::si::f64::Length;
 
-/// Scene of a gearbox in the view of a checked request.
-pub(super) fn of_gearbox(request: &Request, gearbox: &Gearbox) -> Result<Scene, Failure> {
+/// Scene of a gearbox in the view of a checked request; sets without teeth go to those left out.
+pub(super) fn of_gearbox(
+    request: &Request,
+    gearbox: &Gearbox,
+    left_out: &mut Vec<WithoutTeeth>,
+) -> Result<Scene, Failure> {
     let title = request.title.as_deref();
     let train = &gearbox.train;
     let gear = request.gear.as_deref().map(|gear| analysis(train, gear)).transpose()?;
@@ -26,7 +33,7 @@ pub(super) fn of_gearbox(request: &Request, gearbox: &Gearbox) -> Result<Scene, 
         (View::Map, _) => map(request, gearbox)?,
         (View::Scheme, gear) => kinematic(request, gearbox, gear.as_ref())?,
         (View::Speeds, Some(gear)) => speeds::scene(train, gear, title)?,
-        (View::Teeth, _) => toothed(gearbox, title)?,
+        (View::Teeth, _) => toothed(gearbox, title, left_out)?,
         (View::Levers, gear) => levers::scene(train, gear.as_ref(), title)?,
         // The check leaves the ladder alone.
         _ => ladder::scene(train, &all_gears(train)?, title)?,
@@ -47,20 +54,34 @@ fn map(request: &Request, gearbox: &Gearbox) -> Result<Scene, Failure> {
     Ok(picture.scene().map_err(epicyclic_pictures::Error::from)?)
 }
 
-/// The simple sets whose teeth are known, in mesh; a millimetre for a module where the file has none.
-fn toothed(gearbox: &Gearbox, title: Option<&str>) -> Result<Scene, Failure> {
+/// The sets whose teeth are known, in mesh; a millimetre for a module where the file has none. Those that are
+/// left out go into the record.
+fn toothed(
+    gearbox: &Gearbox,
+    title: Option<&str>,
+    left_out: &mut Vec<WithoutTeeth>,
+) -> Result<Scene, Failure> {
     let mut sets = vec![];
     for set in gearbox.train.sets() {
-        let Some(gears) = set.short().and_then(|spec| spec.toothed_set(&gearbox.rack)) else { continue };
-        let module = gearbox.modules(set).iter().find_map(|module| *module);
-        let module = module.map_or_else(|| Length::from_mm(1.0), Length::from_si);
-        let set = gears.map(|gears| ToothedSet { name: set.id().to_owned(), set: gears, module });
-        sets.push(set.map_err(epicyclic_pictures::Error::from)?);
+        match in_mesh(gearbox, set) {
+            Ok(in_mesh) => {
+                let has_module = gearbox.modules(set).iter().any(Option::is_some);
+                let unit = has_module.then(|| Length::from_si(1.0));
+                sets.push(ToothedSet { set, in_mesh, unit });
+            }
+            Err(Unplaced::Uncut(error) | Unplaced::Untoothed(Untoothed::Refused(error))) => {
+                return Err(epicyclic_pictures::Error::from(error).into());
+            }
+            Err(why) => left_out.push(WithoutTeeth::new(set, &why)),
+        }
     }
     if sets.is_empty() {
-        let message = "no set is a simple one whose teeth are known and share a centre distance: give `teeth`, and `planet_teeth` with \
-                       `profile_shifts` where it needs them"
-            .to_owned();
+        let sets: Vec<String> =
+            left_out.iter().map(|one| format!("set `{}`: {}", one.set, one.why)).collect();
+        let message = format!(
+            "no set has teeth in mesh ({}): give `teeth`, and `planet_teeth` with `profile_shifts` where it needs them",
+            sets.join("; ")
+        );
         return Err(Failure::invalid("--view", message));
     }
     Ok(toothed_sets::scene(title.unwrap_or(gearbox.train.name()), &sets)?)
@@ -68,14 +89,17 @@ fn toothed(gearbox: &Gearbox, title: Option<&str>) -> Result<Scene, Failure> {
 
 /// The first set whose gears cannot be, or the gearbox.
 pub(super) fn of_faulty_teeth(gearbox: &Gearbox) -> Path {
-    let is_fault = |set: &PlanetSet| {
-        set.short().and_then(|spec| spec.toothed_set(&gearbox.rack)).is_some_and(|set| set.is_err())
+    let is_fault = |set: &&PlanetSet| {
+        use Unplaced::{Uncut, Untoothed as Without};
+        matches!(in_mesh(gearbox, set), Err(Uncut(_) | Without(Untoothed::Refused(_))))
     };
-    // Sets with two central gears come first, in the order of the file.
-    match gearbox.train.sets().iter().position(is_fault) {
-        Some(place) => gearbox.base.clone().key("sets").index(place),
-        None => gearbox.base.clone(),
-    }
+    let sets = gearbox.train.sets();
+    let Some(faulty) = sets.iter().find(is_fault) else { return gearbox.base.clone() };
+    // The order of each kind is that of the file.
+    let key = if faulty.short().is_some() { "sets" } else { "compound_sets" };
+    let alike = sets.iter().filter(|set| set.short().is_some() == faulty.short().is_some());
+    let place = alike.take_while(|set| set.id() != faulty.id()).count();
+    gearbox.base.clone().key(key).index(place)
 }
 
 fn all_gears(gearbox: &train::Gearbox) -> Result<Vec<Analysis<'_>>, Failure> {
