@@ -108,7 +108,7 @@ enum Of {
     AnswerTeeth,
     /// The answer of `epicyclic teeth --kind` for all kinds but simple and double.
     AnswerTeethArranged,
-    /// The answer of `epicyclic teeth --kind double`.
+    /// The answer of `epicyclic teeth --kind double-planet`.
     AnswerTeethDoublePlanet,
     /// The answer of `epicyclic teeth --ring-offset`.
     AnswerTeethShifted,

@@ -22,9 +22,9 @@ const REQUESTS: [&str; 15] = [
     "--kind stepped --ratio 14 --spacing least-unequal --gear a=17..20",
     "--kind stepped --ratio 14 --angles 0deg,80deg,180deg,260deg",
     "--kind stepped --ratio -9 --mode ab^H --ring-offset -1..1 --tolerance 0.02%",
-    "--kind two-suns --ratio 40",
-    "--kind two-rings --ratio -35 --mode Hb^e",
-    "--kind two-rings --ratio 25 --ring-offset -1..1 --tolerance 0.2%",
+    "--kind stepped-suns --ratio 40",
+    "--kind stepped-rings --ratio -35 --mode Hb^e",
+    "--kind stepped-rings --ratio 25 --ring-offset -1..1 --tolerance 0.2%",
     "--kind wolfrom --ratio 51",
     "--kind wolfrom --ratio 100 --ring-offset -2..2 --tolerance 0.1%",
     "--kind wolfrom --ratio 0.02 --mode ea^b",
@@ -96,7 +96,7 @@ fn options_of_other_kinds_are_refused() {
         ("--ratio 6 --module-ratio 2", "--module-ratio"),
         ("--ratio 6 --angles 0deg,180deg", "--angles"),
         ("--ratio 6 --mode ae^b", "--mode"),
-        ("--ratio -1.6 --kind double --ring-offset 1", "--ring-offset"),
+        ("--ratio -1.6 --kind double-planet --ring-offset 1", "--ring-offset"),
     ] {
         let request = asked(words);
         let failure = request.answer(|_| ControlFlow::Continue(())).unwrap_err().to_string();
@@ -106,7 +106,7 @@ fn options_of_other_kinds_are_refused() {
 
 #[test]
 fn a_kind_has_one_answer_by_either_spelling() {
-    let [short, long] = ["--ratio -1.6 --double-planet", "--ratio -1.6 --kind double"]
+    let [short, long] = ["--ratio -1.6 --double-planet", "--ratio -1.6 --kind double-planet"]
         .map(|words| asked(words).answer_double_planet(|_| ControlFlow::Continue(())).unwrap());
     assert_eq!(short, long);
 }

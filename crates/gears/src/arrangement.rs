@@ -3,8 +3,8 @@
 //! | arrangement | gears | meshes |
 //! |---|---|---|
 //! | [`Stepped`](Arrangement::Stepped) | `a`, `g`–`f`, `b` | sun `a` with step `g`, step `f` with ring `b` |
-//! | [`TwoSuns`](Arrangement::TwoSuns) | `a`, `g`–`f`, `c` | sun `a` with `g`, sun `c` with `f` |
-//! | [`TwoRings`](Arrangement::TwoRings) | `b`, `g`–`f`, `e` | ring `b` with `g`, ring `e` with `f` |
+//! | [`SteppedSuns`](Arrangement::SteppedSuns) | `a`, `g`–`f`, `c` | sun `a` with `g`, sun `c` with `f` |
+//! | [`SteppedRings`](Arrangement::SteppedRings) | `b`, `g`–`f`, `e` | ring `b` with `g`, ring `e` with `f` |
 //! | [`Wolfrom`](Arrangement::Wolfrom) | `a`, `g`–`f`, `b`, `e` | sun `a` and ring `b` with `g`, ring `e` with `f` |
 //! | [`Ravigneaux`](Arrangement::Ravigneaux) | `a`, `g`, `f`, `c`, `b` | small sun `a` with short planet `g`, `g` with long planet `f`, large sun `c` and ring `b` with `f` |
 //! | [`ExternalPair`](Arrangement::ExternalPair), [`InternalPair`](Arrangement::InternalPair) | `1`, `2` | both gears, on fixed axes |
@@ -47,9 +47,9 @@ pub enum Arrangement {
     /// Stepped planet between a sun and a ring.
     Stepped,
     /// Stepped planet between two suns.
-    TwoSuns,
+    SteppedSuns,
     /// Stepped planet between two rings.
-    TwoRings,
+    SteppedRings,
     /// Sun and ring on one step of the planet, a second ring on the other.
     Wolfrom,
     /// Two suns and a ring on short and long planets.
@@ -94,8 +94,8 @@ impl Arrangement {
     /// All arrangements.
     pub const ALL: [Self; 7] = [
         Self::Stepped,
-        Self::TwoSuns,
-        Self::TwoRings,
+        Self::SteppedSuns,
+        Self::SteppedRings,
         Self::Wolfrom,
         Self::Ravigneaux,
         Self::ExternalPair,
@@ -108,10 +108,10 @@ impl Arrangement {
         use SimpleGear::{Planet, Ring, Sun};
         match self {
             Self::Stepped => const { &[SUN, FIRST, SECOND, GearPlace { step: 1, ..RING }] },
-            Self::TwoSuns => {
+            Self::SteppedSuns => {
                 const { &[gear("first_sun", 'a', Sun, 0), FIRST, SECOND, gear("second_sun", 'c', Sun, 1)] }
             }
-            Self::TwoRings => const { &[FIRST_RING, FIRST, SECOND, SECOND_RING] },
+            Self::SteppedRings => const { &[FIRST_RING, FIRST, SECOND, SECOND_RING] },
             Self::Wolfrom => const { &[SUN, FIRST, FIRST_RING, SECOND, SECOND_RING] },
             Self::Ravigneaux => {
                 const {
@@ -134,8 +134,8 @@ impl Arrangement {
     pub const fn meshes(self) -> &'static [[usize; 2]] {
         match self {
             Self::Stepped => &[[0, 1], [2, 3]],
-            Self::TwoSuns => &[[0, 1], [3, 2]],
-            Self::TwoRings => &[[1, 0], [2, 3]],
+            Self::SteppedSuns => &[[0, 1], [3, 2]],
+            Self::SteppedRings => &[[1, 0], [2, 3]],
             Self::Wolfrom => &[[0, 1], [1, 2], [3, 4]],
             Self::Ravigneaux => &[[0, 1], [1, 2], [3, 2], [2, 4]],
             Self::ExternalPair | Self::InternalPair => &[[0, 1]],
@@ -220,8 +220,8 @@ impl Arrangement {
     pub const fn usual_mode(self) -> &'static str {
         match self {
             Self::Stepped => "aH^b",
-            Self::TwoSuns => "Ha^c",
-            Self::TwoRings => "He^b",
+            Self::SteppedSuns => "Ha^c",
+            Self::SteppedRings => "He^b",
             Self::Wolfrom => "ae^b",
             Self::Ravigneaux => "ab^c",
             Self::ExternalPair | Self::InternalPair => "12^H",
@@ -233,8 +233,8 @@ impl fmt::Display for Arrangement {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {
             Self::Stepped => "set with a stepped planet",
-            Self::TwoSuns => "set with a stepped planet and two suns",
-            Self::TwoRings => "set with a stepped planet and two rings",
+            Self::SteppedSuns => "set with a stepped planet and two suns",
+            Self::SteppedRings => "set with a stepped planet and two rings",
             Self::Wolfrom => "Wolfrom set",
             Self::Ravigneaux => "Ravigneaux set",
             Self::ExternalPair => "external pair",

@@ -53,7 +53,7 @@ fn published_sets_are_found_by_their_ratio() {
 
 #[test]
 fn a_ratio_out_of_reach_names_one_that_is_not() {
-    let error = for_ratio(&usual(Arrangement::TwoRings), 1e7, "He^b", 0.01).unwrap_err();
+    let error = for_ratio(&usual(Arrangement::SteppedRings), 1e7, "He^b", 0.01).unwrap_err();
     assert!(matches!(error, Error::NoArrangement { nearest: Some(_), .. }), "{error}");
     let error = for_ratio(&usual(Arrangement::Stepped), -3.0, "aH^b", 0.01).unwrap_err().to_string();
     let expected = "no set with a stepped planet within the bounds has the ratio -3 (aH^b) within 1%; \
@@ -151,8 +151,8 @@ proptest! {
         let least = match arrangement {
             _ if !near => least,
             Arrangement::Stepped => [a, g, f, a + g + f, 0],
-            Arrangement::TwoSuns => [a + f, g, f, a + g, 0],
-            Arrangement::TwoRings => [a + 2 * g + f, g, f, a + g + 2 * f, 0],
+            Arrangement::SteppedSuns => [a + f, g, f, a + g, 0],
+            Arrangement::SteppedRings => [a + 2 * g + f, g, f, a + g + 2 * f, 0],
             Arrangement::Wolfrom => [a, g, a + 2 * g, f, a + g + f],
             Arrangement::Ravigneaux => [a, g / 2 + 6, f, a + 4, a + 4 + 2 * f],
             Arrangement::ExternalPair | Arrangement::InternalPair => least,

@@ -22,7 +22,7 @@ pub struct Request {
 
     /// Input, output and fixed member: ab^H, aH^b, bH^a, ba^H, Ha^b or Hb^a, with sun a, ring b and carrier
     /// H. Default: aH^b. Other kinds: second sun c, second ring e, gears 1 and 2 of a pair; default: Ha^c of
-    /// two-suns, He^b of two-rings, ae^b of wolfrom, ab^c of ravigneaux (small sun a), 12^H of a pair.
+    /// stepped-suns, He^b of stepped-rings, ae^b of wolfrom, ab^c of ravigneaux (small sun a), 12^H of a pair.
     #[arg(long, value_parser = letters)]
     pub mode: Option<String>,
 
@@ -30,7 +30,7 @@ pub struct Request {
     #[arg(long, default_value = "1%", allow_hyphen_values = true)]
     pub tolerance: Quantity<Ratio>,
 
-    /// Older spelling of --kind double.
+    /// Older spelling of --kind double-planet.
     #[arg(long, hide = true, conflicts_with_all = ["ring_offset", "kind"])]
     pub double_planet: bool,
 
@@ -113,13 +113,13 @@ pub enum Kind {
     /// Sun, planets, ring.
     Simple,
     /// Sun, ring and pairs of planets in mesh with each other.
-    Double,
+    DoublePlanet,
     /// Stepped planets: one step with the sun, the other with the ring.
     Stepped,
     /// Stepped planets between two suns.
-    TwoSuns,
+    SteppedSuns,
     /// Stepped planets between two rings.
-    TwoRings,
+    SteppedRings,
     /// Sun, first ring and second ring on planets of two steps or one.
     Wolfrom,
     /// Small and large sun and ring on short and long planets.
@@ -132,10 +132,10 @@ impl Kind {
     /// Arrangement of the gears; `None` for simple and double-planet sets.
     fn arrangement(self, ratio: f64) -> Option<Arrangement> {
         Some(match self {
-            Self::Simple | Self::Double => return None,
+            Self::Simple | Self::DoublePlanet => return None,
             Self::Stepped => Arrangement::Stepped,
-            Self::TwoSuns => Arrangement::TwoSuns,
-            Self::TwoRings => Arrangement::TwoRings,
+            Self::SteppedSuns => Arrangement::SteppedSuns,
+            Self::SteppedRings => Arrangement::SteppedRings,
             Self::Wolfrom => Arrangement::Wolfrom,
             Self::Ravigneaux => Arrangement::Ravigneaux,
             Self::Pair if ratio < 0.0 => Arrangement::ExternalPair,
@@ -148,7 +148,7 @@ impl Request {
     /// Whether double-planet sets are wanted.
     #[must_use]
     pub fn is_double(&self) -> bool {
-        self.double_planet || self.kind == Kind::Double
+        self.double_planet || self.kind == Kind::DoublePlanet
     }
 
     /// Arrangement of the gears; `None` for simple and double-planet sets.

@@ -199,7 +199,7 @@ impl ArrangedTeeth {
         let z = self.teeth.map(u64::from);
         match self.arrangement {
             Arrangement::Stepped => (z[0] * z[2] + z[3] * z[1]) / gcd(z[1], z[2]),
-            Arrangement::TwoSuns | Arrangement::TwoRings => {
+            Arrangement::SteppedSuns | Arrangement::SteppedRings => {
                 (z[0] * z[2]).abs_diff(z[3] * z[1]) / gcd(z[1], z[2])
             }
             Arrangement::Wolfrom => gcd(z[0] + z[2], (z[0] * z[3] + z[4] * z[1]) / gcd(z[1], z[3])),

@@ -58,8 +58,8 @@ fn doubled(arrangement: Arrangement, z: &[u32]) -> [Vec<i64>; 2] {
     let z: Vec<i64> = z.iter().map(|&teeth| i64::from(teeth)).collect();
     match arrangement {
         Arrangement::Stepped => [vec![z[0] + z[1], z[3] - z[2]], vec![]],
-        Arrangement::TwoSuns => [vec![z[0] + z[1], z[3] + z[2]], vec![]],
-        Arrangement::TwoRings => [vec![z[0] - z[1], z[3] - z[2]], vec![]],
+        Arrangement::SteppedSuns => [vec![z[0] + z[1], z[3] + z[2]], vec![]],
+        Arrangement::SteppedRings => [vec![z[0] - z[1], z[3] - z[2]], vec![]],
         Arrangement::Wolfrom => [vec![z[0] + z[1], z[2] - z[1], z[4] - z[3]], vec![]],
         Arrangement::Ravigneaux => [vec![z[0] + z[1]], vec![z[3] + z[2], z[4] - z[2]]],
         Arrangement::ExternalPair => [vec![z[0] + z[1]], vec![]],
@@ -95,7 +95,7 @@ fn ratio(arrangement: Arrangement, teeth: &[u32], mode: ArrangementMode) -> Opti
     for (number, &[one, other]) in arrangement.meshes().iter().enumerate() {
         let is_internal = match arrangement {
             Arrangement::Stepped | Arrangement::Wolfrom => number > 0,
-            Arrangement::TwoRings | Arrangement::InternalPair => true,
+            Arrangement::SteppedRings | Arrangement::InternalPair => true,
             Arrangement::Ravigneaux => number == 3,
             _ => false,
         };
@@ -144,8 +144,8 @@ fn assembles(arrangement: Arrangement, z: &[u32], planets: u32) -> bool {
     };
     match arrangement {
         Arrangement::Stepped => steps(z[0], &[(-z[2], z[3])]),
-        Arrangement::TwoSuns => steps(z[0], &[(z[2], z[3])]),
-        Arrangement::TwoRings => steps(-z[0], &[(-z[2], z[3])]),
+        Arrangement::SteppedSuns => steps(z[0], &[(z[2], z[3])]),
+        Arrangement::SteppedRings => steps(-z[0], &[(-z[2], z[3])]),
         Arrangement::Wolfrom => steps(z[0], &[(-z[1], z[2]), (-z[3], z[4])]),
         Arrangement::Ravigneaux => (0..z[1]).any(|k| {
             // The short planet turns by (a + k·N)/(N·g), the long one by any number of its teeth against it.
