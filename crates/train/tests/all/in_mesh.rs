@@ -209,7 +209,7 @@ impl Dice {
     fn set(&self, kind: usize) -> Option<Gearbox> {
         let [z1, p1, p2, z2, more] = self.teeth;
         let [x1, x2, x3] = self.shifts;
-        let helix = vec![Angle::from_degrees(self.helix_deg); 8];
+        let helix = [Angle::from_degrees(self.helix_deg); 8];
         let eta = MeshEfficiency::IDEAL;
         let new = || CompoundSpec::new("P", "H").planet_count(self.planets);
         let shaped = |mut set: CompoundSpec, shifts: &[f64]| {
