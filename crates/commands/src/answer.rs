@@ -130,7 +130,21 @@ pub fn schema_of_file<F: JsonSchema>(name: &str) -> Schema {
     let mut schema = schema_for!(F);
     schema.insert("$id".to_owned(), format!("urn:epicyclic:schema:{SCHEMA_VERSION}:file:{name}").into());
     schema.insert("title".to_owned(), format!("File of epicyclic: {name}").into());
+    without_orphans(&mut schema);
     schema
+}
+
+/// Removes definitions that nothing refers to: keys that a kind of file does not read leave theirs behind.
+fn without_orphans(schema: &mut Schema) {
+    loop {
+        let text = schema.as_value().to_string();
+        let Some(Value::Object(all)) = schema.get_mut("$defs") else { return };
+        let before = all.len();
+        all.retain(|name, _| text.contains(&format!("\"#/$defs/{name}\"")));
+        if all.len() == before {
+            return;
+        }
+    }
 }
 
 #[cfg(test)]

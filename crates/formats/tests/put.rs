@@ -355,7 +355,12 @@ const SOUND: [Sound; 12] = [
             ("[20, 60]", "[20, 60], tip_alterations: @[0, 0, 0]@", "sets[1].tip_alterations", "shifts"),
             ("[24, 66]", "[24, 66], module: 1 mm, modules: @[1 mm, 1 mm]@", "sets[2].modules", "twice"),
             ("[24, 66]", "[24, 66], modules: @[1 mm]@", "sets[2].modules", "values"),
-            ("[24, 66]", "[24, 66], face_widths: @{ gear 1: 1 mm }@", "sets[2].face_widths", "no-such-gear"),
+            (
+                "[24, 66]",
+                "[24, 66], face_widths: { gear 1: @1 mm@ }",
+                "sets[2].face_widths[\"gear 1\"]",
+                "no-such-gear",
+            ),
             (
                 "suns: { D: 20 }",
                 "suns: { D: 20 }, profile_shifts: @[0.1]@",

@@ -5,11 +5,11 @@
 //! Every body has `x`, `y`, `u` in axes that turn with the carrier. The first gear of a mesh is `1`, the other
 //! `2`. `φ` is the direction from the centre of gear 1 to the pitch point: towards gear 2, of an internal mesh
 //! from the ring to the gear in it. With the transverse working pressure angle `α`, the line of action has
-//! the unit vector `t`, and the mesh is shorter by `δ`:
+//! the unit vector `e`, and the mesh is shorter by `δ`:
 //!
 //! ```text
-//! t = (−sin β, cos β)        β = φ − s·c·α
-//! δ = t·(d_1 − d_2) + h_1·θ_1 − h_2·θ_2        h_1 = r_b1,  h_2 = ∓r_b2
+//! e = (−sin β, cos β)        β = φ − s·c·α
+//! δ = e·(d_1 − d_2) + h_1·θ_1 − h_2·θ_2        h_1 = r_b1,  h_2 = ∓r_b2
 //! ```
 //!
 //! | symbol | meaning |

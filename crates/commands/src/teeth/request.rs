@@ -18,7 +18,7 @@ use epicyclic_gears::arrangement::{Arrangement, ArrangementBounds};
 use epicyclic_gears::involute::family::Aim;
 use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_gears::rack::BasicRack;
-use epicyclic_gears::synthesis::Bounds;
+use epicyclic_gears::synthesis::{Bounds, Placement};
 use epicyclic_units::format::trimmed;
 use std::ops::ControlFlow;
 use std::ops::RangeInclusive;
@@ -32,6 +32,9 @@ const USUAL_TIP_THICKNESS: f64 = 0.2;
 
 /// Range of `--k` unless given.
 const USUAL_K: &str = "1.3..10";
+
+/// Range of `--planets` unless given.
+const USUAL_PLANETS: &str = "3..8";
 
 /// Every set of tooth numbers of a gear set of one kind for a ratio.
 ///
@@ -139,6 +142,8 @@ impl Request {
         let is_pair = self.kind == Kind::Pair;
         refuse("--ring-offset", is_pair && self.shifts.ring_offset.is_some(), "sets with planets")?;
         refuse("--angles", is_pair && !self.angles.is_empty(), "sets with planets")?;
+        refuse("--planets", is_pair && self.planets.to_string() != USUAL_PLANETS, "sets with planets")?;
+        refuse("--spacing", is_pair && self.spacing != Placement::Equal, "sets with planets")?;
         refuse("--k", !simple && self.k.to_string() != USUAL_K, "simple and double-planet sets")?;
         refuse("--aim", !simple && self.shifts.aim != Aim::BalancedSliding, "simple sets")?;
         let is_usual = self.shifts.tip_thickness.get() == USUAL_TIP_THICKNESS;

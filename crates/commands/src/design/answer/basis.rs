@@ -197,7 +197,7 @@ mod tests {
                 let file = format!("sets:\n- strength:\n    {key}:\n      {one}: 1\n      {other}: 1\n");
                 let refused = of(&file).unwrap_err().to_string();
                 let both = format!("`{one}` and `{other}` are the same factor");
-                assert!(refused.starts_with("basis.yaml:5:") && refused.contains(&both), "{refused}");
+                assert!(refused.contains("basis.yaml:5:") && refused.contains(&both), "{refused}");
             }
         }
         assert!(of("strength: { factors: { K_A: 1 }, sun_mesh_factors: { K_A: 2 } }\n").is_ok());
