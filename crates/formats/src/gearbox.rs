@@ -176,7 +176,7 @@ pub enum DescriptionError {
         missing: String,
     },
     /// A value of a gear that the set has not.
-    #[error("set `{set}`: `{key}` has a value of `{gear}`, and its {of} are {gears}{}", meant.as_ref().map(|one| format!("; write {one}?")).unwrap_or_default())]
+    #[error("set `{set}`: `{key}` has a value of `{gear}`, and its {of} are {gears}")]
     NoSuchGear {
         /// The set.
         set: String,
@@ -186,10 +186,8 @@ pub enum DescriptionError {
         gear: String,
         /// Things that the set has: gears, meshes, bodies.
         of: &'static str,
-        /// Their names.
+        /// Their names, and the one that is most like it.
         gears: String,
-        /// The name that is most like it.
-        meant: Option<String>,
     },
     /// A gear without a value where each needs one.
     #[error("set `{set}`: `{key}` of {gear} is missing")]

@@ -182,7 +182,13 @@ const fn kind(kind: Kind) -> &'static str {
 fn source(source: Source, part: Option<&str>) -> String {
     match (source, part) {
         (Source::Mesh, None) => "meshes".to_owned(),
-        (Source::Mesh, Some(part)) => format!("meshes {part}"),
+        (Source::Mesh, Some(part)) => match part.split_once(", ") {
+            // Names of many meshes would fill a line.
+            Some((first, others)) if others.contains(", ") => {
+                format!("meshes {first} and {} more", others.split(", ").count())
+            }
+            _ => format!("meshes {part}"),
+        },
         (Source::SunTurn | Source::RingTurn | Source::GearTurn, Some(part)) => format!("turn of {part}"),
         (Source::PlanetTurn, Some(part)) => format!("turn of a {part}"),
         (Source::SunPlanetPass | Source::RingPlanetPass, Some(part)) => format!("planets pass {part}"),

@@ -372,10 +372,7 @@ impl<P: PlanetSized> CompoundEntry<P> {
             proportional: self.proportional,
         };
         let mut spec = spec.spaced(spacing);
-        // Friction of teeth with a fault would only repeat it.
-        if is_sound {
-            self.add_friction(&mut spec, rack, friction, faults);
-        }
+        self.add_friction(&mut spec, rack.filter(|_| is_sound), friction, faults);
         spec
     }
 
@@ -397,6 +394,7 @@ impl<P: PlanetSized> CompoundEntry<P> {
                 faults.push(at, DescriptionError::Twice { set, first, second });
             }
         }
+        // Without a rack, as of teeth with a fault, friction would only repeat it.
         let Some(rack) = rack.filter(|_| is_asked) else { return };
         let toothed = match spec.toothed(rack, &self.stated_modules()) {
             Ok(toothed) => toothed,

@@ -83,11 +83,13 @@ impl Gears {
     }
 
     pub(super) fn unknown(&self, set: &str, key: &'static str, gear: &str) -> DescriptionError {
-        let (set, gears, of) = (set.to_owned(), self.names.join(", "), self.of);
+        let (set, of) = (set.to_owned(), self.of);
         // Answers put the kind before the name of a central gear: `ring drum`.
         let meant = self.names.iter().find(|name| gear.ends_with(&format!(" {name}"))).map(String::as_str);
-        let meant = meant.or_else(|| nearest(gear, &self.names)).map(str::to_owned);
-        DescriptionError::NoSuchGear { set, key, gear: gear.to_owned(), of, gears, meant }
+        let meant = meant.or_else(|| nearest(gear, &self.names));
+        let meant = meant.map(|one| format!("; write {one}?")).unwrap_or_default();
+        let gears = format!("{}{meant}", self.names.join(", "));
+        DescriptionError::NoSuchGear { set, key, gear: gear.to_owned(), of, gears }
     }
 
     /// Adds what is wrong with the gears of values, at the name that is wrong; whether nothing is.

@@ -98,10 +98,7 @@ impl SetEntry {
             spec.tooth_shape.helix_angles.clear();
         }
         // Friction of teeth with a fault would only repeat it.
-        if !is_sound {
-            return Some(spec);
-        }
-        let whole = self.with_friction(spec.clone(), rack, friction, faults);
+        let whole = self.with_friction(spec.clone(), rack.filter(|_| is_sound), friction, faults);
         Some(whole.unwrap_or(spec))
     }
 

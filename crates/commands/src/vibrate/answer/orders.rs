@@ -112,9 +112,7 @@ pub(super) fn all(
         for harmonic in 1..=harmonics {
             let periods = teeth.map(|teeth| u64::from(harmonic) * u64::from(teeth));
             let of_input = f64::from(harmonic) * passing;
-            let mut one = order(Source::Mesh, &names.join(", "), harmonic, of_input, periods);
-            // All of them need no names.
-            one.order.part = one.order.part.filter(|_| meshes.len() < prepared.meshes.len());
+            let one = order(Source::Mesh, &names.join(", "), harmonic, of_input, periods);
             orders.push(Phased { meshes: meshes.clone(), ..one });
         }
     }

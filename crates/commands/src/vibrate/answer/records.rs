@@ -243,7 +243,7 @@ pub struct Order {
     /// Source of the excitation.
     pub source: Source,
     /// Central gear, planet or meshes that excite, of a set that is not simple; null in simple sets, where the
-    /// source names it, and where all meshes excite.
+    /// source names it.
     pub part: Option<String>,
     /// Number of the harmonic of the source.
     pub harmonic: u32,
@@ -328,7 +328,7 @@ pub struct Response {
 pub struct HarmonicResponse {
     /// Number of the harmonic.
     pub harmonic: u32,
-    /// Meshes that excite; null where all do, as in simple sets.
+    /// Meshes that excite, of a set that is not simple; null in simple sets, where all do.
     pub part: Option<String>,
     /// Forces in the meshes of each kind.
     pub meshes: Vec<MeshResponse>,
