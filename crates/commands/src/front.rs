@@ -6,7 +6,7 @@
 //!
 //! If the tooth numbers are known, outlines are those that the tools of the gears leave, placed by
 //! [`PlanetSet::in_mesh`]; otherwise pitch circles are shown. The number of planets is that of the file,
-//! otherwise at most [`SHOWN`].
+//! otherwise at most 3.
 
 mod circles;
 mod gears;
@@ -33,7 +33,8 @@ pub struct Front {
     pub gear: Option<String>,
     /// Sets that are shown.
     pub sets: Vec<FrontSet>,
-    /// Sets that are not shown: bevel gears, and sets without teeth whose `k` does not give all pitch circles.
+    /// Sets that are not shown: bevel gears, and sets without teeth whose `k` does not give all pitch
+    /// circles.
     pub left_out: Vec<String>,
     /// Sets with known tooth numbers whose teeth are not shown: no tool can cut them, or they do not mesh.
     pub uncut: Vec<WithoutTeeth>,

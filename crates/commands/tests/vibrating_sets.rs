@@ -1,5 +1,5 @@
-//! Vibration of every kind of set: what is one set in two descriptions has one answer, limits that follow in a
-//! second way, and what every set must have.
+//! Vibration of every kind of set: what is one set in two descriptions has one answer, limits that follow in
+//! a second way, and what every set must have.
 
 #![allow(
     clippy::unwrap_used,
@@ -134,8 +134,8 @@ fn a_double_planet_gear_by_gear_is_the_same_set() {
     assert_eq!((unknown.reason, unknown.missing.len()), (Reason::PhasesUnknown, 3));
 }
 
-/// Two inertias with a mesh between them: `ω² = k·(r_1²/I_1 + r_2²/I_2)`; on held centres the planar modes are
-/// the torsional ones.
+/// Two inertias with a mesh between them: `ω² = k·(r_1²/I_1 + r_2²/I_2)`; on held centres the planar modes
+/// are the torsional ones.
 #[test]
 fn a_pair_swings_as_two_inertias() {
     for (kind, teeth, more) in [
@@ -283,8 +283,8 @@ fn a_wolfrom_drive_has_modes() {
     let all = driven(&file("compound_sets", set, "h"));
     every_mode_has_its_energy(&all);
     assert_eq!(all.torsional[0].freedoms, 1);
-    // The meshes of sun and fixed ring share a frequency and a planet's gear between them; the second step has
-    // another frequency.
+    // The meshes of sun and fixed ring share a frequency and a planet's gear between them; the second step
+    // has another frequency.
     let orders: Vec<&str> =
         all.orders.iter().filter(|one| one.harmonic == 1).filter_map(|one| one.part.as_deref()).collect();
     assert!(orders.contains(&"a, ground") && orders.contains(&"h"), "{orders:?}");

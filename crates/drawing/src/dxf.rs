@@ -2,8 +2,9 @@
 //!
 //! AutoCAD 2000 (`AC1015`): the oldest version with `LWPOLYLINE`, line weights and units, and one that every
 //! reader takes. Lines, circles, arcs and text become entities of their kind, polylines `LWPOLYLINE` with
-//! bulges; contours become `ARC` and, of their curves, cubic `SPLINE`; layers keep name, colour and dashes. Fills are left out: a filled shape is its outline. The same
-//! scene gives the same text: no time and no random number is in it.
+//! bulges; contours become `ARC` and, of their curves, cubic `SPLINE`; layers keep name, colour and dashes.
+//! Fills are left out: a filled shape is its outline. The same scene gives the same text: no time and no
+//! random number is in it.
 //!
 //! # Source
 //! Autodesk, *DXF Reference*, AutoCAD 2000. Read back in the tests by an independent reader.
@@ -269,7 +270,7 @@ impl Writer {
         dictionary(self, handle::GROUPS, handle::DICTIONARY);
     }
 
-    /// What every entity of a shape begins with.
+    /// Groups that every entity of a shape begins with.
     fn begin(&mut self, kind: &str, scene: &Scene, item: &Item) {
         let own = self.fresh();
         self.pair(0, kind);
@@ -348,8 +349,8 @@ impl Writer {
         self.number(51, to.rem_euclid(360.0));
     }
 
-    /// Cubic curves that go smoothly over into each other, as one spline. Where two meet, a double knot leaves
-    /// out their common point: it lies between its neighbours as the knots say.
+    /// Cubic curves that go smoothly over into each other, as one spline. Where two meet, a double knot
+    /// leaves out their common point: it lies between its neighbours as the knots say.
     fn spline(&mut self, curves: &[Piece]) {
         let mut points: Vec<Point> = curves.first().map(Piece::start).into_iter().collect();
         let (mut knots, mut knot) = (vec![0.0; 4], 0.0);

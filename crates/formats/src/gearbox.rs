@@ -186,7 +186,7 @@ pub enum DescriptionError {
         gear: String,
         /// Things that the set has: gears, meshes, bodies.
         of: &'static str,
-        /// Their names, and the one that is most like it.
+        /// Names of these, and the one that is most like the name given.
         gears: String,
     },
     /// A gear without a value where each needs one.

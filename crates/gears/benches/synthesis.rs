@@ -30,7 +30,8 @@ fn synthesis(c: &mut Criterion) {
     });
 }
 
-/// A request for each arrangement within the usual bounds; on reduced ones also the trial of every combination.
+/// A request for each arrangement within the usual bounds; on reduced ones also the trial of every
+/// combination.
 fn arrangements(c: &mut Criterion) {
     let requests = [
         ("stepped", Arrangement::Stepped, 14.0),

@@ -172,6 +172,7 @@ impl Arrangement {
     ) -> [T; 2] {
         let role = self.gears()[gear].role;
         let (one, own) = (T::from(1), teeth[gear]);
+        // A factor that all speeds have cancels in every ratio, and so is left out.
         match self {
             Self::Ravigneaux => [if gear == 3 { one } else { -one }, own],
             Self::ExternalPair if gear == 1 => [-one, own],

@@ -1,7 +1,7 @@
 //! Sets seen along their axis with every tooth in mesh: exact involutes and fillets.
 //!
-//! Gears that mesh with each other are drawn in one plane; the planes of a set, as those of stepped planets, are
-//! side by side. Large gears lie behind small ones. Each gear has a layer of its own.
+//! Gears that mesh with each other are drawn in one plane; the planes of a set, as those of stepped planets,
+//! are side by side. Large gears lie behind small ones. Each gear has a layer of its own.
 
 use crate::Error;
 use epicyclic_drawing::{Align, Color, LayerId, Piece, Point, Scene, Shape, Style, Text};
@@ -17,7 +17,7 @@ use uom::si::f64::Length;
 pub struct ToothedSet<'s> {
     /// The set.
     pub set: &'s PlanetSet,
-    /// Its gears in mesh.
+    /// Gears of the set in mesh.
     pub in_mesh: InMesh,
     /// Length of the unit of the gears in mesh; `None` where no module is stated: 1 mm is drawn for it.
     pub unit: Option<Length>,

@@ -1,17 +1,17 @@
 //! The gears of a set seen along its axis, every one in mesh.
 //!
-//! Helical gears are seen in their transverse section. Seen from gear `A` with centre `O_A`, a meshing gear `B`
-//! lies in direction `φ`. A tooth of one gear lies in the middle of a space of the other if
+//! Helical gears are seen in their transverse section. Seen from gear `A` with centre `O_A`, a meshing gear
+//! `B` lies in direction `φ`. A tooth of one gear lies in the middle of a space of the other if
 //!
 //! ```text
 //! external   z_A·(φ − t_A) + z_B·(φ + π − t_B) = π
 //! internal   z_B·(φ − t_B) − z_A·(φ − t_A) = π
 //! ```
 //!
-//! up to turns of 2π. `t` is the angle of the centre line of a tooth. In an internal mesh `B` is the ring, and
-//! `φ` is the direction from its centre to that of `A`. Profile shifts do not change the rule: they make both
-//! flanks of a tooth thicker alike. Backlash is therefore the same at both flanks, and flanks that press into
-//! each other overlap as much at both.
+//! up to turns of 2π. `t` is the angle of the centre line of a tooth. In an internal mesh `B` is the ring,
+//! and `φ` is the direction from its centre to that of `A`. Profile shifts do not change the rule: they make
+//! both flanks of a tooth thicker alike. Backlash is therefore the same at both flanks, and flanks that press
+//! into each other overlap as much at both.
 //!
 //! The first central gear has a tooth along the first axis; every other gear follows from one with which it
 //! meshes. A gear of a stepped planet that meshes with no placed gear is turned like the planet's first.
@@ -61,9 +61,9 @@ pub enum Unplaced {
 pub struct GearInMesh {
     /// The gear.
     pub of: GearOf,
-    /// Its tooth as the tool leaves it, in modules.
+    /// Tooth as the tool leaves it, in modules.
     pub curve: ToothCurve,
-    /// Its normal module, in the unit of [`ToothedSet`].
+    /// Normal module, in the unit of [`ToothedSet`].
     pub module: f64,
     /// Radius of its working circle in its first mesh, in the unit of the modules.
     pub working_radius: f64,
@@ -118,7 +118,7 @@ pub struct PlacedPlanet {
     pub centre_distance: f64,
     /// Angle of its centre about the main axis, rad.
     pub angle_rad: f64,
-    /// Its gears.
+    /// Gears of the planet.
     pub gears: Vec<Placed>,
 }
 
@@ -162,12 +162,12 @@ impl InMesh {
 
 impl PlanetSet {
     /// The gears in mesh, seen along the axis; `most` planets of a kind where their number is not known, or
-    /// as many as have room.
+    /// as many as have room. `is_behind` as in [`angles_between`](Self::angles_between).
     ///
     /// # Errors
     /// [`Unplaced`].
-    pub fn in_mesh(&self, toothed: &ToothedSet, most: u32) -> Result<InMesh, Unplaced> {
-        let placing = Placing::new(self, toothed)?;
+    pub fn in_mesh(&self, toothed: &ToothedSet, is_behind: &[bool], most: u32) -> Result<InMesh, Unplaced> {
+        let placing = Placing::new(self, toothed, is_behind)?;
         let count = self.planet_count().unwrap_or_else(|| {
             (1..=most).rev().find(|count| placing.have_room(&self.shown_angles(*count))).unwrap_or(1)
         });
@@ -200,7 +200,7 @@ struct Placing<'s> {
 }
 
 impl<'s> Placing<'s> {
-    fn new(set: &'s PlanetSet, toothed: &ToothedSet) -> Result<Self, Unplaced> {
+    fn new(set: &'s PlanetSet, toothed: &ToothedSet, is_behind: &[bool]) -> Result<Self, Unplaced> {
         let (centrals, planets): (Vec<GearOf>, Vec<GearOf>) =
             set.gears().into_iter().partition(|gear| planet_of(*gear).is_none());
         let mut gears = vec![];
@@ -219,12 +219,13 @@ impl<'s> Placing<'s> {
         let meshes =
             meshes.map(|mesh| Mesh { gears: mesh.gears.map(index), pair: mesh.pair, module: mesh.module });
         let meshes = meshes.collect();
+        let angles = set.angles_between(toothed, is_behind);
         let mut planets = vec![];
         for (planet, radius) in toothed.radii.iter().enumerate() {
             let free = || Unplaced::Free { planet: set.gear_name(GearOf::Planet(planet, 0)) };
             let radius = radius.ok_or_else(free)?;
-            let angle = toothed.angles.as_ref().ok_or(Unplaced::Apart)?[planet];
-            planets.push([radius, angle]);
+            let (_, angle) = angles.as_ref().ok_or(Unplaced::Apart)?[planet];
+            planets.push([radius, angle.si()]);
         }
         Ok(Self { set, gears, meshes, planets })
     }

@@ -73,9 +73,6 @@ pub struct ToothedSet {
     pub meshes: Vec<ToothedMesh>,
     /// Radius of the centres of each planet, in the unit of the modules.
     pub radii: Vec<Option<f64>>,
-    /// Angle of each planet about the main axis from the first of those that mesh with it, rad; `None` where
-    /// two in mesh do not reach each other.
-    pub angles: Option<Vec<f64>>,
 }
 
 impl ToothedSet {
@@ -210,20 +207,24 @@ impl PlanetSet {
         }
         let meshes = ends.into_iter().zip(pairs).enumerate();
         let meshes = meshes.map(|(mesh, (gears, pair))| ToothedMesh { gears, pair, module: module(mesh) });
-        let reach = places.pairs.iter().all(|pair| matches!(pair, Ok(_) | Err(NoPair::OtherMesh)));
-        let angles = reach.then(|| places.angles(self).into_iter().map(|(_, angle)| angle).collect());
-        Ok(ToothedSet { meshes: meshes.collect(), radii: places.radii, angles })
+        Ok(ToothedSet { meshes: meshes.collect(), radii: places.radii })
     }
 
     /// Angle of each planet about the main axis, with the first of those that meshes of planets tie together,
-    /// from which it counts; `None` where two planets in mesh do not reach each other. The one described later
-    /// is ahead in the positive direction, unless it is behind in this mesh.
+    /// from which it counts; `None` where two planets in mesh do not reach each other. The one described
+    /// later is ahead in the positive direction, unless it is behind in this mesh.
     #[must_use]
     pub fn angles_between(&self, toothed: &ToothedSet, is_behind: &[bool]) -> Option<Vec<(usize, Angle)>> {
         let given = Given {
             modules: toothed.meshes.iter().map(|mesh| Some(mesh.module)).collect(),
             radii: toothed.radii.clone(),
-            is_behind: is_behind.to_vec(),
+            // Meshes that nothing is said of.
+            is_behind: is_behind
+                .iter()
+                .copied()
+                .chain(std::iter::repeat(false))
+                .take(self.meshes().len())
+                .collect(),
             distances: toothed.meshes.iter().map(|mesh| Some(mesh.pair.centre_distance())).collect(),
             module: None,
         };
@@ -340,7 +341,8 @@ impl SetSpec {
         if self.tooth_shape.has_shape() { self.toothed_set(rack) } else { None }
     }
 
-    /// The gears of a simple set: with their shifts, or without any where equal centre distances need none. Planets of an unknown number are taken as one.
+    /// The gears of a simple set: with their shifts, or without any where equal centre distances need none.
+    /// Planets of an unknown number are taken as one.
     ///
     /// `None` of a set that is not simple, whose teeth are not known, or that needs shifts and has none.
     ///

@@ -2,10 +2,10 @@
 //!
 //! # Planar model
 //!
-//! Every body has `x`, `y`, `u` in axes that turn with the carrier. The first gear of a mesh is `1`, the other
-//! `2`. `φ` is the direction from the centre of gear 1 to the pitch point: towards gear 2, of an internal mesh
-//! from the ring to the gear in it. With the transverse working pressure angle `α`, the line of action has
-//! the unit vector `e`, and the mesh is shorter by `δ`:
+//! Every body has `x`, `y`, `u` in axes that turn with the carrier. The first gear of a mesh is `1`, the
+//! other `2`. `φ` is the direction from the centre of gear 1 to the pitch point: towards gear 2, of an
+//! internal mesh from the ring to the gear in it. With the transverse working pressure angle `α`, the line of
+//! action has the unit vector `e`, and the mesh is shorter by `δ`:
 //!
 //! ```text
 //! e = (−sin β, cos β)        β = φ − s·c·α
@@ -26,9 +26,9 @@
 //! e_r = (cos ψ, sin ψ)               e_t = (−sin ψ, cos ψ)
 //! ```
 //!
-//! A planet is one rigid body, whatever its gears. Two gears on fixed axes have no carrier; the second lies in
-//! the direction of `x`. Left out: the change of mesh stiffness over time, friction, gaps, bearings of planets
-//! that resist rotation, stiffness from the mean load, motion along the axis, tilting.
+//! A planet is one rigid body, whatever its gears. Two gears on fixed axes have no carrier; the second lies
+//! in the direction of `x`. Left out: the change of mesh stiffness over time, friction, gaps, bearings of
+//! planets that resist rotation, stiffness from the mean load, motion along the axis, tilting.
 //!
 //! # Torsional model
 //!
@@ -170,8 +170,8 @@ impl GearSet {
     ///
     /// # Errors
     /// [`Error::TooFew`] for a carrier without planets, [`Error::SameAngle`]; [`Error::OutOfRange`] for a
-    /// pressure angle outside 0 to 90°; [`Error::NotPositive`] for a mass, inertia, radius or the stiffness of
-    /// a mesh or planet bearing; [`Error::Negative`] for a support; [`Error::NoSuchBody`].
+    /// pressure angle outside 0 to 90°; [`Error::NotPositive`] for a mass, inertia, radius or the stiffness
+    /// of a mesh or planet bearing; [`Error::Negative`] for a support; [`Error::NoSuchBody`].
     pub fn planar(&self) -> Result<(Model, GearSetParts), Error> {
         let mut model = Model::new();
         let parts = self.add_planar(&mut model, "")?;

@@ -1,8 +1,8 @@
 //! A simple planetary set in the form of the literature: planar (Lin, Parker) and torsional (Kahraman).
 //!
-//! It is a [`GearSet`] of a sun, a ring, a carrier and planets with two meshes each, with the flanks that carry
-//! at a positive torque on the sun. `u` is the rotation times the base radius of a gear, and for the carrier
-//! the rotation times the radius `r_c` of the planets' circle. The elongations of the [general
+//! It is a [`GearSet`] of a sun, a ring, a carrier and planets with two meshes each, with the flanks that
+//! carry at a positive torque on the sun. `u` is the rotation times the base radius of a gear, and for the
+//! carrier the rotation times the radius `r_c` of the planets' circle. The elongations of the [general
 //! model](crate::gear_set) are then those of the sources:
 //!
 //! ```text

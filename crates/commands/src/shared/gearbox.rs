@@ -62,6 +62,8 @@ pub struct Gearbox {
     inputs: Vec<(String, GearInputs)>,
     /// Modules that the file states of the meshes of each set, m.
     modules: Vec<Vec<Option<f64>>>,
+    /// For each mesh of each set, whether of two planets in mesh the one described later is behind.
+    is_behind: Vec<Vec<bool>>,
     /// Where it comes from.
     pub origin: Origin,
     /// Whether its tooth numbers or ring-to-sun ratios are known; a scheme by its name alone has any.
@@ -139,8 +141,17 @@ impl Gearbox {
 
     /// Modules that the file states of the meshes of a set, in m.
     pub(crate) fn modules(&self, set: &PlanetSet) -> &[Option<f64>] {
+        self.of_set(&self.modules, set)
+    }
+
+    /// For each mesh of a set, whether of two planets in mesh the one described later is behind.
+    pub(crate) fn is_behind(&self, set: &PlanetSet) -> &[bool] {
+        self.of_set(&self.is_behind, set)
+    }
+
+    fn of_set<'v, T>(&self, values: &'v [Vec<T>], set: &PlanetSet) -> &'v [T] {
         let place = self.train.sets().iter().position(|other| other.id() == set.id());
-        place.and_then(|place| self.modules.get(place)).map_or(&[], Vec::as_slice)
+        place.and_then(|place| values.get(place)).map_or(&[], Vec::as_slice)
     }
 
     /// Published data of a gear.
@@ -248,6 +259,8 @@ pub(crate) fn gearbox(
     };
     let inputs = with_speeds(file.gears.iter().map(of_gear).collect(), document, &base)?;
     let modules = gearbox.sets().iter().map(|set| file.stated_modules(set)).collect();
+    let is_behind = |set: &PlanetSet| file.set_data(set).map(|data| data.is_behind).unwrap_or_default();
+    let is_behind = gearbox.sets().iter().map(is_behind).collect();
     Ok(Box::new(Gearbox {
         train: gearbox,
         source,
@@ -260,6 +273,7 @@ pub(crate) fn gearbox(
         drag_paths: file.drag_paths(),
         inputs,
         modules,
+        is_behind,
         origin: Origin::GearboxFile,
         is_sized: true,
     }))
@@ -281,7 +295,7 @@ fn transmission(
         (gear.name.clone(), inputs)
     };
     let inputs = with_speeds(transmission.gears.iter().map(of_gear).collect(), document, &base)?;
-    let (rack, drags, modules) = (BasicRack::default(), vec![], vec![]);
+    let (rack, drags, modules, is_behind) = (BasicRack::default(), vec![], vec![], vec![]);
     Ok(Box::new(Gearbox {
         train: gearbox,
         source,
@@ -294,6 +308,7 @@ fn transmission(
         drag_paths: vec![],
         inputs,
         modules,
+        is_behind,
         origin: Origin::GearboxFile,
         is_sized: true,
     }))

@@ -36,7 +36,7 @@ impl WithoutTeeth {
 /// # Errors
 /// [`Unplaced`].
 pub(crate) fn in_mesh(subject: &Gearbox, set: &train::PlanetSet) -> Result<InMesh, Unplaced> {
-    set.in_mesh(&set.toothed(&subject.rack, subject.modules(set))?, SHOWN)
+    set.in_mesh(&set.toothed(&subject.rack, subject.modules(set))?, subject.is_behind(set), SHOWN)
 }
 
 /// Error of teeth, at the key of the set that may hold its cause.

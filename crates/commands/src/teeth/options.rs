@@ -22,7 +22,8 @@ pub struct Request {
 
     /// Input, output and fixed member: ab^H, aH^b, bH^a, ba^H, Ha^b or Hb^a, with sun a, ring b and carrier
     /// H. Default: aH^b. Other kinds: second sun c, second ring e, gears 1 and 2 of a pair; default: Ha^c of
-    /// stepped-suns, He^b of stepped-rings, ae^b of wolfrom, ab^c of ravigneaux (small sun a), 12^H of a pair.
+    /// stepped-suns, He^b of stepped-rings, ae^b of wolfrom, ab^c of ravigneaux (small sun a), 12^H of a
+    /// pair.
     #[arg(long, value_parser = letters)]
     pub mode: Option<String>,
 
@@ -71,8 +72,8 @@ pub struct Request {
     #[arg(long, value_enum, default_value_t = Placement::Equal)]
     pub spacing: Placement,
 
-    /// Angles of the planets about the axis, of other kinds than simple and double; their number is that of the
-    /// planets: 0deg,80deg,180deg,260deg.
+    /// Angles of the planets about the axis, of other kinds than simple and double; their number is that of
+    /// the planets: 0deg,80deg,180deg,260deg.
     #[arg(
         long,
         value_name = "ANGLES",

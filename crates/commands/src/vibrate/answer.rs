@@ -18,10 +18,10 @@
 //! | `response` | mesh forces caused by transmission errors, over the speed |
 //!
 //! Each set is calculated separately, in its plane, on its supports; of helical teeth the stiffness in this
-//! plane. A member whose link is held in a gear does not rotate, or rotates against its tangential support. Any
-//! other member can rotate freely. The flanks in contact are those that the torques of the gear load; where
-//! none load a mesh, those at a positive torque on its first gear. Both directions of load have the same
-//! frequencies, as mirror images.
+//! plane. A member whose link is held in a gear does not rotate, or rotates against its tangential support.
+//! Any other member can rotate freely. The flanks in contact are those that the torques of the gear load;
+//! where none load a mesh, those at a positive torque on its first gear. Both directions of load have the
+//! same frequencies, as mirror images.
 
 mod assembly;
 mod branches;
@@ -323,8 +323,8 @@ impl Of<'_> {
         Ok(())
     }
 
-    /// Flanks that the torques in a gear load; of a mesh without load, those by which its first gear drives in
-    /// the positive direction.
+    /// Flanks that the torques in a gear load; of a mesh without load, those by which its first gear drives
+    /// in the positive direction.
     fn flanks(&self, place: usize, prepared: &Prepared, gear: Option<&str>) -> Result<Flanks, Error> {
         let analysis = gear.map(|gear| analysis(&self.subject.train, gear)).transpose()?;
         let case = analysis.as_ref().and_then(|analysis| analysis.ideal());

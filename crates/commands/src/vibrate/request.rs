@@ -17,10 +17,10 @@ use std::path::{Path, PathBuf};
 
 /// Natural frequencies and modes of gear sets, and the speeds at which they resonate.
 ///
-/// Each set is a planar model: central gears, carrier and planets on springs, as of Lin and Parker. With --speeds
-/// also what excites it in each gear, which modes the phases of the planets let it excite, and the speeds of
-/// the input at which it meets them; with --transmission-error the forces in the meshes. Torsional modes are
-/// of the whole gearbox, and with --coupled also its modes in the plane.
+/// Each set is a planar model: central gears, carrier and planets on springs, as of Lin and Parker. With
+/// --speeds also what excites it in each gear, which modes the phases of the planets let it excite, and the
+/// speeds of the input at which it meets them; with --transmission-error the forces in the meshes. Torsional
+/// modes are of the whole gearbox, and with --coupled also its modes in the plane.
 #[derive(Debug, clap::Args)]
 #[command(after_help = include_str!("examples.txt"))]
 pub struct Args {

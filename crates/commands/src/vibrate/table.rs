@@ -178,7 +178,7 @@ const fn kind(kind: Kind) -> &'static str {
     }
 }
 
-/// What excites, in words; the part where the set is not simple.
+/// Source of an excitation in words, with the part where the set is not simple.
 fn source(source: Source, part: Option<&str>) -> String {
     match (source, part) {
         (Source::Mesh, None) => "meshes".to_owned(),
@@ -207,7 +207,7 @@ fn part(of: Option<&str>) -> Figure {
     of.map_or(Figure::None, text)
 }
 
-/// What excites, for a table.
+/// Source of an excitation for a table.
 fn excited_by(of: Source, part: Option<&str>) -> Figure {
     Figure::choice(of, source(of, part))
 }

@@ -71,7 +71,8 @@ pub struct VibrationEntry {
     /// The carrier without planets.
     #[serde(default)]
     pub carrier: CarrierEntry,
-    /// A planet of a set with one kind of planets; its mass is `planet_mass` of the set, or that of its shape.
+    /// A planet of a set with one kind of planets; its mass is `planet_mass` of the set, or that of its
+    /// shape.
     #[serde(default)]
     pub planet: PlanetEntry,
     /// The bodies of any set but the carrier: central gears by their names as gears, planets by the names of
@@ -114,7 +115,8 @@ pub struct CompoundVibrationEntry {
     /// `c_γα·b` by ISO 6336.
     #[serde(default)]
     pub mesh_stiffness: Option<PerGear<Quantity<Stiffness>>>,
-    /// Transverse working pressure angles of meshes, by the names of their gears. Default: those of the teeth.
+    /// Transverse working pressure angles of meshes, by the names of their gears. Default: those of the
+    /// teeth.
     #[serde(default)]
     pub pressure_angles: Option<PerGear<Quantity<Angle>>>,
     /// Base radii of gears. Default: those of the teeth.
@@ -151,7 +153,7 @@ pub struct Vibrating {
     pub bodies: Gears,
     /// Meshes: the names of both gears, joined by a hyphen.
     pub meshes: Gears,
-    /// Those of the bodies that are planets.
+    /// Names of the bodies that are planets.
     pub planets: Vec<String>,
 }
 

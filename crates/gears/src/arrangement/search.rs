@@ -512,8 +512,8 @@ impl<'a> Run<'a> {
             && set.gap_at(&bounds.rack, &bounds.angles).is_some_and(|gap| gap > bounds.tip_gap + TOUCH)
     }
 
-    /// The first check of the meshes that does not hold and is an error; [`Undercut`] where the bounds exclude
-    /// the set.
+    /// The first check of the meshes that does not hold and is an error; [`Undercut`] where the bounds
+    /// exclude the set.
     fn miss(&mut self, set: &ArrangedTeeth) -> Result<Result<Option<Check<Spot>>, Undercut>, Error> {
         let rack = &self.bounds.rack;
         let gears = set.arrangement.gears();

@@ -33,7 +33,7 @@ const STEP: f64 = 1e-5;
 pub enum Piece {
     /// An arc about the axis.
     Arc {
-        /// Its radius.
+        /// Radius of the arc.
         radius: f64,
         /// Angles of its first and last point, rad.
         angles: [f64; 2],

@@ -1,5 +1,5 @@
-//! Sets in mesh, read back from DXF: every gear is a closed line of arcs and splines on a layer of its own, no
-//! further from the exact tooth than a micrometre.
+//! Sets in mesh, read back from DXF: every gear is a closed line of arcs and splines on a layer of its own,
+//! no further from the exact tooth than a micrometre.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
@@ -57,7 +57,7 @@ fn sets<'g>(file: &GearboxFile, gearbox: &'g Gearbox) -> Vec<ToothedSet<'g>> {
         let toothed = set.toothed(&BasicRack::default(), &modules).unwrap();
         let has_module = modules.iter().any(Option::is_some);
         let unit = has_module.then(|| Length::new::<meter>(1.0));
-        ToothedSet { set, in_mesh: set.in_mesh(&toothed, 3).unwrap(), unit }
+        ToothedSet { set, in_mesh: set.in_mesh(&toothed, &[], 3).unwrap(), unit }
     };
     gearbox.sets().iter().map(toothed).collect()
 }

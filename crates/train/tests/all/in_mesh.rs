@@ -1,5 +1,5 @@
-//! Gears of random sets of every kind as they are drawn, polygon against polygon: none enters another, and each
-//! touches its mate after its share of the backlash, to both sides.
+//! Gears of random sets of every kind as they are drawn, polygon against polygon: none enters another, and
+//! each touches its mate after its share of the backlash, to both sides.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
@@ -294,8 +294,9 @@ proptest! {
             if toothed.meshes.iter().any(|mesh| mesh.pair.transverse_contact_ratio() < 1.1) {
                 continue;
             }
+            let is_behind = vec![dice.teeth[4] > 2; set.meshes().len()];
             // Two planets in mesh may not reach each other.
-            let Ok(mut in_mesh) = set.in_mesh(&toothed, 3) else { continue };
+            let Ok(mut in_mesh) = set.in_mesh(&toothed, &is_behind, 3) else { continue };
             let kinds = set.planets().len();
             let positions = set.assembly_positions().unwrap_or(0);
             if positions > 0 && positions < in_mesh.planets.len() as u64 / kinds.max(1) as u64 {
@@ -324,7 +325,7 @@ fn both_ways(dice: &Dice) -> Option<[Gearbox; 2]> {
 }
 
 fn outlines(set: &PlanetSet) -> Option<Vec<[f64; 2]>> {
-    let in_mesh = set.in_mesh(&set.toothed(&BasicRack::default(), &[]).ok()?, 3).ok()?;
+    let in_mesh = set.in_mesh(&set.toothed(&BasicRack::default(), &[]).ok()?, &[], 3).ok()?;
     Some(in_mesh.placed().flat_map(|placed| Polygon::new(&in_mesh, placed, 0.0).points).collect())
 }
 

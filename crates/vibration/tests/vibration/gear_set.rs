@@ -87,7 +87,8 @@ fn frequencies(model: &Model) -> Vec<f64> {
     model.modes().unwrap().modes.iter().map(|mode| hz(mode.frequency)).collect()
 }
 
-/// `ω² = k·(1/m_1 + 1/m_2)` with the rotary masses of two gears; on rigid supports the planar modes are these.
+/// `ω² = k·(1/m_1 + 1/m_2)` with the rotary masses of two gears; on rigid supports the planar modes are
+/// these.
 #[test]
 fn a_pair_is_two_masses_on_a_spring() {
     for is_internal in [false, true] {
@@ -137,8 +138,8 @@ fn places_of_no_body_are_refused() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
-    /// The stiffness is symmetric; what all turn as one and what the gears turn by their ratios bends nothing,
-    /// and no other motion does; a mirror image has the same frequencies.
+    /// The stiffness is symmetric; what all turn as one and what the gears turn by their ratios bends
+    /// nothing, and no other motion does; a mirror image has the same frequencies.
     #[test]
     fn sets_of_any_kind_keep_two_motions(
         sun in 18..30_u32, first in 17..26_u32, second in 17..26_u32, planets in 3..6_u32,

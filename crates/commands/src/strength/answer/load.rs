@@ -78,7 +78,7 @@ impl SetLoad {
         loads.map(|load| MeshLoad { torques: load.torques.map(clean), ..load }).collect()
     }
 
-    /// Gears of which several meshes load one flank.
+    /// Gears with several meshes that load the same flank.
     pub(super) fn shared_flanks(&self, set: &RatedSet<'_>) -> Vec<GearOf> {
         let loads = self.of_meshes(set);
         let is_shared = |gear: &GearOf| {
@@ -104,14 +104,14 @@ impl SetLoad {
     }
 }
 
-/// A gear of which several meshes load one flank, and the gears of the gearbox in which they do.
+/// A gear with several meshes that load the same flank, and the gears of the gearbox in which they do.
 pub(super) struct SharedFlank {
     set: String,
     toothed_gear: String,
     gears: Vec<String>,
 }
 
-/// Gears of which several meshes load one flank, each once.
+/// Gears with several meshes that load the same flank, each once.
 #[derive(Default)]
 pub(super) struct SharedFlanks(Vec<SharedFlank>);
 

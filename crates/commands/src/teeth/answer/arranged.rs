@@ -86,8 +86,8 @@ pub struct ArrangedNumbers {
     /// Number of angles per turn at which a planet can be assembled; null of a pair, and where any angle will
     /// do.
     pub assembly_positions: Option<u64>,
-    /// Least gap between tip circles of planets, and of other gears in one plane that do not mesh, in modules;
-    /// null of a pair.
+    /// Least gap between tip circles of planets, and of other gears in one plane that do not mesh, in
+    /// modules; null of a pair.
     pub planet_gap_in_modules: Option<f64>,
     /// Angle of each planet about the axis, in rad; empty for a pair.
     pub planet_angles_rad: Vec<f64>,

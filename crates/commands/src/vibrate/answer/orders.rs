@@ -11,8 +11,8 @@
 //! | a turn of a planet | `|ν_p|` | each planet has its own phase |
 //!
 //! The modes that `p` excites are given by [`phasing`] for equally spaced planets; with other spacings it may
-//! excite all. Meshes that share gears have one frequency; those of the two steps of a planet have two. From a
-//! central gear on, a planet of one gear passes the phase of its meshes on to its other meshes.
+//! excite all. Meshes that share gears have one frequency; those of the two steps of a planet have two. From
+//! a central gear on, a planet of one gear passes the phase of its meshes on to its other meshes.
 
 use super::prepared::{Mesh, Of, Prepared};
 use super::records::{Order, Source};

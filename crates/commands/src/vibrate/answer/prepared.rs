@@ -246,8 +246,8 @@ impl<'a> Of<'a> {
         })
     }
 
-    /// Base radius of each gear. Given values replace those of the teeth, so that sets without known teeth can
-    /// be calculated.
+    /// Base radius of each gear. Given values replace those of the teeth, so that sets without known teeth
+    /// can be calculated.
     fn radii(&self, vibration: &VibrationEntry, teeth: Option<&Teeth>) -> Option<Vec<Length>> {
         let given = given(vibration.base_radii.as_ref(), "base_radii", &self.data.gears);
         let of_teeth = |gear: GearOf| {

@@ -242,8 +242,8 @@ pub struct Order {
     pub gear: String,
     /// Source of the excitation.
     pub source: Source,
-    /// Central gear, planet or meshes that excite, of a set that is not simple; null in simple sets, where the
-    /// source names it.
+    /// Central gear, planet or meshes that excite, of a set that is not simple; null in simple sets, where
+    /// the source names it.
     pub part: Option<String>,
     /// Number of the harmonic of the source.
     pub harmonic: u32,
@@ -408,7 +408,7 @@ pub struct Greatest {
     /// Torque on a central gear in N·m, shared by all planets, below which the flanks separate, because the
     /// mean force is less than this amplitude; null for meshes of two planets.
     pub parts_below_torque_n_m: Option<f64>,
-    /// That torque where it is on the sun of a simple set; null in other sets.
+    /// The same torque where it is on the sun of a simple set; null in other sets.
     pub parts_below_sun_torque_n_m: Option<f64>,
 }
 

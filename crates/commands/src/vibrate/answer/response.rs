@@ -1,8 +1,8 @@
 //! Mesh forces caused by transmission errors, over the input speed.
 //!
 //! In coordinates on the carrier, the tooth `l·z_c·(θ_c − ψ_n)/2π` of a central gear `c` is at the mesh with
-//! planet `n`. The error of harmonic `l` therefore reaches the planets one after the other. With `d = 1` if the
-//! sun of a simple set drives the planets, and `d = −1` if they drive it, the errors are:
+//! planet `n`. The error of harmonic `l` therefore reaches the planets one after the other. With `d = 1` if
+//! the sun of a simple set drives the planets, and `d = −1` if they drive it, the errors are:
 //!
 //! ```text
 //! e_s,n = a_s·cos(ω·t − d·l·z_s·ψ_n)     e_r,n = a_r·cos(ω·t − d·l·z_s·ψ_n + π·l·(z_p + 1))
@@ -11,8 +11,8 @@
 //! The last term follows because from the sun's pitch point to the ring's a planet has half its teeth and,
 //! from one flank to the other, half a pitch. The number of planets divides `z_s + z_r`, so the phases at the
 //! ring are those at the sun. Of other sets each mesh that shares its frequency with none excites by itself.
-//! Where several meshes do, the phase between them depends on the angles of planets in mesh, and no forces are
-//! calculated.
+//! Where several meshes do, the phase between them depends on the angles of planets in mesh, and no forces
+//! are calculated.
 //!
 //! If the carrier turns, the matrices are those at its speed ([`epicyclic_vibration::response`]), with the
 //! damping of the modes at rest. The model has the flanks that carry at a positive torque on the sun. At a
@@ -202,7 +202,8 @@ impl Excited<'_> {
         let meshes = greatest.iter().enumerate().map(|(mesh, (speed, all))| {
             let own = &self.prepared.meshes[mesh];
             let force = all[mesh];
-            // Meshes of a planet between sun and ring carry the same mean force, that of the torque on the sun.
+            // Meshes of a planet between sun and ring carry the same mean force, that of the torque on the
+            // sun.
             let gear = if is_simple { Some(0) } else { central(own) };
             let copies = self.prepared.copies() as f64;
             let torque = |central: usize| force * copies * self.prepared.members[central].radius.si();

@@ -1,8 +1,8 @@
 //! Normalized motion of a mode, one for each frequency.
 //!
 //! Modes of equal frequency have no unique basis. The mode with the largest first moving coordinate is
-//! chosen, with a positive sign. The order is `x` of the members, then their rotations, then the motion of the
-//! first planet.
+//! chosen, with a positive sign. The order is `x` of the members, then their rotations, then the motion of
+//! the first planet.
 
 use super::Found;
 use super::prepared::Prepared;
