@@ -208,7 +208,7 @@ pub enum DescriptionError {
         key: &'static str,
         /// Things that the values are of: gears, meshes.
         of: &'static str,
-        /// Their names.
+        /// Names of these.
         gears: String,
     },
     /// A key of a body that does not apply to its kind.

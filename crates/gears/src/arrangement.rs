@@ -91,7 +91,7 @@ const SECOND: GearPlace = gear("second_step", 'f', SimpleGear::Planet, 1);
 const SECOND_RING: GearPlace = gear("second_ring", 'e', SimpleGear::Ring, 1);
 
 impl Arrangement {
-    /// All arrangements.
+    /// Every arrangement.
     pub const ALL: [Self; 7] = [
         Self::Stepped,
         Self::SteppedSuns,
@@ -192,7 +192,7 @@ impl Arrangement {
         centrals.chain([ArrangementMember { arrangement: self, gear: None }]).collect()
     }
 
-    /// All modes: one member drives, one is driven, one rests. Of a pair the housing, its carrier, rests.
+    /// Modes: one member drives, one is driven, one rests. Of a pair the housing, its carrier, rests.
     #[must_use]
     pub fn modes(self) -> Vec<ArrangementMode> {
         let members = self.members();

@@ -8,7 +8,7 @@
 //! # Source
 //! excavator-dynamics, condition of assembly.
 
-use crate::teeth::ToothCount;
+use crate::teeth::{ToothCount, gcd};
 use epicyclic_units::Physical;
 use std::f64::consts::TAU;
 use uom::si::f64::Angle;
@@ -109,12 +109,7 @@ impl PlanetSpacing {
     /// radius of their centres. 0 for equal spacing.
     #[must_use]
     pub fn imbalance(&self) -> f64 {
-        let slot = TAU / self.slots as f64;
-        let (x, y) = self.occupied().fold((0.0, 0.0), |(x, y), p| {
-            let (sin, cos) = libm::sincos(p as f64 * slot);
-            (x + cos, y + sin)
-        });
-        libm::hypot(x, y) / self.count() as f64
+        imbalance(&self.angles())
     }
 
     /// Planets, at least one, so that nothing is divided by none.
@@ -123,8 +118,14 @@ impl PlanetSpacing {
     }
 }
 
-pub(crate) fn gcd(a: u64, b: u64) -> u64 {
-    if b == 0 { a } else { gcd(b, a % b) }
+/// Static imbalance of planets at these angles, as [`PlanetSpacing::imbalance`]; 0 without planets.
+#[must_use]
+pub fn imbalance(angles: &[Angle]) -> f64 {
+    let (x, y) = angles.iter().fold((0.0, 0.0), |(x, y), angle| {
+        let (sin, cos) = libm::sincos(angle.si());
+        (x + cos, y + sin)
+    });
+    libm::hypot(x, y) / angles.len().max(1) as f64
 }
 
 #[cfg(test)]

@@ -40,11 +40,7 @@ impl ToothCount {
     /// ```
     #[must_use]
     pub fn common_factor(self, mate: Self) -> u32 {
-        let (mut one, mut other) = (self.get(), mate.get());
-        while other != 0 {
-            (one, other) = (other, one % other);
-        }
-        one
+        gcd(self.get().into(), mate.get().into()) as u32
     }
 
     /// The count as a factor.
@@ -52,6 +48,11 @@ impl ToothCount {
     pub fn as_f64(self) -> f64 {
         f64::from(self.get())
     }
+}
+
+/// Greatest common divisor.
+pub(crate) fn gcd(a: u64, b: u64) -> u64 {
+    if b == 0 { a } else { gcd(b, a % b) }
 }
 
 impl TryFrom<u32> for ToothCount {

@@ -32,7 +32,7 @@ impl ToothedSet<'_> {
 /// Largest distance of an outline from the exact curve, mm.
 pub const DEVIATION_MM: f64 = 5e-4;
 
-/// The same in modules, for small gears.
+/// Largest distance of an outline from the exact curve in modules, for small gears.
 const DEVIATION: f64 = 1e-3;
 
 /// Parts of a degree, a shift, a module in millimetres and a millimetre to which figures are given.

@@ -129,7 +129,7 @@ pub struct InMesh {
     pub gears: Vec<GearInMesh>,
     /// The central gears at their places: about the main axis, or those of a pair about a point between them.
     pub centrals: Vec<Placed>,
-    /// All planets, those of one tree of meshes together.
+    /// The planets, those of one tree of meshes together.
     pub planets: Vec<PlacedPlanet>,
     /// The meshes, in the order of [`PlanetSet::meshes`].
     pub meshes: Vec<Mesh>,
@@ -144,20 +144,36 @@ impl InMesh {
     /// Groups of gears that mesh with each other: those of one plane.
     #[must_use]
     pub fn planes(&self) -> Vec<Vec<usize>> {
-        let mut plane: Vec<usize> = (0..self.gears.len()).collect();
-        for mesh in &self.meshes {
-            let [kept, joined] = mesh.gears.map(|gear| plane[gear]);
-            plane.iter_mut().filter(|of| **of == joined).for_each(|of| *of = kept);
-        }
-        let mut planes: Vec<(usize, Vec<usize>)> = vec![];
-        for (gear, of) in plane.into_iter().enumerate() {
-            match planes.iter_mut().find(|known| known.0 == of) {
-                Some((_, gears)) => gears.push(gear),
-                None => planes.push((of, vec![gear])),
-            }
-        }
-        planes.into_iter().map(|(_, gears)| gears).collect()
+        let gears: Vec<[usize; 2]> = self.meshes.iter().map(|mesh| mesh.gears).collect();
+        let plane = |meshes: Vec<usize>| {
+            let mut plane: Vec<usize> = meshes.into_iter().flat_map(|mesh| gears[mesh]).collect();
+            plane.sort_unstable();
+            plane.dedup();
+            plane
+        };
+        let mut planes: Vec<Vec<usize>> = sharing(&gears).into_iter().map(plane).collect();
+        planes.sort_unstable();
+        planes
     }
+}
+
+/// Meshes that share gears, together, by their two gears.
+#[must_use]
+pub fn sharing<G: PartialEq>(meshes: &[[G; 2]]) -> Vec<Vec<usize>> {
+    let mut all: Vec<Vec<usize>> = vec![];
+    for mesh in 0..meshes.len() {
+        let shares = |group: &Vec<usize>| {
+            group.iter().flat_map(|other| &meshes[*other]).any(|gear| meshes[mesh].contains(gear))
+        };
+        let (sharing, others): (Vec<_>, Vec<_>) = all.into_iter().partition(shares);
+        let mut group = sharing.concat();
+        group.push(mesh);
+        group.sort_unstable();
+        all = others;
+        all.push(group);
+    }
+    all.sort_unstable();
+    all
 }
 
 impl PlanetSet {

@@ -135,9 +135,9 @@ pub struct GearSet {
     pub members: Vec<Member>,
     /// Place of the carrier among the members; none of gears on fixed axes.
     pub carrier: Option<usize>,
-    /// The planets, each by itself.
+    /// Every single planet.
     pub planets: Vec<PlanetBody>,
-    /// The meshes, each by itself.
+    /// Every single mesh.
     pub meshes: Vec<GearMesh>,
 }
 

@@ -256,14 +256,13 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
     let peaks = overload::peaks(subject, &file.overload, gear)?;
     if is_over_duty {
         bearings = bearings::rated(subject, &file, &steps, &peaks)?;
-        found.axial = axial::over_duty(&sets, &steps, life);
-        for (set, WorkedStep(entry, worked)) in
-            sets.iter().flat_map(|set| steps.iter().map(move |step| (set, step)))
-        {
-            if let Some(Ok(load)) =
-                worked.as_ref().map(|worked| SetLoad::of(set, worked, Some(entry.speed.0)))
-            {
-                found.shared.add(set, &entry.gear, &load);
+        for set in &sets {
+            for (number, WorkedStep(entry, worked)) in (1..).zip(&steps) {
+                let load = worked.as_ref().map(|worked| SetLoad::of(set, worked, Some(entry.speed.0)));
+                if let Some(Ok(load)) = load {
+                    found.axial.extend(axial::of(set, &entry.gear, Some(number), &load, life));
+                    found.shared.add(set, &entry.gear, &load);
+                }
             }
         }
         for set in &sets {

@@ -59,6 +59,13 @@ impl<T> PerGear<T> {
             },
         }
     }
+
+    /// The values in the order of these gears, as far as they are given: those of wrong names are refused
+    /// where the set is read.
+    #[must_use]
+    pub fn of_gears(&self, gears: &Gears) -> Vec<Option<&T>> {
+        self.given("", "", gears).unwrap_or_else(|_| vec![None; gears.names.len()])
+    }
 }
 
 /// Gears of a set as its keys know them, or bodies or meshes.

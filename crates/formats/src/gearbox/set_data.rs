@@ -44,7 +44,7 @@ pub struct SetData<'f> {
     pub vibrating: Vibrating,
     /// The planets, as far as the file describes them.
     pub planets: Vec<PlanetData>,
-    /// Of each mesh of two planets, whether the one described later stands behind the other.
+    /// For each mesh of two planets, whether the one described later is behind the other.
     pub is_behind: Vec<bool>,
 }
 
@@ -66,10 +66,10 @@ impl SetData<'_> {
         self.of.iter().position(|one| *one == gear).unwrap_or_default()
     }
 
-    /// Values of the gears, as far as they are given; those of wrong names are refused where the set is read.
+    /// Values of the gears, as far as they are given.
     #[must_use]
     pub fn of_gears<'v, T>(&self, values: &'v PerGear<T>) -> Vec<Option<&'v T>> {
-        of_gears(values, &self.gears)
+        values.of_gears(&self.gears)
     }
 
     /// Common face width of two gears in mesh.
@@ -184,16 +184,12 @@ fn bores(
     gears.names.iter().zip(of_kind).map(|(name, of_kind)| own(name).or(of_kind)).collect()
 }
 
-fn of_gears<'v, T>(values: &'v PerGear<T>, gears: &Gears) -> Vec<Option<&'v T>> {
-    values.given("", "", gears).unwrap_or_else(|_| vec![None; gears.names.len()])
-}
-
 /// Face width of each gear.
 fn widths(
     of_all: Option<Quantity<Length>>,
     own: Option<&PerGear<Quantity<Length>>>,
     gears: &Gears,
 ) -> Vec<Option<Length>> {
-    let own = own.map_or_else(|| vec![None; gears.names.len()], |own| of_gears(own, gears));
+    let own = own.map_or_else(|| vec![None; gears.names.len()], |own| own.of_gears(gears));
     own.into_iter().map(|own| own.copied().or(of_all).map(|width| width.0)).collect()
 }

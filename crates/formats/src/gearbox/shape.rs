@@ -22,7 +22,8 @@ pub(super) struct Shape<'e> {
     pub(super) profile_shifts: Option<&'e PerGear<Number>>,
     pub(super) tip_alterations: Option<&'e PerGear<Number>>,
     pub(super) tools: &'e BTreeMap<String, ToolEntry>,
-    /// Widths shape no profile, but their names are checked here, as those of the strength and the data sheet.
+    /// Widths shape no profile, but their names are checked here, as those of the strength and the data
+    /// sheet.
     pub(super) face_widths: Option<&'e PerGear<Quantity<Length>>>,
     /// The shaper of the strength cuts internal gears without a tool of their own.
     pub(super) strength: Option<&'e StrengthEntry>,

@@ -105,7 +105,7 @@ pub struct CompoundVibrationEntry {
     /// The carrier without planets.
     #[serde(default)]
     pub carrier: CarrierEntry,
-    /// Its other bodies: central gears and planets by their names.
+    /// The other bodies: central gears and planets by their names.
     #[serde(default)]
     pub bodies: BTreeMap<String, BodyEntry>,
     /// Radial stiffness of the bearings of one planet together.
@@ -204,13 +204,13 @@ impl VibrationEntry {
         let at = |key: &str| Path::root().key("vibration").key(key);
         let Vibrating { bodies, meshes, planets } = vibrating;
         if let Some(radii) = &self.base_radii {
-            faults.keep(at("base_radii"), radii.given(set, "base_radii", gears));
+            gears.check(set, (at("base_radii"), "base_radii"), radii, faults);
         }
         if let Some(stiffness) = &self.mesh_stiffness {
-            faults.keep(at("mesh_stiffness"), stiffness.given(set, "mesh_stiffness", meshes));
+            meshes.check(set, (at("mesh_stiffness"), "mesh_stiffness"), stiffness, faults);
         }
         if let Some(angles) = &self.pressure_angles {
-            faults.keep(at("pressure_angles"), angles.given(set, "pressure_angles", meshes));
+            meshes.check(set, (at("pressure_angles"), "pressure_angles"), angles, faults);
         }
         for name in self.bodies.keys().filter(|name| !bodies.names.contains(name)) {
             faults.push(at("bodies").key(name), bodies.unknown(set, "bodies", name));

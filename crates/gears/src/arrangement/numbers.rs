@@ -29,7 +29,8 @@ use crate::mesh::{Gear, TipCircle};
 use crate::quantity::SimpleGear;
 use crate::rack::BasicRack;
 use crate::simple_set::Fraction;
-use crate::spacing::{PlanetSpacing, gcd};
+use crate::spacing::PlanetSpacing;
+use crate::teeth::gcd;
 use crate::tolerance::{AT_ANGLE, AT_POSITION, TOUCH};
 use crate::{Error, ToothCount};
 use epicyclic_units::Physical;
@@ -121,7 +122,7 @@ impl ArrangedTeeth {
         }
     }
 
-    /// Ratio in a mode, exactly; `None` where the driven member stands still.
+    /// Ratio in a mode, exactly; `None` where the driven member is at rest.
     #[must_use]
     pub fn ratio(&self, mode: ArrangementMode) -> Option<Fraction> {
         let teeth = self.teeth.map(i64::from);

@@ -1,15 +1,15 @@
 //! Search for tooth numbers of an arrangement: *every* set within bounds that has a ratio.
 //!
-//! All gears but one planet step and its central gear are gone through. With the doubled centre distance of
-//! these two given, or in a Ravigneaux set with all but the small sun and its planet, one tooth number `t` is
-//! left, and with the ratio in the form
+//! All gears but one planet step and its central gear are gone through, and the doubled centre distance of
+//! these two; of a Ravigneaux set all but the small sun and its planet. One tooth number `t` is left. With
+//! the ratio in the form
 //!
 //! ```text
 //! i = N/D       F(t, w) = N·P − w·D·P        P > 0 the product of the denominators of both speeds
 //! ```
 //!
 //! `F` is linear in `t`. A ratio is between the ends `w_1` and `w_2` of the tolerance where
-//! `F(t, w_1)·F(t, w_2) ≤ 0`, so that the zeros of both bound the pieces in which `t` lies. Every `t` in such
+//! `F(t, w_1)·F(t, w_2) ≤ 0`. The zeros of both therefore bound the pieces in which `t` lies. Every `t` in such
 //! a piece and beside a zero is tried by its exact ratio: rounding loses none.
 
 use super::numbers::{ArrangedTeeth, ModuleRatio, least_angle_rad};
@@ -290,7 +290,7 @@ impl<'a> Run<'a> {
         self.bounds.teeth[gear].clone()
     }
 
-    /// All sets, ascending by the gear that is gone through first.
+    /// Goes through the sets, ascending by the gear that is gone through first.
     fn all(&mut self, done: &mut impl FnMut(f64) -> ControlFlow<()>) -> Result<(), Error> {
         let arrangement = self.bounds.arrangement;
         let outer = if arrangement == Arrangement::Ravigneaux { 3 } else { 0 };

@@ -1,6 +1,5 @@
 //! Axial forces of sets with helical teeth.
 
-use super::duty::WorkedStep;
 use super::load::SetLoad;
 use super::rated_set::RatedSet;
 use super::records::AxialForce;
@@ -30,15 +29,4 @@ pub(super) fn of(
         axial_force_n: found.forces[0].si(),
         tilting_moment_n_m: found.tilting_moment.si(),
     })
-}
-
-/// Axial forces of all simple sets in the loaded steps of a duty.
-pub(super) fn over_duty(sets: &[RatedSet<'_>], steps: &[WorkedStep<'_>], life: Time) -> Vec<AxialForce> {
-    let of_step = |set: &RatedSet<'_>, number: u32, WorkedStep(entry, worked): &WorkedStep<'_>| {
-        let load = SetLoad::of(set, worked.as_ref()?, Some(entry.speed.0)).ok()?;
-        of(set, &entry.gear, Some(number), &load, life)
-    };
-    sets.iter()
-        .flat_map(|set| (1..).zip(steps).filter_map(move |(number, step)| of_step(set, number, step)))
-        .collect()
 }

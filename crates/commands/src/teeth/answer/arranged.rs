@@ -13,6 +13,7 @@ use epicyclic_gears::arrangement::{
 };
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::quantity::SimpleGear;
+use epicyclic_gears::spacing::imbalance;
 use epicyclic_train::compound::{CentralKind, CompoundSpec};
 use epicyclic_train::set::{SetKind, SetSpec, Shifts};
 use epicyclic_train::spacing::Spacing;
@@ -171,11 +172,7 @@ impl ArrangedNumbers {
         let angles = spacing.map_or_else(|| stated.clone(), |spacing| spacing.angles());
         let equal_rad = TAU / angles.len() as f64;
         let is_equal = least_angle_rad(&angles).is_none_or(|least| (least - equal_rad).abs() < ROUNDED);
-        let (x, y) = angles.iter().fold((0.0, 0.0), |(x, y), angle| {
-            let (sin, cos) = libm::sincos(angle.si());
-            (x + cos, y + sin)
-        });
-        let imbalance = if is_equal { 0.0 } else { libm::hypot(x, y) / angles.len() as f64 };
+        let imbalance = if is_equal { 0.0 } else { imbalance(&angles) };
         let over = |ratio: ModuleRatio| f64::from(*ratio.numer()) / f64::from(*ratio.denom());
         Self {
             gears: gears.collect(),

@@ -106,7 +106,7 @@ impl Prepared {
         self.teeth.iter().find(|(own, _)| *own == gear).map(|(_, teeth)| *teeth)
     }
 
-    /// Those of one kind among the springs of all meshes, which are in the order of [`GearSet::meshes`].
+    /// Values of one kind of mesh among those of all meshes, which are in the order of [`GearSet::meshes`].
     pub(super) fn of_mesh<T: Copy>(&self, all: &[T], mesh: usize) -> Vec<T> {
         all.iter().copied().skip(mesh).step_by(self.meshes.len()).collect()
     }
@@ -152,7 +152,7 @@ impl Prepared {
         meshes.chain(bearings).collect()
     }
 
-    /// All planets, those of one kind in a row, and all meshes, those of one planet or planets in mesh in a
+    /// The set with its planets, those of one kind in a row, and all meshes, those of one planet or planets in mesh in a
     /// row.
     fn with(&self, members: Vec<Member>, forward: &[bool]) -> GearSet {
         let copies = self.copies();
@@ -188,8 +188,8 @@ impl Prepared {
     }
 }
 
-/// Distance of the centres of a pair, whose second gear lies in the direction of `x`; a pinion in its ring
-/// stands there.
+/// Distance of the centres of a pair, whose second gear lies in the direction of `x`, also a pinion in its
+/// ring.
 fn pair_distance(first: f64, second: f64, mesh: &Mesh) -> f64 {
     let cosine = libm::cos(mesh.pressure_angle.si());
     if mesh.is_internal { (first - second) / cosine } else { (first + second) / cosine }

@@ -18,6 +18,7 @@ use super::prepared::{Mesh, Of, Prepared};
 use super::records::{Order, Source};
 use crate::tolerance::ROUNDED;
 use epicyclic_train::compound::CentralKind;
+use epicyclic_train::in_mesh::sharing;
 use epicyclic_train::planet_set::GearOf;
 use epicyclic_vibration::phasing;
 use uom::si::f64::Length;
@@ -97,7 +98,9 @@ pub(super) fn all(
         let passes = f64::from(planets) * relative(central);
         orders.push(order(source, name(central), 1, passes, Some(planets.into())));
     }
-    for meshes in together(prepared) {
+    let gears: Vec<[GearOf; 2]> = prepared.meshes.iter().map(|mesh| mesh.gears.map(|gear| gear.0)).collect();
+    // Meshes that share gears have one frequency.
+    for meshes in sharing(&gears) {
         let own = || meshes.iter().map(|mesh| &prepared.meshes[*mesh]);
         let central = own().flat_map(|mesh| &mesh.gears).find(|gear| matches!(gear.0, GearOf::Central(_)));
         let teeth = central.and_then(|gear| prepared.teeth_of(gear.0));
@@ -118,24 +121,4 @@ pub(super) fn all(
     }
     orders.retain(|one| one.order.of_input > ROUNDED);
     orders
-}
-
-/// Meshes that share gears, and so have one frequency, together.
-fn together(prepared: &Prepared) -> Vec<Vec<usize>> {
-    let mut all: Vec<Vec<usize>> = vec![];
-    for mesh in 0..prepared.meshes.len() {
-        let shares = |group: &Vec<usize>| {
-            let own = &prepared.meshes[mesh].gears;
-            let mut gears = group.iter().flat_map(|other| &prepared.meshes[*other].gears);
-            gears.any(|gear| own.iter().any(|one| one.0 == gear.0))
-        };
-        let (sharing, others): (Vec<_>, Vec<_>) = all.into_iter().partition(shares);
-        let mut group = sharing.concat();
-        group.push(mesh);
-        group.sort_unstable();
-        all = others;
-        all.push(group);
-    }
-    all.sort_unstable();
-    all
 }

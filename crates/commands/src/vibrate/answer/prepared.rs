@@ -6,7 +6,9 @@ use crate::error::Error;
 use crate::shared::fault::{Fault, Named, refused};
 use crate::shared::gearbox::Gearbox;
 use crate::shared::toothed::toothed;
-use epicyclic_formats::gearbox::{BodyEntry, GearboxFile, PerGear, SetData, Stiffness, VibrationEntry};
+use epicyclic_formats::gearbox::{
+    BodyEntry, GearboxFile, Gears, PerGear, SetData, Stiffness, VibrationEntry,
+};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::InvoluteGear;
 use epicyclic_gears::mass::{MassProperties, TOOTH_FILL, ring};
@@ -249,7 +251,7 @@ impl<'a> Of<'a> {
     /// Base radius of each gear. Given values replace those of the teeth, so that sets without known teeth
     /// can be calculated.
     fn radii(&self, vibration: &VibrationEntry, teeth: Option<&Teeth>) -> Option<Vec<Length>> {
-        let given = given(vibration.base_radii.as_ref(), "base_radii", &self.data.gears);
+        let given = given(vibration.base_radii.as_ref(), &self.data.gears);
         let of_teeth = |gear: GearOf| {
             let (gear, module) = teeth?.gear(gear)?;
             Some(module * (gear.base_diameter() / 2.0))
@@ -270,7 +272,7 @@ impl<'a> Of<'a> {
     }
 
     fn pressure_angles(&self, vibration: &VibrationEntry, teeth: Option<&Teeth>) -> Option<Vec<Angle>> {
-        let given = given(vibration.pressure_angles.as_ref(), "pressure_angles", &self.data.vibrating.meshes);
+        let given = given(vibration.pressure_angles.as_ref(), &self.data.vibrating.meshes);
         let of_teeth = |mesh: usize| {
             teeth.map(|teeth| Angle::from_si(teeth.toothed.meshes[mesh].pair.working_angle_rad()))
         };
@@ -283,7 +285,7 @@ impl<'a> Of<'a> {
         vibration: &VibrationEntry,
         teeth: Option<&Teeth>,
     ) -> Result<Option<Vec<(Stiffness, StiffnessOrigin)>>, Error> {
-        let given = given(vibration.mesh_stiffness.as_ref(), "mesh_stiffness", &self.data.vibrating.meshes);
+        let given = given(vibration.mesh_stiffness.as_ref(), &self.data.vibrating.meshes);
         let mut all = vec![];
         for (mesh, given) in given.into_iter().enumerate() {
             let of_teeth = teeth.filter(|teeth| teeth.is_sized).map(|teeth| &teeth.toothed.meshes[mesh]);
@@ -487,18 +489,10 @@ impl<'a> Of<'a> {
     }
 }
 
-/// Values of a key in the order of the names; those of wrong names are refused where the set is read.
-fn given<T: Copy>(
-    values: Option<&PerGear<Quantity<T>>>,
-    key: &'static str,
-    names: &epicyclic_formats::gearbox::Gears,
-) -> Vec<Option<T>>
-where
-    Quantity<T>: Copy,
-{
-    let values = values.and_then(|values| values.given("", key, names).ok());
-    let values = values.unwrap_or_else(|| vec![None; names.names.len()]);
-    values.into_iter().map(|value| value.map(|value| value.0)).collect()
+/// Values of a key in the order of the names.
+fn given<T: Copy>(values: Option<&PerGear<Quantity<T>>>, names: &Gears) -> Vec<Option<T>> {
+    let Some(values) = values else { return vec![None; names.names.len()] };
+    values.of_gears(names).into_iter().map(|value| value.map(|value| value.0)).collect()
 }
 
 fn with_shape(given: Inertias, shape: Option<MassProperties>) -> Inertias {

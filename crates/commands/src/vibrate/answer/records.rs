@@ -408,7 +408,7 @@ pub struct Greatest {
     /// Torque on a central gear in N·m, shared by all planets, below which the flanks separate, because the
     /// mean force is less than this amplitude; null for meshes of two planets.
     pub parts_below_torque_n_m: Option<f64>,
-    /// The same torque where it is on the sun of a simple set; null in other sets.
+    /// Torque at which the flanks part where it is on the sun of a simple set; null in other sets.
     pub parts_below_sun_torque_n_m: Option<f64>,
 }
 
