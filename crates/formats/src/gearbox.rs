@@ -50,6 +50,7 @@
 
 use crate::Problem;
 use crate::drive::Spacing;
+use epicyclic_units::format::quantity;
 use epicyclic_units::{Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -198,6 +199,18 @@ pub enum DescriptionError {
         key: &'static str,
         /// Name of the gear.
         gear: String,
+    },
+    /// A gear whose meshes state different modules.
+    #[error("set `{set}`: {gear} has the modules {} and {}; a gear has one module in all its meshes", quantity(*first, 6), quantity(*second, 6))]
+    TwoModules {
+        /// The set.
+        set: String,
+        /// Name of the gear.
+        gear: String,
+        /// Module of its first mesh.
+        first: Length,
+        /// Module of a later one.
+        second: Length,
     },
     /// Values in a list of a compound set, whose gears have no order.
     #[error("set `{set}`: `{key}` needs the names of the {of}, as `{key}: {{ {}: … }}`; they are {gears}", gears.split(',').next().unwrap_or_default())]

@@ -355,6 +355,13 @@ const SOUND: [Sound; 12] = [
             ("[20, 60]", "[20, 60], tip_alterations: @[0, 0, 0]@", "sets[1].tip_alterations", "shifts"),
             ("[24, 66]", "[24, 66], module: 1 mm, modules: @[1 mm, 1 mm]@", "sets[2].modules", "twice"),
             ("[24, 66]", "[24, 66], modules: @[1 mm]@", "sets[2].modules", "values"),
+            ("[24, 66]", "[24, 66], modules: [1 mm, @2 mm@]", "sets[2].modules[1]", "two-modules"),
+            (
+                "meshes: [{ gears: [D, p] }, { gears: [p, T3] }]",
+                "module: 1 mm, meshes: [{ gears: [D, p] }, { gears: [p, T3], module: @2 mm@ }]",
+                "compound_sets[0].meshes[1].module",
+                "two-modules",
+            ),
             (
                 "[24, 66]",
                 "[24, 66], face_widths: { gear 1: @1 mm@ }",

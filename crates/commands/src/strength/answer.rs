@@ -337,7 +337,7 @@ fn sharing(
         let floating = file.set_data(set).and_then(|data| data.floating);
         let floating = floating.map_or(Floating::Assumed, materials::floating);
         set.planet_count()
-            .filter(|planets| is_asked && *planets > 1)
+            .filter(|planets| is_asked && *planets > 1 && !set.is_pair())
             .and_then(|planets| LoadSharing::of(set.id(), planets, floating))
     };
     subject.train.sets().iter().filter_map(of_set).collect()

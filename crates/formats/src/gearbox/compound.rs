@@ -2,7 +2,7 @@
 
 use super::checks::NO_LINK;
 use super::place::{keys_of_part, of_set};
-use super::shape::{Shape, missing};
+use super::shape::{Shape, Stated, missing, one_module};
 use super::{
     CompoundVibrationEntry, DataSheetEntry, DescriptionError, FloatingEntry, Gears, PerGear, RollingEntry,
     StrengthEntry, ToolEntry, Vibrating, VibrationEntry, spaced,
@@ -355,6 +355,14 @@ impl<P: PlanetSized> CompoundEntry<P> {
             helix_angles: self.meshes.iter().enumerate().map(helix_angle).collect(),
             is_known: !self.proportional && self.planet_gears.values().all(|teeth| !teeth.is_empty()),
         };
+        let stated = self.meshes.iter().enumerate().filter_map(|(place, mesh)| {
+            let at = match mesh.module {
+                Some(_) => Path::root().key("meshes").index(place).key("module"),
+                None => Path::root().key("module"),
+            };
+            Some(Stated { gears: &mesh.gears, module: mesh.module.or(self.module)?.0, at })
+        });
+        one_module(&self.id, &stated.collect::<Vec<_>>(), faults);
         let (tooth_shape, is_sound) = faults.sound(|faults| shape.tooth_shape(rack, faults));
         if let Some(vibration) = &self.vibration {
             let vibration = VibrationEntry::from(vibration.clone());

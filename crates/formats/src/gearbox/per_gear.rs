@@ -89,6 +89,18 @@ impl Gears {
         Self { names, kinds, has_order: true, of: "gears" }
     }
 
+    /// Gears of each mesh of a kind of set.
+    pub(super) fn meshes_of_kind(kind: SetKind) -> Vec<[String; 2]> {
+        let names = Self::of_kind(kind).names;
+        let mut meshes: Vec<[String; 2]> =
+            names.windows(2).map(|pair| [pair[0].clone(), pair[1].clone()]).collect();
+        if kind.is_stepped() {
+            // The two steps of the planet are in no mesh with each other.
+            meshes.remove(1);
+        }
+        meshes
+    }
+
     pub(super) fn unknown(&self, set: &str, key: &'static str, gear: &str) -> DescriptionError {
         let (set, of) = (set.to_owned(), self.of);
         // Answers put the kind before the name of a central gear: `ring drum`.

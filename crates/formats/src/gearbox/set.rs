@@ -2,7 +2,7 @@
 
 use super::checks::{NO_LINK, counts};
 use super::losses::losses;
-use super::shape::{Shape, missing};
+use super::shape::{Shape, Stated, missing, one_module};
 use super::spacing::spaced;
 use super::{DescriptionError, Gears, SetEntry, Vibrating};
 use crate::Path;
@@ -84,7 +84,15 @@ impl SetEntry {
         if let Some(vibration) = &self.vibration {
             vibration.check(&self.id, &gears, &Vibrating::of_kind(kind), faults);
         }
-        self.of_each_mesh("modules", kind, self.modules.as_deref(), faults);
+        if let Some(modules) = self.of_each_mesh("modules", kind, self.modules.as_deref(), faults) {
+            let gears = Gears::meshes_of_kind(kind);
+            let meshes = gears.iter().zip(modules).enumerate().map(|(place, (gears, module))| Stated {
+                gears,
+                module: module.0,
+                at: Path::root().key("modules").index(place),
+            });
+            one_module(&self.id, &meshes.collect::<Vec<_>>(), faults);
+        }
         if self.modules.is_some() && self.module.is_some() {
             let twice = DescriptionError::Twice { set: set(), first: "module", second: "modules" };
             faults.push("modules", twice);

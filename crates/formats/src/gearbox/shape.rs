@@ -179,6 +179,30 @@ impl Shape<'_> {
     }
 }
 
+/// A mesh with its stated module.
+pub(super) struct Stated<'m> {
+    /// Names of the gears.
+    pub(super) gears: &'m [String; 2],
+    pub(super) module: Length,
+    /// Path of the key.
+    pub(super) at: Path,
+}
+
+/// Adds gears whose meshes state different modules, at the later mesh.
+pub(super) fn one_module(set: &str, meshes: &[Stated<'_>], faults: &mut Faults) {
+    for (place, Stated { gears, module: second, at }) in meshes.iter().enumerate() {
+        for Stated { gears: others, module: first, .. } in &meshes[..place] {
+            let Some(gear) = gears.iter().find(|gear| others.contains(gear)).filter(|_| first != second)
+            else {
+                continue;
+            };
+            let (set, gear, first, second) = (set.to_owned(), gear.clone(), *first, *second);
+            faults.push(at.clone(), DescriptionError::TwoModules { set, gear, first, second });
+            break;
+        }
+    }
+}
+
 /// Missing data of teeth in mesh, in words; `None` of refused teeth, which the checks of teeth report.
 pub(super) fn missing(why: &Untoothed) -> Option<String> {
     match why {

@@ -162,13 +162,12 @@ impl Vibrating {
     #[must_use]
     pub fn of_kind(kind: SetKind) -> Self {
         let gears = Gears::of_kind(kind);
-        let mut meshes: Vec<String> = gears.names.windows(2).map(|pair| pair.join("-")).collect();
+        let meshes = Gears::meshes_of_kind(kind).into_iter().map(|pair| pair.join("-")).collect();
         let (mut names, mut kinds) = (gears.names, gears.kinds);
         if kind.is_stepped() {
-            // The two steps of the planet are one body, and in no mesh with each other.
+            // The two steps of the planet are one body.
             names.splice(1..3, ["planet".to_owned()]);
             kinds.remove(1);
-            meshes.remove(1);
         }
         let planets = names[1..names.len() - 1].to_vec();
         let bodies = Gears { names, kinds, has_order: true, of: "bodies" };
