@@ -57,7 +57,7 @@ pub(crate) fn content(scene: &Scene, format: FileFormat, dpi: Option<Number>) ->
         #[cfg(feature = "print")]
         FileFormat::Pdf => pdf::write(scene),
         #[cfg(feature = "print")]
-        FileFormat::Png => png::write(scene, dpi.map_or(DPI, Number::get)),
+        FileFormat::Png => png::write(scene, dpi.map_or_else(|| DPI.min(png::most_dpi(scene)), Number::get)),
         #[cfg(not(feature = "print"))]
         FileFormat::Pdf | FileFormat::Png => {
             let _ = dpi;

@@ -210,6 +210,9 @@ pub enum Error {
         /// The most.
         most: u32,
     },
+    /// A range from a value to itself.
+    #[error("both ends of the range are equal: write two different ones")]
+    EqualEnds,
     /// An error of a scheme or a machine.
     #[error(transparent)]
     Design(#[from] epicyclic_schemes::Error),

@@ -10,7 +10,7 @@
 use epicyclic_commands::shared::gearbox::Gearbox;
 use epicyclic_commands::shared::load::Load;
 use epicyclic_commands::sheet::answer::records::{GearSheet, MeshSheet};
-use epicyclic_commands::{sheet, strength};
+use epicyclic_commands::{analyze, sheet, strength};
 use proptest::prelude::*;
 
 const STRENGTH: &str = "factors: { K_A: 1.25, K_v: 1.05, K_H_beta: 1.2, K_H_alpha: 1, K_F_alpha: 1 }";
@@ -390,4 +390,64 @@ fn several_meshes_on_one_flank_are_warned_of() {
         warned.iter().filter(|one| one.name == "shared-flank").map(|one| one.message.as_str()).collect();
     assert_eq!(warned.len(), 1, "{warned:?}");
     assert!(warned[0].contains("the long in gear 2"), "{warned:?}");
+}
+
+/// Friction of the gearbox that a set's teeth do not suffice for is no loss, and a warning says so.
+#[test]
+fn friction_that_is_not_applied_is_warned_of() {
+    let of = |set: &str| {
+        let text = format!(
+            "gearbox: P\ninput: a\noutput: h\nfriction: 0.05\nsets: [{{ id: P, sun: a, ring: ground, carrier: h, {set} }}]\ngears: [{{ name: only }}]\n"
+        );
+        let gearbox = read(&text);
+        let analyze::Analysis::Overview(overview) = analyze::Request::default().answer(&gearbox).unwrap()
+        else {
+            panic!()
+        };
+        let told: Vec<String> = overview
+            .warnings
+            .into_iter()
+            .filter(|one| one.name == "friction")
+            .map(|one| one.message)
+            .collect();
+        (told, gearbox.has_losses())
+    };
+    for (set, lacks) in [
+        ("k: 3", "`teeth` are missing"),
+        ("teeth: [20, 63], planet_teeth: [21]", "it needs `profile_shifts`"),
+    ] {
+        let (told, loses) = of(set);
+        assert!(!loses && told.len() == 1 && told[0].contains(lacks), "{told:?}");
+    }
+    assert_eq!(of("teeth: [20, 60], planet_teeth: [20]"), (vec![], true));
+    assert_eq!(of("k: 3, efficiency: 0.97"), (vec![], true));
+}
+
+/// A pair has no planets: each key of theirs is refused at its place, all at once.
+#[test]
+fn keys_of_planets_are_refused_in_a_pair() {
+    let keys = [
+        ("planet_teeth", "[20]"),
+        ("planets", "3"),
+        ("spacing", "equal"),
+        ("floating", "sun"),
+        ("planet_bore", "9 mm"),
+        ("planet_mass", "9 kg"),
+        ("load_rating", "9 kN"),
+        ("static_load_rating", "9 kN"),
+        ("fatigue_limit", "9 kN"),
+        ("bearing_diameter", "9 mm"),
+    ];
+    let given: Vec<String> = keys.iter().map(|(key, value)| format!("{key}: {value}")).collect();
+    let set = format!(
+        "kind: external_pair, sun: a, ring: h, teeth: [19, 40], profile_shifts: [0.1, 0], {}",
+        given.join(", ")
+    );
+    let text =
+        format!("gearbox: P\ninput: a\noutput: h\nsets: [{{ id: P, {set} }}]\ngears: [{{ name: only }}]\n");
+    let error = Gearbox::parse("box.yaml", text.as_bytes()).unwrap_err().to_string();
+    assert_eq!(error.lines().count(), keys.len(), "{error}");
+    for (key, _) in keys {
+        assert!(error.contains(&format!("sets[0].{key}: set `P`: `{key}` is of planets")), "{key}: {error}");
+    }
 }

@@ -40,8 +40,10 @@ fn one_set_is_its_lever() {
     let lever = base(0) + base(2);
     let [with, without] = [&told.at_output[0], &at_output(&one(""))].map(|one| one.backlash_rad.unwrap());
     let cos = libm::cos(20.0_f64.to_radians());
-    assert!(near((with.upper - without.upper) * lever, (90.0 + 2.0 * 80.0 + 120.0) * 1e-6 * cos));
-    assert!(near((with.lower - without.lower) * lever, (60.0 + 2.0 * 50.0 + 70.0) * 1e-6 * cos));
+    assert!(near((with.upper - with.lower) * lever, (30.0 + 2.0 * 30.0 + 50.0) * 1e-6 * cos));
+    // Shifts to four digits leave the flanks 3 µm into each other, and no play.
+    assert_eq!((without.lower, without.upper), (0.0, 0.0));
+    assert!(((with.upper * lever) / ((90.0 + 2.0 * 80.0 + 120.0) * 1e-6 * cos) - 1.0).abs() < 0.02);
     assert!(with.lower < with.upper && told.at_output[0].missing.is_empty());
     // Both meshes at once: with one half as wide the stiffness is half.
     let stiffness = told.at_output[0].stiffness_n_m.unwrap();

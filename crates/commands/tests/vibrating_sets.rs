@@ -7,8 +7,9 @@
     reason = "helpers of tests, which clippy does not know for such"
 )]
 
+use epicyclic_commands::shared::exciting::Exciting;
 use epicyclic_commands::shared::gearbox::Gearbox;
-use epicyclic_commands::vibrate::answer::records::{Reason, What};
+use epicyclic_commands::vibrate::answer::records::{Reason, Source, VibratingBody, What};
 use epicyclic_commands::vibrate::{Request, Vibration};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -349,4 +350,53 @@ proptest! {
         let zeros = all.sets[0].modes.iter().filter(|mode| mode.frequency_hz == 0.0);
         prop_assert_eq!(zeros.map(|mode| mode.multiplicity).sum::<u32>(), freedoms, "{}", set);
     }
+}
+
+/// A mesh may be named from either gear, once.
+#[test]
+fn meshes_are_named_from_either_gear() {
+    let of = |key: &str| {
+        let set = format!(
+            "sun: a, ring: ground, carrier: h, teeth: [21, 63], planet_teeth: [21], planets: 3, module: 3 mm, face_width: 30 mm, vibration: {{ {CARRIER}, ring: {{ outside_diameter: 230 mm }}, mesh_stiffness: {{ {key} }} }}"
+        );
+        Gearbox::parse("box.yaml", file("sets", &set, "h").as_bytes()).map_err(|error| error.to_string())
+    };
+    let answer =
+        |key: &str| Request::default().answer(&of(key).unwrap(), &|| ControlFlow::Continue(())).unwrap();
+    same(&answer("sun-planet: 400 N/um"), &answer("planet-sun: 400 N/um"));
+    assert!(answer("sun-planet: 400 N/um") != answer("sun-planet: 500 N/um"));
+    let twice = of("sun-planet: 400 N/um, planet-sun: 500 N/um").unwrap_err();
+    assert!(twice.contains("`mesh_stiffness` gives sun-planet twice"), "{twice}");
+    let wrong = of("ring-sun: 400 N/um").unwrap_err();
+    assert!(wrong.contains("`mesh_stiffness` has a value of `ring-sun`"), "{wrong}");
+}
+
+/// The inertia at the input by the energy of each body: `ω_H = ω/i`, a planet turns with `ω_H·(1 − z_r/z_p)`.
+#[test]
+fn the_inertia_of_the_gearbox_is_by_the_energy_of_its_bodies() {
+    let set = format!(
+        "sun: a, ring: ground, carrier: h, teeth: [20, 64], planet_teeth: [22], planets: 4, module: 3 mm, face_width: 30 mm, vibration: {{ {CARRIER}, ring: {{ outside_diameter: 240 mm }} }}"
+    );
+    let text = file("sets", &set, "h") + "vibration: { link_inertias: { a: 0.02 kg·m2, h: 5 kg·m2 } }\n";
+    let gearbox = Gearbox::parse("box.yaml", text.as_bytes()).unwrap();
+    let request = Request {
+        exciting: Exciting { speeds: Some("0rpm..600rpm/3".parse().unwrap()), ..Exciting::default() },
+        ..Request::default()
+    };
+    let answer = request.answer(&gearbox, &|| ControlFlow::Continue(())).unwrap();
+    let body = |name: &str| answer.sets[0].bodies.iter().find(|body| body.body == name).unwrap();
+    let (sun, planet, carrier) = (body("sun"), body("planet"), body("carrier"));
+    let inertia = |body: &VibratingBody| body.inertia_kg_m2.unwrap();
+    let ratio = 1.0 + 64.0 / 20.0;
+    let turn = 1.0 - 64.0 / 22.0;
+    let on_carrier = 5.0
+        + inertia(carrier)
+        + 4.0 * (planet.mass_kg.unwrap() * carrier.radius_m.powi(2) + inertia(planet) * turn * turn);
+    let expected = 0.02 + inertia(sun) + on_carrier / (ratio * ratio);
+    let told = &answer.torsional[0];
+    assert!(near(told.inertia_at_input_kg_m2.unwrap(), expected, 1e-9), "{told:?} {expected}");
+    assert!(near(told.inertia_at_output_kg_m2.unwrap(), expected * ratio * ratio, 1e-9), "{told:?}");
+    // Teeth of the ring pass the planets at the speed of the carrier, 600 rpm over the ratio.
+    let mesh = answer.orders.iter().find(|one| one.source == Source::Mesh && one.harmonic == 1).unwrap();
+    assert!(near(mesh.frequency_hz, 64.0 * 10.0 / ratio, 1e-12), "{mesh:?}");
 }

@@ -50,7 +50,7 @@ pub enum Error {
     },
     /// A resolution outside its range, or too many pixels.
     #[error(
-        "{dpi} pixels an inch make an image of {width:.0} × {height:.0} pixels; from {least_dpi} to {most_dpi} an inch and at most {most:.0} in all are allowed"
+        "{dpi} pixels an inch make an image of {width:.0} × {height:.0} pixels; at most {most:.0} in all are allowed, for this picture from {least_dpi} to {most_dpi} an inch"
     )]
     Pixels {
         /// Pixels to an inch.

@@ -19,6 +19,25 @@ pub const MOST_PIXELS: f64 = 1e8;
 /// Millimetres to an inch, and pixels of an SVG's own unit to an inch.
 const INCH: [f64; 2] = [25.4, 96.0];
 
+/// Pixels across and down.
+fn size(scene: &Scene, dpi: f64) -> [f64; 2] {
+    let bounds = page(scene);
+    [bounds.width(), bounds.height()].map(|mm| (mm / INCH[0] * dpi).ceil())
+}
+
+/// The greatest resolution at which an image of the scene has no more than [`MOST_PIXELS`], whole.
+#[must_use]
+pub fn most_dpi(scene: &Scene) -> f64 {
+    let bounds = page(scene);
+    let of_area = (MOST_PIXELS / (bounds.width() * bounds.height())).sqrt() * INCH[0];
+    let mut dpi = DPI[1].min(of_area.floor());
+    // Parts of pixels at the edges count as whole ones.
+    while dpi > 1.0 && size(scene, dpi).iter().product::<f64>() > MOST_PIXELS {
+        dpi -= 1.0;
+    }
+    dpi
+}
+
 /// The scene as a PNG image of `dpi` pixels an inch.
 ///
 /// # Errors
@@ -26,11 +45,9 @@ const INCH: [f64; 2] = [25.4, 96.0];
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // sizes are checked
 pub fn write(scene: &Scene, dpi: f64) -> Result<Vec<u8>, Error> {
     let image = outlined(scene)?;
-    let bounds = page(scene);
-    let pixels = |mm: f64| (mm / INCH[0] * dpi).ceil();
-    let (width, height) = (pixels(bounds.width()), pixels(bounds.height()));
-    let refused =
-        Error::Pixels { dpi, width, height, least_dpi: DPI[0], most_dpi: DPI[1], most: MOST_PIXELS };
+    let [width, height] = size(scene, dpi);
+    let most_dpi = most_dpi(scene);
+    let refused = Error::Pixels { dpi, width, height, least_dpi: DPI[0], most_dpi, most: MOST_PIXELS };
     if !(DPI[0]..=DPI[1]).contains(&dpi) || width * height > MOST_PIXELS {
         return Err(refused);
     }
@@ -97,6 +114,8 @@ mod tests {
         let mut large = scene();
         let layer = large.layer("far", Style::line(0.5)).unwrap();
         large.add(layer, Shape::line([0.0, 0.0], [900.0, 900.0]));
-        assert!(matches!(write(&large, 600.0), Err(Error::Pixels { .. })));
+        let Err(Error::Pixels { most_dpi: fits, .. }) = write(&large, 600.0) else { panic!() };
+        let pixels = |dpi| size(&large, dpi).iter().product::<f64>();
+        assert!(pixels(fits) <= MOST_PIXELS && pixels(fits + 1.0) > MOST_PIXELS, "{fits}");
     }
 }

@@ -48,9 +48,7 @@
 //! # }
 //! ```
 
-use crate::Problem;
 use crate::drive::Spacing;
-use epicyclic_units::format::quantity;
 use epicyclic_units::{Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -62,6 +60,7 @@ mod compound;
 mod data_sheet;
 mod described;
 mod drag;
+mod error;
 mod kind;
 mod losses;
 mod per_gear;
@@ -79,6 +78,7 @@ mod written;
 pub use compound::{CompoundEntry, ListedPlanetEntry, MeshEntry, Note, PlanetSizeEntry, PlanetSized};
 pub use data_sheet::DataSheetEntry;
 pub use drag::{BeyondEntry, DragCurveEntry, DragEntry};
+pub use error::{DescriptionError, ToolMisfit};
 pub use kind::{KindEntry, RollingEntry};
 use losses::losses;
 pub use per_gear::{Gears, PerGear};
@@ -89,265 +89,13 @@ pub use strength::{
     AccuracyEntry, DutyEntry, FloatingEntry, MaterialClass, MaterialEntry, OilEntry, OverloadEntry,
     RequiredEntry, ShaperEntry, StrengthEntry,
 };
-pub use tools::{CutterEntry, ProfileEntry, ToolEntry, ToolMisfit};
+pub use tools::{CutterEntry, ProfileEntry, ToolEntry};
 pub use transmissions::{Planet, PublishedGear, Rounding, Transmission, TransmissionSet, TransmissionsFile};
 pub use vibration::{
     BodyEntry, CarrierEntry, CompoundVibrationEntry, PlanetEntry, RingEntry, ShaftEntry, Stiffness, SunEntry,
     Vibrating, VibrationEntry, VibrationOfGearbox,
 };
 pub use written::{NotWritable, WrittenSize, written, written_with_sizes};
-
-/// A description that is no gearbox.
-#[derive(Debug, Clone, PartialEq, thiserror::Error, strum::IntoStaticStr)]
-#[strum(serialize_all = "kebab-case")]
-#[non_exhaustive]
-pub enum DescriptionError {
-    /// A set known in no way, or in two.
-    #[error("set `{set}`: give either `k` or `teeth`")]
-    RowKnownInOneWay {
-        /// The set.
-        set: String,
-    },
-    /// A pair with a carrier, or a planet set without.
-    #[error("set `{set}`: {}", if *is_pair { "a pair has no `carrier`, since the housing carries it; leave it out" } else { "`carrier` is missing" })]
-    Carrier {
-        /// The set.
-        set: String,
-        /// Whether it is a pair.
-        is_pair: bool,
-    },
-    /// Losses of the set and of its meshes at once, or too few or too many meshes.
-    #[error("set `{set}`: give `efficiency`, or `meshes` with {expected} efficiencies")]
-    Losses {
-        /// The set.
-        set: String,
-        /// How many meshes it has.
-        expected: usize,
-    },
-    /// Friction beside efficiencies.
-    #[error("set `{set}`: give one of `efficiency`, `meshes` and `friction`")]
-    LossesTwice {
-        /// The set.
-        set: String,
-    },
-    /// Friction of a set whose teeth are not known.
-    #[error("set `{set}`: friction needs teeth in mesh: {missing}")]
-    Friction {
-        /// The set.
-        set: String,
-        /// Missing data, in words.
-        missing: String,
-    },
-    /// The basic rack.
-    #[error(transparent)]
-    Rack(epicyclic_gears::Error),
-    /// More planets than a set has.
-    #[error(
-        "set `{set}`: {given} counts in `planet_teeth`: one is due of a simple set, one or two of others"
-    )]
-    PlanetTeeth {
-        /// The set.
-        set: String,
-        /// How many were given.
-        given: usize,
-    },
-    /// Tools that cannot be.
-    #[error("set `{set}`: {source}")]
-    Tools {
-        /// The set.
-        set: String,
-        /// Why.
-        source: ToolMisfit,
-    },
-    /// Profile shifts of a set whose teeth are not all given, or of bevel gears; tip alterations without
-    /// shifts.
-    #[error(
-        "set `{set}`: `profile_shifts`, with or without `tip_alterations`, need the teeth of all its gears, and gears that are not bevel"
-    )]
-    Shifts {
-        /// The set.
-        set: String,
-    },
-    /// A helix angle of a set whose teeth are not known or not in mesh.
-    #[error("set `{set}`: helical teeth need teeth in mesh: {missing}")]
-    HelixAngle {
-        /// The set.
-        set: String,
-        /// Missing data, in words.
-        missing: String,
-    },
-    /// A value of a gear that the set has not.
-    #[error("set `{set}`: `{key}` has a value of `{gear}`, and its {of} are {gears}")]
-    NoSuchGear {
-        /// The set.
-        set: String,
-        /// The key.
-        key: &'static str,
-        /// The name.
-        gear: String,
-        /// Things that the set has: gears, meshes, bodies.
-        of: &'static str,
-        /// Names of these, and the one that is most like the name given.
-        gears: String,
-    },
-    /// A gear without a value where each needs one.
-    #[error("set `{set}`: `{key}` of {gear} is missing")]
-    GearLacks {
-        /// The set.
-        set: String,
-        /// The key.
-        key: &'static str,
-        /// Name of the gear.
-        gear: String,
-    },
-    /// A gear whose meshes state different modules.
-    #[error("set `{set}`: {gear} has the modules {} and {}; a gear has one module in all its meshes", quantity(*first, 6), quantity(*second, 6))]
-    TwoModules {
-        /// The set.
-        set: String,
-        /// Name of the gear.
-        gear: String,
-        /// Module of its first mesh.
-        first: Length,
-        /// Module of a later one.
-        second: Length,
-    },
-    /// Values in a list of a compound set, whose gears have no order.
-    #[error("set `{set}`: `{key}` needs the names of the {of}, as `{key}: {{ {}: … }}`; they are {gears}", gears.split(',').next().unwrap_or_default())]
-    ByName {
-        /// The set.
-        set: String,
-        /// The key.
-        key: &'static str,
-        /// Things that the values are of: gears, meshes.
-        of: &'static str,
-        /// Names of these.
-        gears: String,
-    },
-    /// A key of a body that does not apply to its kind.
-    #[error("set `{set}`: `{key}` of the body `{body}` is of {of} alone; leave it out")]
-    BodyKey {
-        /// The set.
-        set: String,
-        /// The body.
-        body: String,
-        /// The key.
-        key: &'static str,
-        /// Bodies that have the key, in words.
-        of: &'static str,
-    },
-    /// A key that a list of transmissions does not read.
-    #[error("set `{set}`: `{key}` is read in a gearbox file alone, not in a list of transmissions")]
-    NotListed {
-        /// The set.
-        set: String,
-        /// The key.
-        key: &'static str,
-    },
-    /// Two keys for one thing.
-    #[error("set `{set}`: `{first}` and `{second}` say the same: keep one of them")]
-    Twice {
-        /// The set.
-        set: String,
-        /// One key.
-        first: &'static str,
-        /// The other.
-        second: &'static str,
-    },
-    /// A set of a transmission without something its kind needs.
-    #[error("set `{set}`: {missing} is missing")]
-    Missing {
-        /// The set.
-        set: String,
-        /// Missing key.
-        missing: &'static str,
-    },
-    /// A member of a set in no link.
-    #[error("set `{set}`: `{member}` is in no link")]
-    MemberInNoLink {
-        /// The set.
-        set: String,
-        /// The member.
-        member: String,
-    },
-    /// A member in two links.
-    #[error("`{member}` is in two links, `{first}` and `{second}`: make them one")]
-    MemberInTwoLinks {
-        /// The member.
-        member: String,
-        /// One link.
-        first: String,
-        /// The other.
-        second: String,
-    },
-    /// Error of the gears of a set.
-    #[error("set `{set}`: {source}")]
-    Set {
-        /// The set.
-        set: String,
-        /// The reason.
-        source: epicyclic_gears::Error,
-    },
-    /// A size of a planet that the set has not.
-    #[error("set `{set}`: no planet is called `{planet}`: `planet_sizes` has names of `planet_gears`")]
-    NoSuchPlanet {
-        /// The set.
-        set: String,
-        /// The name.
-        planet: String,
-    },
-    /// A clutch with links and with a one-way sense, or with neither.
-    #[error("clutch `{clutch}`: give either `links`, or `one_way` for a one-way clutch")]
-    Clutch {
-        /// The clutch.
-        clutch: String,
-    },
-    /// Another number of values than a set has gears or meshes.
-    #[error("set `{set}`: `{key}` has {given} values; {expected} are required: {of}")]
-    Values {
-        /// The set.
-        set: String,
-        /// The key.
-        key: &'static str,
-        /// Gears or meshes that the values belong to.
-        of: String,
-        /// How many are given.
-        given: usize,
-        /// How many are required.
-        expected: usize,
-    },
-    /// A spacing of planets that is stated twice.
-    #[error(
-        "set `{set}`: the spacing of the planets is stated twice; give one of `planet_angles` and `spacing` (`vibration.planet_angles` is read as `planet_angles`)"
-    )]
-    SpacingTwice {
-        /// The set.
-        set: String,
-    },
-}
-
-impl DescriptionError {
-    /// Name of the fault, which does not change with the message: `row-known-in-one-way`.
-    #[must_use]
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::Rack(source) => source.name(),
-            Self::Set { source, .. } => source.name(),
-            named => named.into(),
-        }
-    }
-
-    /// Error of the gears of a set.
-    fn of_set(set: &str, source: epicyclic_gears::Error) -> Self {
-        Self::Set { set: set.to_owned(), source }
-    }
-}
-
-impl From<DescriptionError> for Problem {
-    fn from(error: DescriptionError) -> Self {
-        Self::refused(error.name(), error.to_string())
-    }
-}
 
 /// A gearbox of any structure.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -392,8 +140,8 @@ pub struct GearboxFile {
     /// Addendum in modules, for the checks of teeth. Default 1.
     #[serde(default)]
     pub addendum: Option<Number>,
-    /// Mean coefficient of friction of the teeth of every simple set that states neither friction nor
-    /// efficiencies and whose teeth are known.
+    /// Mean coefficient of friction of the teeth in every mesh without friction or efficiency of its own. Sets
+    /// whose teeth do not suffice for it are named in a warning.
     #[serde(default)]
     pub friction: Option<Number>,
     /// Drag torques of seals, bearings and churning, for `epicyclic losses`.
@@ -502,6 +250,11 @@ pub struct SetEntry {
     /// Module of each mesh from sun to ring, in place of `module`: of stepped planets.
     #[serde(default)]
     pub modules: Option<Vec<Quantity<Length>>>,
+    /// Centre distance of its meshes with sun and ring, or of the pair, from which open profile shifts follow:
+    /// `profile_shifts` then state those of some gears by name, and each mesh gives that of another. Needs
+    /// `module`.
+    #[serde(default)]
+    pub centre_distance: Option<Quantity<Length>>,
     /// Radius of the planets' centres; goes before that of module and teeth.
     #[serde(default)]
     pub carrier_radius: Option<Quantity<Length>>,
@@ -712,6 +465,56 @@ mod tests {
         assert_eq!(gearbox.analyze("only").unwrap().exact_ratio().unwrap().to_string(), "-3");
         assert!(read(&pair.replace("sun: x", "carrier: z, sun: x")).unwrap_err().contains("no `carrier`"));
         assert!(read(&pair.replace("external_pair", "simple")).unwrap_err().contains("`carrier` is missing"));
+    }
+
+    /// Shifts that are not stated follow from the centre distance: of the published twin-rotor stage, whose
+    /// print has the ring's with the other sign, and of the helical stage of a wind gearbox.
+    #[test]
+    fn open_shifts_follow_from_the_centre_distance() {
+        let shifts = |kind: &str, rest: &str| {
+            let text = format!(
+                "gearbox: P\ninput: x\noutput: y\nsets: [{{ id: P, kind: {kind}, sun: x, ring: y, {rest} }}]\ngears: [{{ name: only }}]\n"
+            );
+            let gearbox = read(&text)?;
+            let of_set = gearbox.sets()[0].tooth_shape().shifts.clone();
+            Ok::<_, String>(of_set.unwrap().profile)
+        };
+        for (kind, rest, wanted, within) in [
+            (
+                "external_pair",
+                "teeth: [57, 54], module: 2.75 mm, centre_distance: 155 mm, profile_shifts: { gear 2: 0.45 }",
+                [0.4618, 0.45],
+                5e-5,
+            ),
+            (
+                "internal_pair",
+                "teeth: [18, 107], module: 3.5 mm, centre_distance: 155 mm, profile_shifts: { gear 1: 0.5038 }",
+                [0.5038, -0.2935],
+                5e-5,
+            ),
+            (
+                "external_pair",
+                "teeth: [24, 95], module: 14 mm, helix_angle: 10 deg, centre_distance: 861 mm, profile_shifts: { gear 1: 0.48 }",
+                [0.48, 0.6691],
+                5e-4,
+            ),
+        ] {
+            let found = shifts(kind, rest).unwrap();
+            assert!(found.iter().zip(wanted).all(|(one, other)| (one - other).abs() < within), "{found:?}");
+        }
+        let set = "carrier: h, teeth: [18, 93], planet_teeth: [36], module: 21 mm, centre_distance: 584 mm";
+        let simple = |rest: &str| shifts("simple", &format!("{set}, profile_shifts: {rest}"));
+        let [of_sun, of_planet, of_ring] = ["{ sun: 0.389 }", "{ planet: 0.503873 }", "{ ring: 0.117115 }"]
+            .map(|rest| simple(rest).unwrap());
+        for found in [of_sun, of_planet, of_ring] {
+            let is_close = |(one, other): (&f64, f64)| (one - other).abs() < 1e-5;
+            assert!(found.iter().zip([0.389, 0.503_873, 0.117_115]).all(is_close), "{found:?}");
+        }
+        let compound = read(
+            "gearbox: P\ninput: x\noutput: h\ncompound_sets: [{ id: P, carrier: h, suns: { x: 18 }, rings: { ground: 93 }, planet_gears: { p: [36] }, module: 21 mm, profile_shifts: { p: 0.503873 }, meshes: [{ gears: [x, p], centre_distance: 584 mm }, { gears: [ground, p], centre_distance: 584 mm }] }]\ngears: [{ name: only }]\n",
+        );
+        let found = compound.unwrap().sets()[0].tooth_shape().shifts.clone().unwrap().profile;
+        assert!((found[0] - 0.389).abs() < 1e-5 && (found[1] - 0.117_115).abs() < 1e-5, "{found:?}");
     }
 
     /// Values of gears are as many as the set has gears, in every kind of set, and those of meshes as many as

@@ -364,6 +364,30 @@ const SOUND: [Sound; 12] = [
             ),
             (
                 "[24, 66]",
+                "[24, 66], centre_distance: @60 mm@",
+                "sets[2].centre_distance",
+                "centre-distance-alone",
+            ),
+            (
+                "[24, 66]",
+                "[24, 66], module: 1 mm, planet_teeth: [21], centre_distance: @23 mm@",
+                "sets[2].centre_distance",
+                "shifts-open",
+            ),
+            (
+                "[24, 66]",
+                "[24, 66], module: 1 mm, planet_teeth: [21], profile_shifts: [0.1, 0.2, 0], centre_distance: @23 mm@",
+                "sets[2].centre_distance",
+                "shifts-fixed",
+            ),
+            (
+                "{ gears: [p, T3] }",
+                "{ gears: [p, T3], centre_distance: @20 mm@ }",
+                "compound_sets[0].meshes[1].centre_distance",
+                "centre-distance-alone",
+            ),
+            (
+                "[24, 66]",
                 "[24, 66], face_widths: { gear 1: @1 mm@ }",
                 "sets[2].face_widths[\"gear 1\"]",
                 "no-such-gear",

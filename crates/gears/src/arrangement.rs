@@ -70,7 +70,7 @@ pub struct GearPlace {
     /// Sun for every external central gear, ring for every internal one, or planet.
     pub role: SimpleGear,
     /// Step of the planet that it belongs to or meshes with: 0 or 1.
-    pub(crate) step: usize,
+    pub step: usize,
 }
 
 impl fmt::Display for GearPlace {

@@ -50,6 +50,9 @@ pub enum Untoothed {
     /// Bevel gears.
     #[error("its gears are bevel gears")]
     Bevel,
+    /// The gears make no set, which the gearbox refuses.
+    #[error("its gears make no set")]
+    NoSet,
     /// The given values leave no teeth or no mesh.
     #[error(transparent)]
     Refused(#[from] Error),
@@ -290,14 +293,14 @@ impl CompoundSpec {
     /// As [`PlanetSet::toothed`], of a set that no gearbox has yet.
     ///
     /// # Errors
-    /// As [`PlanetSet::toothed`]; [`Untoothed::Teeth`] of a set that makes no gearbox.
+    /// As [`PlanetSet::toothed`]; [`Untoothed::NoSet`].
     pub fn toothed(&self, rack: &BasicRack, modules: &[Option<f64>]) -> Result<ToothedSet, Untoothed> {
         let links = self.centrals.iter().map(|central| central.link.as_str()).chain([self.carrier.as_str()]);
         let links: Vec<&str> = links.filter(|link| *link != GROUND).collect();
         let [input, output] = [links.first(), links.last()].map(|link| link.copied().unwrap_or_default());
         let alone = Gearbox::builder(&self.id).links(links).input(input).output(output);
         let alone = alone.compound_set(self.clone()).gear("1", [""; 0]).build();
-        alone.map_err(|_| Untoothed::Teeth)?.sets()[0].toothed(rack, modules)
+        alone.map_err(|_| Untoothed::NoSet)?.sets()[0].toothed(rack, modules)
     }
 }
 
@@ -363,13 +366,13 @@ impl SetSpec {
     /// As [`PlanetSet::toothed`], of a set that no gearbox has yet.
     ///
     /// # Errors
-    /// As [`PlanetSet::toothed`]; [`Untoothed::Teeth`] of a set without a ratio.
+    /// As [`PlanetSet::toothed`]; [`Untoothed::NoSet`] of a set without a ratio.
     pub fn toothed(&self, rack: &BasicRack, modules: &[Option<f64>]) -> Result<ToothedSet, Untoothed> {
         // Links do not matter to teeth.
         let links = [LinkId(1), LinkId(2)];
-        let parts = parts_of_short(self, links).map_err(|_| Untoothed::Teeth)?;
+        let parts = parts_of_short(self, links).map_err(|_| Untoothed::NoSet)?;
         let set = PlanetSet::new(Description::Short(self.clone()), LinkId::GROUND, parts);
-        set.map_err(|_| Untoothed::Teeth)?.toothed(rack, modules)
+        set.map_err(|_| Untoothed::NoSet)?.toothed(rack, modules)
     }
 
     /// Losses of the set by the sliding of its teeth, at coefficients of friction of its meshes from the

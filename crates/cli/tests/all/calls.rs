@@ -93,6 +93,35 @@ fn files_are_written_into_memory_and_read_there() {
     assert!(String::from_utf8(kept.answer).unwrap().contains("\"ratio\": 2.56"));
 }
 
+/// Modules of steps that differ are in the file: its data sheets are of the set that was found.
+#[test]
+fn saved_sets_with_two_modules_are_read_again() {
+    for words in [
+        &["teeth", "--kind", "stepped", "--ratio", "20", "--module-ratio", "5/4", "--save", "set.yaml"][..],
+        &[
+            "teeth",
+            "--kind",
+            "wolfrom",
+            "--ratio",
+            "100",
+            "--module-ratio",
+            "4/3",
+            "--ring-offset",
+            "-2..2",
+            "--tolerance",
+            "0.1%",
+            "--save",
+            "set.yaml",
+        ],
+    ] {
+        let (code, kept) = in_memory(words, BTreeMap::new());
+        assert_eq!(code, 0, "{kept:?}");
+        let (code, kept) = in_memory(&["sheet", "set.yaml"], kept.files);
+        assert_eq!(code, 0, "{kept:?}");
+        assert!(String::from_utf8(kept.answer).unwrap().contains("centre distance, mm"));
+    }
+}
+
 #[test]
 fn what_is_refused_is_told_as_the_program_tells_it() {
     let (code, kept) = in_memory(&["analyze", "absent.yaml", "--format", "json"], BTreeMap::new());

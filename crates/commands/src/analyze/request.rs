@@ -73,7 +73,7 @@ pub struct Request {
     #[arg(
         long,
         value_name = "NUMBER",
-        allow_negative_numbers = true,
+        allow_hyphen_values = true,
         conflicts_with_all = ["gear", "all_combinations", "formula", "steps", "shifts"],
     )]
     pub progression: Option<Number>,

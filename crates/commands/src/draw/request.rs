@@ -44,7 +44,8 @@ pub struct Args {
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
-    /// Pixels to an inch of a PNG image, 20 to 2400; an image has at most 100 million pixels. Default: 300.
+    /// Pixels to an inch of a PNG image, 20 to 2400; an image has at most 100 million pixels. Default: 300,
+    /// or fewer where the image would have more.
     #[arg(long, value_name = "NUMBER", requires = "output")]
     dpi: Option<Number>,
 

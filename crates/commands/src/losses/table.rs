@@ -64,7 +64,7 @@ fn gears(all: &[GearLosses]) -> Records {
 fn losses(all: &[Loss]) -> Records {
     let note = "mesh: of all planets together. open: a brake or clutch that is not engaged. n: relative speed of the links; M: torque \
                    between them.";
-    Table::new("losses", all.iter())
+    let table = Table::new("losses", all.iter())
         .text("gear", "gear", |loss| &loss.gear)
         .words("kind", "kind", |loss| {
             let kind = match loss.kind {
@@ -79,7 +79,12 @@ fn losses(all: &[Loss]) -> Records {
         .quantity("slip", "n", AngularSpeed, |loss| loss.slip_rad_s)
         .quantity("torque", "M", Torque, |loss| loss.torque_n_m)
         .quantity("loss", "", Power, |loss| loss.loss_w)
-        .number("of_loss_percent", "%", |loss| loss.of_loss.map(|share| Figure::Printed(100.0 * share, 1)))
+        .number("of_loss_percent", "%", |loss| loss.of_loss.map(|share| Figure::Printed(100.0 * share, 1)));
+    // At rest, and without losses, there is no heat to speak of.
+    if all.is_empty() {
+        return table.records();
+    }
+    table
         .view("Heat by its sources", "gear kind of between slip torque loss of_loss_percent")
         .note(note)
         .records()

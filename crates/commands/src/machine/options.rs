@@ -110,7 +110,7 @@ pub struct Rotor {
     pub wheel_radius: Quantity<Length>,
 
     /// Discharge parameter Ω = ω²R/g, where it is known; otherwise --release, --chute and --radius-ratio.
-    #[arg(long, value_name = "NUMBER", conflicts_with_all = ["release", "chute", "radius_ratio"], allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER", conflicts_with_all = ["release", "chute", "radius_ratio"], allow_hyphen_values = true)]
     pub discharge: Option<Number>,
 
     /// Angle at which a particle leaves its bucket.
@@ -122,6 +122,6 @@ pub struct Rotor {
     pub chute: Option<Quantities<Angle>>,
 
     /// Radius of the chute's edge over that of the wheel.
-    #[arg(long, value_name = "NUMBER", requires = "release", allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER", requires = "release", allow_hyphen_values = true)]
     pub radius_ratio: Option<Number>,
 }

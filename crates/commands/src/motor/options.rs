@@ -54,7 +54,7 @@ pub struct Request {
     pub a: Option<Quantity<Length>>,
 
     /// Instead of --l the part of the family, from 0 (arcs at the troughs vanish) to 1, even in 1/l.
-    #[arg(long, value_name = "NUMBER", group = "place", conflicts_with_all = ["l", "a"], allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER", group = "place", conflicts_with_all = ["l", "a"], allow_hyphen_values = true)]
     pub part: Option<Number>,
 
     /// A rotor by the cosine law, and the stator conjugate to it: one motor, no family.
@@ -62,7 +62,7 @@ pub struct Request {
     pub cosine: bool,
 
     /// Relative amplitude ε₂ of a second harmonic of the cosine law.
-    #[arg(long, value_name = "NUMBER", requires = "cosine", allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER", requires = "cosine", allow_hyphen_values = true)]
     pub second_harmonic: Option<Number>,
 
     /// The construction of the arcs in place of the motor: system (1), how far the rotor is from closing,
@@ -105,23 +105,23 @@ pub struct Teeth {
     pub pressure_angle: Quantity<Angle>,
 
     /// Addendum h_a*.
-    #[arg(long, value_name = "NUMBER", default_value = "0.85", allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER", default_value = "0.85", allow_hyphen_values = true)]
     pub addendum: Number,
 
     /// Clearance c* of tips over roots.
-    #[arg(long, value_name = "NUMBER", default_value = "0.25", allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER", default_value = "0.25", allow_hyphen_values = true)]
     pub clearance: Number,
 
     /// Profile shift x of the satellites; the wheels have −x.
-    #[arg(long, value_name = "NUMBER", default_value = "0.2", allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER", default_value = "0.2", allow_hyphen_values = true)]
     pub shift: Number,
 
     /// Backlash j* along the pitch curves.
-    #[arg(long, value_name = "NUMBER", default_value = "0.04", allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER", default_value = "0.04", allow_hyphen_values = true)]
     pub backlash: Number,
 
     /// Radius ρ* of the rounded tips of the cutters.
-    #[arg(long, value_name = "NUMBER", default_value = "0.1", allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER", default_value = "0.1", allow_hyphen_values = true)]
     pub fillet: Number,
 
     /// What lies in the middle of the stator's crests: space, tooth.
@@ -157,7 +157,8 @@ pub(crate) struct Files {
     #[arg(long, value_enum)]
     pub(crate) view: Option<View>,
 
-    /// Pixels to an inch of a PNG image, 20 to 2400; an image has at most 100 million pixels. Default: 300.
+    /// Pixels to an inch of a PNG image, 20 to 2400; an image has at most 100 million pixels. Default: 300,
+    /// or fewer where the image would have more.
     #[arg(long, value_name = "NUMBER", requires = "output")]
     pub(crate) dpi: Option<Number>,
 

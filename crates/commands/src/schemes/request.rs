@@ -36,19 +36,19 @@ pub struct Request {
     pub scheme: Option<String>,
 
     /// Ring-to-sun ratio of set 1.
-    #[arg(long, group = "first", requires = "scheme", allow_negative_numbers = true)]
+    #[arg(long, group = "first", requires = "scheme", allow_hyphen_values = true)]
     pub k1: Option<Number>,
 
     /// Ring-to-sun ratio of set 2.
-    #[arg(long, requires = "k1", conflicts_with = "ratio2", allow_negative_numbers = true)]
+    #[arg(long, requires = "k1", conflicts_with = "ratio2", allow_hyphen_values = true)]
     pub k2: Option<Number>,
 
     /// Ratio of gear 1, in place of --k1.
-    #[arg(long, group = "first", requires = "scheme", conflicts_with = "k1", allow_negative_numbers = true)]
+    #[arg(long, group = "first", requires = "scheme", conflicts_with = "k1", allow_hyphen_values = true)]
     pub ratio1: Option<Number>,
 
     /// Ratio of gear 2, in place of --k2.
-    #[arg(long, requires = "scheme", allow_negative_numbers = true)]
+    #[arg(long, requires = "scheme", allow_hyphen_values = true)]
     pub ratio2: Option<Number>,
 
     /// Efficiency of each set with its carrier fixed, 0.97 or 97%; of a scheme with numbers.

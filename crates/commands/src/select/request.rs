@@ -130,7 +130,7 @@ pub struct Size {
         value_name = "NUMBER",
         requires = "load_factor",
         default_value = "1",
-        allow_negative_numbers = true
+        allow_hyphen_values = true
     )]
     pub face_width_ratio: Number,
 

@@ -12,6 +12,7 @@ use epicyclic_train::planet_bearings::PlanetBearing;
 use epicyclic_train::planet_set::Description;
 use epicyclic_train::set::MeshLoss;
 use epicyclic_train::tooth_checks::SetChecks;
+use epicyclic_train::toothed::Untoothed;
 use epicyclic_train::{self as train, PlanetSet};
 use epicyclic_units::Quantity;
 use schemars::JsonSchema;
@@ -64,6 +65,8 @@ pub struct Gearbox {
     modules: Vec<Vec<Option<f64>>>,
     /// For each mesh of each set, whether of two planets in mesh the one described later is behind.
     is_behind: Vec<Vec<bool>>,
+    /// Sets to which the friction of the gearbox is not applied, with what their teeth lack for it.
+    pub(crate) without_friction: Vec<(String, Untoothed)>,
     /// Where it comes from.
     pub origin: Origin,
     /// Whether its tooth numbers or ring-to-sun ratios are known; a scheme by its name alone has any.
@@ -261,6 +264,8 @@ pub(crate) fn gearbox(
     let modules = gearbox.sets().iter().map(|set| file.stated_modules(set)).collect();
     let is_behind = |set: &PlanetSet| file.set_data(set).map(|data| data.is_behind).unwrap_or_default();
     let is_behind = gearbox.sets().iter().map(is_behind).collect();
+    // An assumed efficiency takes the place of what friction does not give.
+    let without_friction = if efficiency.is_some() { vec![] } else { file.without_friction(&gearbox) };
     Ok(Box::new(Gearbox {
         train: gearbox,
         source,
@@ -274,6 +279,7 @@ pub(crate) fn gearbox(
         inputs,
         modules,
         is_behind,
+        without_friction,
         origin: Origin::GearboxFile,
         is_sized: true,
     }))
@@ -309,6 +315,7 @@ fn transmission(
         inputs,
         modules,
         is_behind,
+        without_friction: vec![],
         origin: Origin::GearboxFile,
         is_sized: true,
     }))

@@ -23,19 +23,19 @@ use uom::si::f64::Ratio;
 #[derive(Debug, Clone, Copy, Default, clap::Args)]
 pub(crate) struct Sizes {
     /// Ring-to-sun ratio k of set 1, of a scheme or structure by its name.
-    #[arg(long, allow_negative_numbers = true)]
+    #[arg(long, allow_hyphen_values = true)]
     k1: Option<Number>,
 
     /// Ring-to-sun ratio k of set 2.
-    #[arg(long, requires = "k1", conflicts_with = "ratio2", allow_negative_numbers = true)]
+    #[arg(long, requires = "k1", conflicts_with = "ratio2", allow_hyphen_values = true)]
     k2: Option<Number>,
 
     /// Ratio of gear 1, in place of --k1.
-    #[arg(long, conflicts_with = "k1", allow_negative_numbers = true)]
+    #[arg(long, conflicts_with = "k1", allow_hyphen_values = true)]
     ratio1: Option<Number>,
 
     /// Ratio of gear 2, in place of --k2.
-    #[arg(long, allow_negative_numbers = true)]
+    #[arg(long, allow_hyphen_values = true)]
     ratio2: Option<Number>,
 }
 

@@ -18,12 +18,14 @@ impl<T: Physical, const MOST: u32> Places<T, MOST> {
     /// Range of values with this number of places.
     ///
     /// # Errors
-    /// [`Error::Places`] for fewer than 2 places or more than `MOST`.
+    /// [`Error::Places`] for fewer than 2 places or more than `MOST`, [`Error::EqualEnds`].
     pub fn new(from: T, to: T, places: u32) -> Result<Self, Error> {
-        if (2..=MOST).contains(&places) {
-            Ok(Self { from, to, places })
-        } else {
+        if !(2..=MOST).contains(&places) {
             Err(Error::Places { places, most: MOST })
+        } else if from.si() == to.si() {
+            Err(Error::EqualEnds)
+        } else {
+            Ok(Self { from, to, places })
         }
     }
 

@@ -29,7 +29,7 @@ pub struct ShiftOptions {
         value_name = "MODULES",
         requires = "ring_offset",
         default_value = "0.2",
-        allow_negative_numbers = true
+        allow_hyphen_values = true
     )]
     pub tip_thickness: Number,
 }

@@ -65,15 +65,15 @@ pub struct Criteria {
     pub least_efficiency: Quantity<Ratio>,
 
     /// Greatest speed of a link over the input's.
-    #[arg(long, value_name = "NUMBER", default_value = "2", allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER", default_value = "2", allow_hyphen_values = true)]
     pub link_speed: Number,
 
     /// Greatest speed of a planet relative to its carrier over the input's.
-    #[arg(long, value_name = "NUMBER", default_value = "2", allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER", default_value = "2", allow_hyphen_values = true)]
     pub planet_speed: Number,
 
     /// Greatest slip of the open direct-drive clutch over the input's speed.
-    #[arg(long, value_name = "NUMBER", default_value = "2", allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER", default_value = "2", allow_hyphen_values = true)]
     pub clutch_slip: Number,
 
     /// Greatest circulating power of a gear over what enters, 0.5 or 50%. Not given: more than half is an

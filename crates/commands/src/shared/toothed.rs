@@ -57,7 +57,7 @@ pub(crate) fn toothed(
     let modules: Vec<Option<f64>> = data.modules.iter().map(|module| module.map(Physical::si)).collect();
     Ok(match set.toothed(&subject.rack, &modules) {
         Ok(toothed) => Ok(toothed),
-        Err(Untoothed::Teeth) => Err(Some("teeth")),
+        Err(Untoothed::Teeth | Untoothed::NoSet) => Err(Some("teeth")),
         Err(Untoothed::PlanetTeeth) => {
             Err(Some(if set.short().is_some() { "planet_teeth" } else { "planet_gears" }))
         }

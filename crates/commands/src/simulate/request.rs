@@ -37,7 +37,7 @@ pub struct Args {
     #[arg(long, value_enum, conflicts_with = "sweep")]
     view: Option<PlotView>,
 
-    /// Pixels to an inch of a PNG image, 20 to 2400. Default: 300.
+    /// Pixels to an inch of a PNG image, 20 to 2400. Default: 300, or fewer where it would be too large.
     #[arg(long, value_name = "NUMBER", requires = "output", conflicts_with = "sweep")]
     dpi: Option<Number>,
 

@@ -40,7 +40,7 @@ pub struct Request {
     pub centre_distance_step: Quantity<Length>,
 
     /// The greatest face width over the sun's reference diameter. Default: no bound.
-    #[arg(long, value_name = "RATIO", allow_negative_numbers = true)]
+    #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
     pub width_ratio: Option<Number>,
 
     /// What picks the shifts, of which the sums are fixed.
@@ -48,15 +48,15 @@ pub struct Request {
     pub aim: Aim,
 
     /// Least thickness of the tips, in modules; 0.4 is usual of case-hardened teeth.
-    #[arg(long, value_name = "MODULES", default_value = "0.2", allow_negative_numbers = true)]
+    #[arg(long, value_name = "MODULES", default_value = "0.2", allow_hyphen_values = true)]
     pub tip_thickness: Number,
 
     /// Least rim of the planets between root circle and bearing, in modules.
-    #[arg(long, value_name = "MODULES", default_value = "3", allow_negative_numbers = true)]
+    #[arg(long, value_name = "MODULES", default_value = "3", allow_hyphen_values = true)]
     pub planet_rim: Number,
 
     /// Rim of the ring outside its root circle, in modules.
-    #[arg(long, value_name = "MODULES", default_value = "3.5", allow_negative_numbers = true)]
+    #[arg(long, value_name = "MODULES", default_value = "3.5", allow_hyphen_values = true)]
     pub ring_rim: Number,
 
     /// Which bearings of the tables are taken: deep groove ball bearings, cylindrical roller bearings, or

@@ -233,16 +233,16 @@ pub struct Wishes {
     pub falling_steps: bool,
 
     /// Greatest slip of an open shift element over the input's speed.
-    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     pub slip: Option<Number>,
 
     /// Greatest speed of a link over the input's.
-    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     pub link_speed: Option<Number>,
 
     /// Greatest speed of a planet relative to its carrier over the input's; of a double-planet set the speed
     /// that its planets exceed with any teeth.
-    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     pub planet_speed: Option<Number>,
 
     /// Only gearboxes that can be drawn: no link across another, each brake reached from the housing.

@@ -24,7 +24,7 @@ pub struct UsableOptions {
     pub least_reverse_efficiency: Quantity<Ratio>,
 
     /// Greatest circulating power of a forward gear over what enters.
-    #[arg(long, value_name = "NUMBER", default_value = "1", allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER", default_value = "1", allow_hyphen_values = true)]
     pub most_circulating: Number,
 
     /// End at the first class with gearboxes, whether they are of use or not.

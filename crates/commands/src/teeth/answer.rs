@@ -105,12 +105,17 @@ pub(super) trait SetList: Answer {
     /// Listed set with this number, from 1, as a gearbox; `None` if there is no such set.
     fn gearbox(&self, number: usize, request: &Request) -> Result<Option<Gearbox>, Error>;
 
+    /// Module of each mesh of this set over that of the first; empty where all are equal.
+    fn module_ratios(&self, _number: usize) -> Vec<f64> {
+        vec![]
+    }
+
     /// Limits the list to its first sets.
     fn truncate(&mut self, most: usize);
 }
 
 macro_rules! set_lists {
-    ($($answer:ty),*) => {$(
+    ($($answer:ty $(: $module_ratios:ident)?),*) => {$(
         impl SetList for $answer {
             fn counts(&self) -> (u64, usize) {
                 (self.found, self.shown)
@@ -121,6 +126,10 @@ macro_rules! set_lists {
                 set.map(|set| set.gearbox(request)).transpose()
             }
 
+            $(fn module_ratios(&self, number: usize) -> Vec<f64> {
+                self.$module_ratios(number)
+            })?
+
             fn truncate(&mut self, most: usize) {
                 self.tooth_numbers.truncate(most);
                 self.shown = self.tooth_numbers.len();
@@ -129,7 +138,7 @@ macro_rules! set_lists {
     )*};
 }
 
-set_lists!(Teeth, double_planet::DoublePlanetTeeth, shifted::ShiftedTeeth, arranged::ArrangedSets);
+set_lists!(Teeth, double_planet::DoublePlanetTeeth, shifted::ShiftedTeeth, arranged::ArrangedSets: of_meshes);
 
 /// Finds all sets of tooth numbers for a ratio.
 ///

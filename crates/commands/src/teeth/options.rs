@@ -13,7 +13,7 @@ use uom::si::f64::{Angle, Ratio};
 #[derive(Debug, Clone, clap::Args)]
 pub struct Request {
     /// Wanted ratio, input speed over output speed; negative for opposite directions of rotation.
-    #[arg(long, allow_negative_numbers = true)]
+    #[arg(long, allow_hyphen_values = true)]
     pub ratio: Number,
 
     /// Kind of the sets.
@@ -84,11 +84,11 @@ pub struct Request {
     pub angles: Vec<Quantity<Angle>>,
 
     /// Least gap between the tips of neighbouring planets, in modules.
-    #[arg(long, default_value = "0", allow_negative_numbers = true)]
+    #[arg(long, default_value = "0", allow_hyphen_values = true)]
     pub tip_gap: Number,
 
     /// Addendum coefficient of the basic rack: tips of planets, and undercut.
-    #[arg(long, default_value = "1", allow_negative_numbers = true)]
+    #[arg(long, default_value = "1", allow_hyphen_values = true)]
     pub addendum: Number,
 
     /// Pressure angle of the basic rack: undercut.

@@ -12,17 +12,19 @@ use crate::teeth::answer::shifted::{self, ShiftedTeeth};
 use crate::teeth::answer::{self as answers, IN_A_SECOND, SetList, Stages, Teeth, stages};
 use crate::teeth::options::{Kind, Request};
 use epicyclic_formats::Span;
-use epicyclic_formats::gearbox::written;
+use epicyclic_formats::gearbox::{WrittenSize, written_with_sizes};
 use epicyclic_gears::Error;
 use epicyclic_gears::arrangement::{Arrangement, ArrangementBounds};
 use epicyclic_gears::involute::family::Aim;
 use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::synthesis::{Bounds, Placement};
+use epicyclic_units::Physical;
 use epicyclic_units::format::trimmed;
 use std::ops::ControlFlow;
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
+use uom::si::f64::Length;
 
 /// Sets shown in a table unless said otherwise.
 const SHOWN_IN_TABLE: usize = 20;
@@ -274,15 +276,23 @@ fn saved(args: &Args, answer: &impl SetList) -> Result<Vec<u8>, Failure> {
     let gearbox = answer
         .gearbox(*nth, request)?
         .ok_or_else(|| Failure::no_such_design(format!("{nth}: there are sets 1 to {found}")))?;
-    let comment = format!(
+    let mut comment = vec![format!(
         "Set {nth} of {found} found by epicyclic teeth for the ratio {} ({}), without losses.",
         request.ratio.get(),
         match request.arrangement() {
             Some(arrangement) => request.arranged_mode(arrangement).map(|mode| mode.to_string()),
             None => request.simple_mode().map(|mode| mode.to_string()),
         }?
-    );
-    let text = written(&gearbox, &[comment]).map_err(|error| Failure::Format(error.to_string()))?;
+    )];
+    let modules: Vec<Length> = answer.module_ratios(*nth).into_iter().map(Length::from_mm).collect();
+    if !modules.is_empty() {
+        comment.push(
+            "Only the ratio of the modules is known: that of the first step stands as 1 mm.".to_owned(),
+        );
+    }
+    let sizes = [WrittenSize { modules, face_width: None }];
+    let text =
+        written_with_sizes(&gearbox, &sizes, &comment).map_err(|error| Failure::Format(error.to_string()))?;
     Ok(text.into_bytes())
 }
 

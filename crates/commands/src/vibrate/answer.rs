@@ -270,7 +270,7 @@ fn over_speeds(
         Err(error) => return Err(of.refused(&["vibration"], &error)),
     };
     if !prepared.teeth.is_empty() {
-        let of_teeth = |harmonics| orders::all(of, prepared, gear, &members, harmonics);
+        let of_teeth = |harmonics| orders::all(of, prepared, gear, &members, (harmonics, settled.fastest()));
         if let Some(excitation) = &settled.excitation {
             let side = of.flanks(place, prepared, Some(gear))?.side.unwrap_or((first - carrier).signum());
             let seen: Vec<f64> = members.iter().map(|speed| speed * side).collect();

@@ -137,12 +137,14 @@ fn tables(all: &Vibration) -> Vec<(Chapter, Records)> {
     let has_sets = !all.sets.is_empty();
     let over_speed = !all.campbell.is_empty();
     let has_resonances = all.torsional.iter().any(|one| !one.orders.is_empty());
+    let has_inertias = all.torsional.iter().any(|one| one.inertia_at_input_kg_m2.is_some());
     let tables = [
         (has_sets, Frequencies, of_modes(&all.sets, !over_speed)),
         (over_speed, Resonances, resonances(&all.resonances)),
         (over_speed && !all.responses.is_empty(), Forces, responses(&all.responses)),
         (over_speed, Resonances, orders(&all.orders)),
         (!all.torsional.is_empty(), Frequencies, train::torsional(&all.torsional)),
+        (has_inertias, Frequencies, train::inertias(&all.torsional)),
         (has_resonances, Resonances, train::resonances(&all.torsional)),
         (has_resonances, Resonances, train::orders(&all.torsional)),
         (!all.coupled.is_empty(), Frequencies, train::coupled(&all.coupled)),
@@ -223,9 +225,18 @@ const BODIES: [&str; 4] = ["sun", "ring", "carrier", "planets"];
 const SPRINGS: [&str; 4] = ["sun_meshes", "ring_meshes", "planet_bearings", "supports"];
 const HEADINGS: [&str; 8] = ["sun", "ring", "carrier", "planets", "s mesh", "r mesh", "bearings", "supports"];
 
+/// Least share shown in a list, per cent.
+const LEAST_SHOWN: f64 = 1.0;
+
 fn of_modes(sets: &[SetModes], is_answer: bool) -> Records {
     let largest =
         |shares: &Shares| most(shares.0.iter().map(|(name, share)| (*share, name.replace('_', " "))));
+    let listed = |shares: &Shares| {
+        let shown =
+            shares.0.iter().map(|(name, share)| (name, 100.0 * share)).filter(|one| one.1 >= LEAST_SHOWN);
+        let shown = shown.map(|(name, share)| format!("{} {share:.1}", name.replace('_', " ")));
+        text(shown.collect::<Vec<_>>().join(", "))
+    };
     // Parts that only sets have which are not simple.
     let usual = [&BODIES[..], &SPRINGS[..]].concat();
     let mut others: Vec<&str> = vec![];
@@ -237,6 +248,12 @@ fn of_modes(sets: &[SetModes], is_answer: bool) -> Records {
             }
         }
     }
+    // Sets of other parts have no columns in common.
+    let parts = if others.is_empty() { &usual[..] } else { &["all_bodies", "all_springs"] };
+    // A set has several lines for a mode where its gears have other modes.
+    let repeats =
+        sets.iter().enumerate().any(|(place, set)| sets[..place].iter().any(|one| one.set == set.set));
+    let energies = [if repeats { &["set", "gears", "mode"][..] } else { &["set", "mode"] }, parts].concat();
     let of =
         |mode: &Mode, part: &str| mode.kinetic.of(part).or_else(|| mode.strain.as_ref()?.of(part)).map(share);
     let has = |part: &str| sets.iter().flat_map(|set| &set.modes).any(|mode| of(mode, part).is_some());
@@ -252,6 +269,10 @@ fn of_modes(sets: &[SetModes], is_answer: bool) -> Records {
         .for_people()
         .words("strained", "strained most, %", |(_, mode)| mode.strain.as_ref().map(largest))
         .for_people()
+        .words("all_bodies", "bodies", |(_, mode)| listed(&mode.kinetic))
+        .for_people()
+        .words("all_springs", "springs", |(_, mode)| mode.strain.as_ref().map(listed))
+        .for_people()
         .each(std::iter::zip(usual.clone(), HEADINGS), |table, (part, heading)| {
             table.number(part, heading, |(_, mode)| of(mode, part)).only_if(has(part))
         })
@@ -263,10 +284,7 @@ fn of_modes(sets: &[SetModes], is_answer: bool) -> Records {
             "×: how many modes have this frequency. Rotational: sun, ring and carrier rotate and do not translate; translational: \
              they translate; planet: they are at rest. At 0 Hz all turn by their ratios.",
         )
-        .view(
-            "Where the energy is",
-            "set mode sun ring carrier planets sun_meshes ring_meshes planet_bearings supports share",
-        )
+        .view_of("Where the energy is", &energies)
         .note(
             "Shares in per cent: of the bodies in the kinetic energy, of the springs in the strain energy. Springs that stiffen by \
              1 % raise the frequency by half their share of 1 %; a body that grows by 1 % lowers it by half its share.",
@@ -339,9 +357,13 @@ fn orders(all: &[Order]) -> Records {
         .only_if(all.iter().any(|one| one.part.is_some()))
         .number("harmonic", "harm.", |one| one.harmonic)
         .multiple("of_input", "order", |one| one.of_input)
+        .measured("frequency", "f", Frequency, 1, |one| one.frequency_hz)
         .words("excites", "excites", |one| one.excites.map_or(text("all"), |of| Figure::choice(of, kind(of))))
-        .view("Orders", "set gear source harmonic of_input excites")
-        .note("Order: frequency over that of a turn of the input, in axes on the carrier.")
+        .view("Orders", "set gear source harmonic of_input frequency excites")
+        .note(
+            "Order: frequency over that of a turn of the input, in axes on the carrier; f: at the greatest speed of the input. A damaged tooth of a \
+             central gear strikes as often as planets pass the gear, one of a planet once a turn in each of its meshes.",
+        )
         .records()
 }
 

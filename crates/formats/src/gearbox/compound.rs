@@ -1,8 +1,9 @@
 //! Compound sets in files, and remarks.
 
 use super::checks::NO_LINK;
+use super::per_gear::MESHES;
 use super::place::{keys_of_part, of_set};
-use super::shape::{Shape, Stated, missing, one_module};
+use super::shape::{ClosingMesh, Shape, Stated, missing, one_module};
 use super::{
     CompoundVibrationEntry, DataSheetEntry, DescriptionError, FloatingEntry, Gears, PerGear, RollingEntry,
     StrengthEntry, ToolEntry, Vibrating, VibrationEntry, spaced,
@@ -131,6 +132,10 @@ pub struct MeshEntry {
     /// Helix angle of the mesh, if not that of the set.
     #[serde(default)]
     pub helix_angle: Option<Quantity<Angle>>,
+    /// Centre distance of the mesh, from which an open profile shift of its gears follows: `profile_shifts`
+    /// state that of the other. Needs a module.
+    #[serde(default)]
+    pub centre_distance: Option<Quantity<Length>>,
     /// Of two planets in mesh: the second by name stands behind the first, not ahead of it in the positive
     /// direction of rotation. The forces on their bearings depend on it.
     #[serde(default)]
@@ -354,6 +359,8 @@ impl<P: PlanetSized> CompoundEntry<P> {
             data_sheet: self.data_sheet.as_ref(),
             helix_angles: self.meshes.iter().enumerate().map(helix_angle).collect(),
             is_known: !self.proportional && self.planet_gears.values().all(|teeth| !teeth.is_empty()),
+            teeth: self.teeth(),
+            closing: self.closing(),
         };
         let stated = self.meshes.iter().enumerate().filter_map(|(place, mesh)| {
             let at = match mesh.module {
@@ -362,8 +369,10 @@ impl<P: PlanetSized> CompoundEntry<P> {
             };
             Some(Stated { gears: &mesh.gears, module: mesh.module.or(self.module)?.0, at })
         });
-        one_module(&self.id, &stated.collect::<Vec<_>>(), faults);
-        let (tooth_shape, is_sound) = faults.sound(|faults| shape.tooth_shape(rack, faults));
+        let (tooth_shape, is_sound) = faults.sound(|faults| {
+            one_module(&self.id, &stated.collect::<Vec<_>>(), faults);
+            shape.tooth_shape(rack, faults)
+        });
         if let Some(vibration) = &self.vibration {
             let vibration = VibrationEntry::from(vibration.clone());
             vibration.check(&self.id, &gears, &self.vibrating(), faults);
@@ -382,6 +391,31 @@ impl<P: PlanetSized> CompoundEntry<P> {
         let mut spec = spec.spaced(spacing);
         self.add_friction(&mut spec, rack.filter(|_| is_sound), friction, faults);
         spec
+    }
+
+    /// Teeth of each gear, in the order of [`gears`](Self::gears); those of a central gear as far as they are
+    /// whole.
+    fn teeth(&self) -> Vec<u32> {
+        let centrals = self.centrals().filter(|one| one.1 != CentralKind::PlanetShaft);
+        let centrals = centrals.map(|(_, _, _, teeth)| teeth as u32);
+        centrals.chain(self.planet_gears.values().flatten().copied()).collect()
+    }
+
+    /// Meshes with a stated centre distance.
+    fn closing(&self) -> Vec<ClosingMesh<'_>> {
+        let mut all = vec![];
+        for (place, mesh) in self.meshes.iter().enumerate() {
+            let Some(distance) = mesh.centre_distance else { continue };
+            let helix_angle = mesh.helix_angle.or(self.helix_angle);
+            all.push(ClosingMesh {
+                gears: &mesh.gears,
+                distance: distance.0,
+                module: mesh.module.or(self.module).map(|module| module.0),
+                helix_angle: helix_angle.map_or_else(Angle::default, |angle| angle.0),
+                at: Path::root().key("meshes").index(place).key("centre_distance"),
+            });
+        }
+        all
     }
 
     /// Efficiencies of the meshes that state friction, or have that of the gearbox.
@@ -423,6 +457,11 @@ impl<P: PlanetSized> CompoundEntry<P> {
             let at = Path::root().key("meshes").index(place).first_of(&["friction", "gears"]);
             mesh.efficiency = faults.keep(at, eta).unwrap_or(MeshEfficiency::IDEAL);
         }
+    }
+
+    /// Whether each mesh states its efficiency or friction.
+    pub(super) fn states_losses(&self) -> bool {
+        self.meshes.iter().all(|mesh| mesh.efficiency.is_some() || mesh.friction.is_some())
     }
 
     /// Module of each mesh in m, as far as it is stated.
@@ -484,7 +523,11 @@ impl<P: PlanetSized> CompoundEntry<P> {
         ];
         let of_set = OF_GEARBOXES.into_iter().zip(is_given).filter(|one| one.1);
         let of_meshes = self.meshes.iter().enumerate().flat_map(|(place, mesh)| {
-            let given = [("friction", mesh.friction.is_some()), ("helix_angle", mesh.helix_angle.is_some())];
+            let given = [
+                ("friction", mesh.friction.is_some()),
+                ("helix_angle", mesh.helix_angle.is_some()),
+                ("centre_distance", mesh.centre_distance.is_some()),
+            ];
             let at = Path::root().key("meshes").index(place);
             given.into_iter().filter(|one| one.1).map(move |(key, _)| (at.clone().key(key), key))
         });
@@ -527,7 +570,7 @@ impl<P: PlanetSized> CompoundEntry<P> {
         let meshes = self.meshes.iter().map(|mesh| mesh.gears.join("-")).collect();
         Vibrating {
             bodies: Gears { names, kinds, has_order: false, of: "bodies" },
-            meshes: Gears { names: meshes, kinds: vec![], has_order: false, of: "meshes" },
+            meshes: Gears { names: meshes, kinds: vec![], has_order: false, of: MESHES },
             planets: self.planet_gears.keys().cloned().collect(),
         }
     }

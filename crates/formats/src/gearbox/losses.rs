@@ -2,17 +2,43 @@
 
 use super::place::keys_of;
 use super::shape::missing;
-use super::{DescriptionError, SetEntry};
+use super::{CompoundEntry, DescriptionError, GearboxFile, SetEntry};
 use crate::Path;
 use crate::faults::{At, Faults};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
 use epicyclic_train::toothed::Untoothed;
+use epicyclic_train::{Gearbox, PlanetSet};
 use epicyclic_units::{Number, Quantity};
 use uom::si::f64::Ratio;
 
+impl GearboxFile {
+    /// Sets to which the friction of the gearbox is not applied, with what their teeth lack for it.
+    #[must_use]
+    pub fn without_friction(&self, gearbox: &Gearbox) -> Vec<(String, Untoothed)> {
+        let (Some(_), Ok(rack)) = (self.friction, self.rack()) else { return vec![] };
+        let states_losses = |set: &PlanetSet| {
+            let short = self.sets.iter().filter(|entry| entry.id == set.id());
+            let compound = self.compound_sets.iter().filter(|entry| entry.id == set.id());
+            short
+                .map(SetEntry::states_losses)
+                .chain(compound.map(CompoundEntry::states_losses))
+                .any(|has| has)
+        };
+        let without = |set: &PlanetSet| {
+            let why = set.toothed(&rack, &self.stated_modules(set)).err()?;
+            Some((set.id().to_owned(), why))
+        };
+        gearbox.sets().iter().filter(|set| !states_losses(set)).filter_map(without).collect()
+    }
+}
+
 impl SetEntry {
+    fn states_losses(&self) -> bool {
+        self.efficiency.is_some() || self.meshes.is_some() || self.friction.is_some()
+    }
+
     /// The set with the losses by its friction or that of the gearbox, where it states no efficiencies.
     pub(super) fn with_friction(
         &self,

@@ -53,10 +53,17 @@ impl<T> PerGear<T> {
                 given: values.len(),
                 expected: names.len(),
             }),
-            Self::Named(values) => match values.keys().find(|name| !names.contains(name)) {
-                Some(gear) => Err(gears.unknown(set, key, gear)),
-                None => Ok(names.iter().map(|gear| values.get(gear)).collect()),
-            },
+            Self::Named(values) => {
+                let mut given = vec![None; names.len()];
+                for (name, value) in values {
+                    let place = gears.place(name).ok_or_else(|| gears.unknown(set, key, name))?;
+                    if given[place].replace(value).is_some() {
+                        let (set, name) = (set.to_owned(), names[place].clone());
+                        return Err(DescriptionError::ValueTwice { set, key, name });
+                    }
+                }
+                Ok(given)
+            }
         }
     }
 
@@ -67,6 +74,9 @@ impl<T> PerGear<T> {
         self.given("", "", gears).unwrap_or_else(|_| vec![None; gears.names.len()])
     }
 }
+
+/// Meshes in words, as what has the names of [`Gears`].
+pub(super) const MESHES: &str = "meshes";
 
 /// Gears of a set as its keys know them, or bodies or meshes.
 #[derive(Debug, Clone, PartialEq)]
@@ -101,10 +111,24 @@ impl Gears {
         meshes
     }
 
+    /// Place of the gear, body or mesh with this name; a mesh may be named from either gear.
+    fn place(&self, name: &str) -> Option<usize> {
+        let is = |wanted: &str| self.names.iter().position(|own| own == wanted);
+        let mut splits = name.match_indices('-').filter(|_| self.of == MESHES);
+        is(name).or_else(|| splits.find_map(|(at, _)| is(&format!("{}-{}", &name[at + 1..], &name[..at]))))
+    }
+
     pub(super) fn unknown(&self, set: &str, key: &'static str, gear: &str) -> DescriptionError {
         let (set, of) = (set.to_owned(), self.of);
         // Answers put the kind before the name of a central gear: `ring drum`.
         let meant = self.names.iter().find(|name| gear.ends_with(&format!(" {name}"))).map(String::as_str);
+        // Or the kind alone.
+        let of_kind = |kind| self.names.iter().zip(&self.kinds).filter(move |one| *one.1 == Some(kind));
+        let meant = meant.or_else(|| match gear {
+            "sun" => of_kind(GearKind::External).next().map(|one| one.0.as_str()),
+            "ring" => of_kind(GearKind::Internal).next().map(|one| one.0.as_str()),
+            _ => None,
+        });
         let meant = meant.or_else(|| nearest(gear, &self.names));
         let meant = meant.map(|one| format!("; write {one}?")).unwrap_or_default();
         let gears = format!("{}{meant}", self.names.join(", "));
@@ -123,7 +147,7 @@ impl Gears {
             Ok(_) => true,
             Err(DescriptionError::NoSuchGear { .. }) => {
                 let PerGear::Named(values) = values else { return false };
-                for gear in values.keys().filter(|gear| !self.names.contains(gear)) {
+                for gear in values.keys().filter(|gear| self.place(gear).is_none()) {
                     faults.push(at.clone().key(gear), self.unknown(set, key, gear));
                 }
                 false

@@ -2,7 +2,7 @@
 
 use super::checks::{NO_LINK, counts};
 use super::losses::losses;
-use super::shape::{Shape, Stated, missing, one_module};
+use super::shape::{ClosingMesh, Shape, Stated, missing, one_module};
 use super::spacing::spaced;
 use super::{DescriptionError, Gears, SetEntry, Vibrating};
 use crate::Path;
@@ -10,8 +10,9 @@ use crate::faults::Faults;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::GROUND;
 use epicyclic_train::set::{SetKind, SetSpec};
-use epicyclic_units::Number;
-use uom::si::f64::Angle;
+use epicyclic_train::spacing::Spacing;
+use epicyclic_units::{Number, Physical};
+use uom::si::f64::{Angle, Length};
 
 impl SetEntry {
     /// The set; `None` where a fault leaves its ratio or its planets open. Of what else has a
@@ -48,6 +49,7 @@ impl SetEntry {
         let given = self.planet_teeth.as_deref().unwrap_or_default();
         let planets = counts(&self.id, "planet_teeth", given, faults);
         let planets = planets.and_then(|teeth| match teeth[..] {
+            _ if kind.is_pair() => Some([None, None]),
             [] if self.planet_teeth.is_none() => Some([None, None]),
             [only] => Some([Some(only), None]),
             [first, second] if kind != SetKind::Simple => Some([Some(first), Some(second)]),
@@ -58,14 +60,19 @@ impl SetEntry {
         });
         let in_vibration = self.vibration.as_ref().and_then(|vibration| vibration.planet_angles.as_deref());
         let spacing = spaced(&self.id, self.spacing, [self.planet_angles.as_deref(), in_vibration], faults);
+        let spacing = if kind.is_pair() { Spacing::default() } else { spacing };
+        if kind.is_pair() {
+            self.refuse_planets(faults);
+        }
         let (mut spec, planets) = (spec?, planets?);
         (spec.loss, [spec.planet, spec.second_planet]) = (loss, planets);
-        if let Some(count) = self.planets {
+        if let Some(count) = self.planets.filter(|_| !kind.is_pair()) {
             spec = spec.planet_count(count);
         }
         let mut spec = spec.spaced(spacing);
         let gears = Gears::of_kind(kind);
         let planet_gears = gears.names.len() - 2;
+        let meshes = Gears::meshes_of_kind(kind);
         let known = [spec.planet, spec.second_planet].into_iter().flatten().count();
         let shape = Shape {
             set: &self.id,
@@ -78,20 +85,22 @@ impl SetEntry {
             data_sheet: self.data_sheet.as_ref(),
             helix_angles: self.helix_angles(kind, faults),
             is_known: self.teeth.is_some() && known == planet_gears && kind != SetKind::Bevel,
+            teeth: self.all_teeth(),
+            closing: self.closing(kind, &meshes),
         };
-        let (tooth_shape, is_sound) = faults.sound(|faults| shape.tooth_shape(rack, faults));
+        let (tooth_shape, is_sound) =
+            faults.sound(|faults| {
+                if let Some(modules) = self.of_each_mesh("modules", kind, self.modules.as_deref(), faults) {
+                    let meshes = meshes.iter().zip(modules).enumerate().map(|(place, (gears, module))| {
+                        Stated { gears, module: module.0, at: Path::root().key("modules").index(place) }
+                    });
+                    one_module(&self.id, &meshes.collect::<Vec<_>>(), faults);
+                }
+                shape.tooth_shape(rack, faults)
+            });
         spec.tooth_shape = tooth_shape;
         if let Some(vibration) = &self.vibration {
             vibration.check(&self.id, &gears, &Vibrating::of_kind(kind), faults);
-        }
-        if let Some(modules) = self.of_each_mesh("modules", kind, self.modules.as_deref(), faults) {
-            let gears = Gears::meshes_of_kind(kind);
-            let meshes = gears.iter().zip(modules).enumerate().map(|(place, (gears, module))| Stated {
-                gears,
-                module: module.0,
-                at: Path::root().key("modules").index(place),
-            });
-            one_module(&self.id, &meshes.collect::<Vec<_>>(), faults);
         }
         if self.modules.is_some() && self.module.is_some() {
             let twice = DescriptionError::Twice { set: set(), first: "module", second: "modules" };
@@ -108,6 +117,60 @@ impl SetEntry {
         // Friction of teeth with a fault would only repeat it.
         let whole = self.with_friction(spec.clone(), rack.filter(|_| is_sound), friction, faults);
         Some(whole.unwrap_or(spec))
+    }
+
+    /// Teeth of sun, planets and ring, as far as they are stated.
+    fn all_teeth(&self) -> Vec<u32> {
+        let [sun, ring] = self.teeth.unwrap_or_default();
+        let planets = self.planet_teeth.iter().flatten().copied();
+        let planets = planets.filter(|_| !SetKind::from(self.kind).is_pair());
+        [sun].into_iter().chain(planets).chain([ring]).collect()
+    }
+
+    /// Meshes with the stated centre distance; without a module where planets mesh with each other, for which
+    /// it is not one distance.
+    fn closing<'m>(&self, kind: SetKind, meshes: &'m [[String; 2]]) -> Vec<ClosingMesh<'m>> {
+        let Some(distance) = self.centre_distance else { return vec![] };
+        let modules = self.stated_modules(meshes.len(), !kind.is_stepped());
+        let is_one = kind.is_pair() || kind.is_stepped() || kind == SetKind::Simple;
+        let mesh = |(place, gears): (usize, &'m [String; 2])| {
+            let of_mesh =
+                self.helix_angles.as_ref().and_then(|angles| angles.get(place)).or(self.helix_angle.as_ref());
+            ClosingMesh {
+                gears,
+                distance: distance.0,
+                module: modules[place].filter(|_| is_one).map(Length::from_si),
+                helix_angle: of_mesh.map_or_else(Angle::default, |angle| angle.0),
+                at: Path::root().key("centre_distance"),
+            }
+        };
+        meshes.iter().enumerate().map(mesh).collect()
+    }
+
+    /// Refuses keys of planets, which a pair has not.
+    fn refuse_planets(&self, faults: &mut Faults) {
+        let given = [
+            ("planet_teeth", self.planet_teeth.is_some()),
+            ("planets", self.planets.is_some()),
+            ("spacing", self.spacing.is_some()),
+            ("planet_angles", self.planet_angles.is_some()),
+            ("floating", self.floating.is_some()),
+            ("carrier_radius", self.carrier_radius.is_some()),
+            ("planet_bore", self.planet_bore.is_some()),
+            ("planet_mass", self.planet_mass.is_some()),
+            ("load_rating", self.load_rating.is_some()),
+            ("static_load_rating", self.static_load_rating.is_some()),
+            ("fatigue_limit", self.fatigue_limit.is_some()),
+            ("bearing_diameter", self.bearing_diameter.is_some()),
+        ];
+        let refused = |key| DescriptionError::OfPlanets { set: self.id.clone(), key };
+        for (key, _) in given.into_iter().filter(|one| one.1) {
+            faults.push(key, refused(key));
+        }
+        if self.vibration.as_ref().is_some_and(|vibration| vibration.planet_angles.is_some()) {
+            let key = "planet_angles";
+            faults.push(Path::root().key("vibration").key(key), refused(key));
+        }
     }
 
     /// Helix angle of each mesh, with the path of its key.

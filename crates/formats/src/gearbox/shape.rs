@@ -5,9 +5,11 @@ use super::{DataSheetEntry, DescriptionError, StrengthEntry, ToolEntry, ToolMisf
 use crate::Path;
 use crate::faults::Faults;
 use epicyclic_gears::geometry::GearKind;
-use epicyclic_gears::involute::Profile;
 use epicyclic_gears::involute::profile::Cutting;
+use epicyclic_gears::involute::shifts::{StatedDistance, Unclosed, closing_shifts};
+use epicyclic_gears::involute::{InvoluteGear, Profile};
 use epicyclic_gears::rack::BasicRack;
+use epicyclic_gears::{Error, Quantity as Named, ToothCount};
 use epicyclic_train::toothed::{Shifts, ToothShape, Untoothed};
 use epicyclic_units::{Number, Physical, Quantity};
 use std::collections::BTreeMap;
@@ -32,6 +34,21 @@ pub(super) struct Shape<'e> {
     pub(super) helix_angles: Vec<(Angle, Path)>,
     /// Whether the teeth of all gears are known.
     pub(super) is_known: bool,
+    /// Teeth of each gear, where `is_known`.
+    pub(super) teeth: Vec<u32>,
+    /// Meshes with a stated centre distance.
+    pub(super) closing: Vec<ClosingMesh<'e>>,
+}
+
+/// A mesh with a stated centre distance.
+pub(super) struct ClosingMesh<'e> {
+    /// Names of the gears.
+    pub(super) gears: &'e [String; 2],
+    pub(super) distance: Length,
+    pub(super) module: Option<Length>,
+    pub(super) helix_angle: Angle,
+    /// Path of the key.
+    pub(super) at: Path,
 }
 
 impl Shape<'_> {
@@ -40,7 +57,7 @@ impl Shape<'_> {
     pub(super) fn tooth_shape(&self, rack: Option<&BasicRack>, faults: &mut Faults) -> ToothShape {
         self.check_names(faults);
         ToothShape {
-            shifts: self.shifts(faults),
+            shifts: if self.closing.is_empty() { self.shifts(faults) } else { self.closed(rack, faults) },
             helix_angles: self.checked_angles(faults),
             cutting: self.cutting(rack, faults).unwrap_or_default(),
         }
@@ -104,6 +121,76 @@ impl Shape<'_> {
         // Tips with a fault leave no shifts, as shifts with a fault do.
         let tips = tips.map_or(Some(None), |tips| tips.map(Some));
         Some(Shifts { profile: profile?, tips: tips? })
+    }
+
+    /// Shifts by the stated ones and the centre distances.
+    fn closed(&self, rack: Option<&BasicRack>, faults: &mut Faults) -> Option<Shifts> {
+        let at = self.closing[0].at.clone();
+        let set = || self.set.to_owned();
+        let (mut is_sound, count) = (true, self.gears.names.len());
+        let mut of = |key: &'static str, values: Option<&PerGear<Number>>| {
+            let Some(values) = values else { return vec![None; count] };
+            is_sound &= self.gears.check(self.set, (Path::root().key(key), key), values, faults);
+            values.of_gears(self.gears).into_iter().map(|value| value.map(|value| value.get())).collect()
+        };
+        let stated: Vec<Option<f64>> = of("profile_shifts", self.profile_shifts);
+        let tips: Vec<Option<f64>> = of("tip_alterations", self.tip_alterations);
+        let has_modules = self.closing.iter().all(|mesh| mesh.module.is_some());
+        if !self.is_known || !has_modules {
+            faults.push(at, DescriptionError::CentreDistanceAlone { set: set() });
+            return None;
+        }
+        let rack = rack.filter(|_| is_sound)?;
+        let place = |name: &String| self.gears.names.iter().position(|own| own == name);
+        let is_ring = |gear: usize| self.gears.kinds[gear] == Some(GearKind::Internal);
+        let mut helix_angles = vec![Angle::default(); count];
+        let mut meshes = vec![];
+        for mesh in &self.closing {
+            // Names that no gear has are faults of the mesh itself.
+            let [first, second] = [place(&mesh.gears[0])?, place(&mesh.gears[1])?];
+            let gears = if is_ring(first) { [second, first] } else { [first, second] };
+            gears.into_iter().for_each(|gear| helix_angles[gear] = mesh.helix_angle);
+            let module = mesh.module.unwrap_or_default();
+            if !(module.si() > 0.0 && mesh.distance.si() > 0.0) {
+                faults.push(mesh.at.clone(), DescriptionError::CentreDistanceAlone { set: set() });
+                return None;
+            }
+            meshes.push(StatedDistance { gears, distance: mesh.distance.si() / module.si() });
+        }
+        let gear = |gear: usize| {
+            let profile = Profile { helix_angle: helix_angles[gear], ..Profile::of_rack(*rack) };
+            let kind = self.gears.kinds[gear].unwrap_or(GearKind::External);
+            InvoluteGear::searched(kind, ToothCount::new(self.teeth[gear])?, profile)
+        };
+        let gears = (0..count).map(gear).collect::<Result<Vec<_>, _>>();
+        let gears = faults.keep(at, gears.map_err(|source| DescriptionError::of_set(self.set, source)))?;
+        match closing_shifts(&gears, &stated, &meshes) {
+            Ok(profile) => {
+                let tips = self.tip_alterations.is_some().then_some(tips);
+                let tips = tips.map(|tips| tips.into_iter().map(Option::unwrap_or_default).collect());
+                Some(Shifts { profile, tips })
+            }
+            Err(why) => {
+                let (Unclosed::Open { mesh, .. }
+                | Unclosed::Fixed { mesh, .. }
+                | Unclosed::Refused { mesh, .. }) = why;
+                let ClosingMesh { gears, at, module, .. } = &self.closing[mesh];
+                let (set, gears) = (set(), <[String; 2]>::clone(gears));
+                let fault = match why {
+                    Unclosed::Refused {
+                        error: Error::NotAbove { quantity: Named::CentreDistance, low, .. },
+                        ..
+                    } => DescriptionError::TooNear { set, gears, least: low * module.unwrap_or_default() },
+                    Unclosed::Refused { error, .. } => DescriptionError::of_set(&set, error),
+                    Unclosed::Open { sum, .. } => DescriptionError::ShiftsOpen { set, gears, sum },
+                    Unclosed::Fixed { sum, required, .. } => {
+                        DescriptionError::ShiftsFixed { set, gears: gears.join(" and "), sum, required }
+                    }
+                };
+                faults.push(at.clone(), fault);
+                None
+            }
+        }
     }
 
     fn checked_angles(&self, faults: &mut Faults) -> Vec<Angle> {
@@ -203,10 +290,11 @@ pub(super) fn one_module(set: &str, meshes: &[Stated<'_>], faults: &mut Faults) 
     }
 }
 
-/// Missing data of teeth in mesh, in words; `None` of refused teeth, which the checks of teeth report.
+/// Missing data of teeth in mesh, in words; `None` of refused teeth and sets, whose faults are reported
+/// themselves.
 pub(super) fn missing(why: &Untoothed) -> Option<String> {
     match why {
-        Untoothed::Refused(_) => None,
+        Untoothed::Refused(_) | Untoothed::NoSet => None,
         why => Some(why.to_string()),
     }
 }

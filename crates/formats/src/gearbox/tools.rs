@@ -1,12 +1,10 @@
 //! Tools of a gearbox file that cut the gears of a simple set.
 
-use super::ShaperEntry;
-use crate::faults::Keys;
+use super::{ShaperEntry, ToolMisfit};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::profile::{Cutting, Iso53};
 use epicyclic_gears::involute::tool::{Shaper, Tool};
-use epicyclic_gears::{Error, Quantity};
 use epicyclic_units::Number;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -135,49 +133,5 @@ impl ToolEntry {
             stock: self.stock.map_or(0.0, Number::get),
             tool,
         })
-    }
-}
-
-/// Why the tools of a set cannot be.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum ToolMisfit {
-    /// Two keys for one thing.
-    #[error("`{0}` and `{1}` say the same: keep one of them")]
-    Twice(&'static str, &'static str),
-    /// A key of hobs at a gear that another tool cuts.
-    #[error("`{0}` is of a hob, and none cuts this gear: leave it out")]
-    OfHob(&'static str),
-    /// An invalid tool.
-    #[error("{0}")]
-    Invalid(#[from] epicyclic_gears::Error),
-}
-
-impl ToolMisfit {
-    /// Keys that may hold what is wrong, below the tools of a gear or below the shaper of the strength.
-    pub(super) fn keys(&self) -> Keys {
-        let error = match self {
-            Self::Invalid(error) => error,
-            Self::OfHob("stock") => return &["stock"],
-            Self::OfHob(_) => return &["protuberance"],
-            Self::Twice(..) => return &[],
-        };
-        match error {
-            Error::NoTeeth => &["shaper.teeth", "teeth"],
-            Error::OutOfRange { quantity, .. }
-            | Error::Negative { quantity, .. }
-            | Error::NotPositive { quantity, .. } => match quantity {
-                Quantity::RootFillet => &["profile", "fillet"],
-                Quantity::Protuberance => &["protuberance"],
-                Quantity::Stock => &["stock"],
-                Quantity::ClearanceCoefficient => &["dedendum"],
-                Quantity::FormFillet => &["form_fillet"],
-                Quantity::ShaperTipRadius => &["shaper.tip_radius", "shaper", "fillet"],
-                Quantity::ShaperShift => &["shaper.shift", "shaper", "shift"],
-                Quantity::ShaperAddendum => &["shaper.addendum", "shaper", "addendum"],
-                _ => &[],
-            },
-            _ => &[],
-        }
     }
 }

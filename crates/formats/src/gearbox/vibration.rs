@@ -1,5 +1,6 @@
 //! Keys of a gearbox file for the vibration of its sets: bodies, bearings, supports, stiffness of meshes.
 
+use super::per_gear::MESHES;
 use super::{DescriptionError, Gears, PerGear};
 use crate::Path;
 use crate::faults::Faults;
@@ -171,7 +172,7 @@ impl Vibrating {
         }
         let planets = names[1..names.len() - 1].to_vec();
         let bodies = Gears { names, kinds, has_order: true, of: "bodies" };
-        let meshes = Gears { names: meshes, kinds: vec![], has_order: true, of: "meshes" };
+        let meshes = Gears { names: meshes, kinds: vec![], has_order: true, of: MESHES };
         Self { bodies, meshes, planets }
     }
 }

@@ -15,13 +15,14 @@ use epicyclic_train::{Gear, Gearbox, LinkId, ShiftElement};
 use epicyclic_units::format::{in_unit, trimmed};
 use epicyclic_units::{Dimension, Physical};
 use std::fmt::Write as _;
+use std::iter;
 use uom::si::f64::{Angle, Length};
 
 /// Significant digits of lengths.
 const DIGITS: usize = 5;
 
-/// Significant digits of angles in degrees.
-const DEGREE_DIGITS: usize = 12;
+/// Significant digits of angles in degrees, and of modules whose ratio matters.
+const FULL_DIGITS: usize = 12;
 
 /// A central gear that a file cannot name: there each is named as its link.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -66,12 +67,12 @@ pub fn written(gearbox: &Gearbox, comment: &[String]) -> Result<String, NotWrita
 }
 
 /// Size of a set, which a gearbox itself does not have.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct WrittenSize {
-    /// Module.
-    pub module: Length,
+    /// Module of all meshes, or of each.
+    pub modules: Vec<Length>,
     /// Face width of its gears.
-    pub face_width: Length,
+    pub face_width: Option<Length>,
 }
 
 /// The file of a gearbox with the sizes of the first sets, to five digits.
@@ -101,9 +102,10 @@ pub fn written_with_sizes(
     for (place, set) in gearbox.sets().iter().enumerate() {
         match set.description() {
             Description::Short(spec) => {
-                short.push(format!("  - {{ {}{} }}", of_set(spec), of_size(sizes.get(place))));
+                let keys = iter::once(of_set(spec)).chain(of_size(sizes.get(place)));
+                short.push(format!("  - {{ {} }}", list(keys)));
             }
-            Description::Compound(spec) => compound.extend(of_compound_set(spec)?),
+            Description::Compound(spec) => compound.extend(of_compound_set(spec, sizes.get(place))?),
         }
     }
     for (key, sets) in [("compound_sets:", compound), ("sets:", short)] {
@@ -234,7 +236,7 @@ fn of_tool(gear: &str, cutting: &Cutting) -> Option<String> {
 }
 
 /// The lines of a compound set.
-fn of_compound_set(spec: &CompoundSpec) -> Result<Vec<String>, NotWritable> {
+fn of_compound_set(spec: &CompoundSpec, size: Option<&WrittenSize>) -> Result<Vec<String>, NotWritable> {
     if let Some(CentralSpec { name, link, .. }) = spec.centrals.iter().find(|one| one.name != one.link) {
         return Err(NotWritable { set: spec.id.clone(), gear: name.clone(), link: link.clone() });
     }
@@ -274,7 +276,11 @@ fn of_compound_set(spec: &CompoundSpec) -> Result<Vec<String>, NotWritable> {
             none if none.si() == 0.0 => String::new(),
             of_mesh => format!(", helix_angle: {}", angle(of_mesh)),
         };
-        format!("      - {{ gears: [{}, {}]{of_loss}{of_helix} }}", scalar(first), scalar(second))
+        let of_module = match size.map(|size| &size.modules[..]) {
+            Some(modules @ [_, _, ..]) => format!(", module: {}", length(modules[place], FULL_DIGITS)),
+            _ => String::new(),
+        };
+        format!("      - {{ gears: [{}, {}]{of_loss}{of_helix}{of_module} }}", scalar(first), scalar(second))
     };
     lines.extend(spec.meshes.iter().enumerate().map(mesh));
     let names: Vec<String> = spec.gears().iter().map(ToString::to_string).collect();
@@ -289,6 +295,7 @@ fn of_compound_set(spec: &CompoundSpec) -> Result<Vec<String>, NotWritable> {
     let tools = names.iter().zip(&spec.tooth_shape.cutting);
     let tools = list(tools.filter_map(|(gear, cutting)| of_tool(&scalar(gear), cutting)));
     lines.extend((!tools.is_empty()).then(|| format!("    tools: {{ {tools} }}")));
+    lines.extend(of_size(size).into_iter().map(|key| format!("    {key}")));
     lines.extend(spec.planet_count.map(|count| format!("    planets: {count}")));
     lines.extend(of_spacing(&spec.spacing).map(|key| format!("    {key}")));
     Ok(lines)
@@ -297,15 +304,26 @@ fn of_compound_set(spec: &CompoundSpec) -> Result<Vec<String>, NotWritable> {
 /// In degrees, where they are read as the same angle.
 fn angle(angle: Angle) -> String {
     let unit = Dimension::Angle.usual_unit();
-    let written = trimmed(angle.si() / unit.factor, DEGREE_DIGITS);
+    let written = trimmed(angle.si() / unit.factor, FULL_DIGITS);
     let is_same = written.parse::<f64>().is_ok_and(|number| number * unit.factor == angle.si());
     if is_same { format!("{written} {}", unit.symbol) } else { format!("{} rad", angle.si()) }
 }
 
-fn of_size(size: Option<&WrittenSize>) -> String {
-    let Some(WrittenSize { module, face_width }) = size else { return String::new() };
-    let written = |length: &Length| in_unit(length.si(), Dimension::Length.usual_unit(), DIGITS);
-    format!(", module: {}, face_width: {}", written(module), written(face_width))
+/// Keys of the module of all meshes and of the face width.
+fn of_size(size: Option<&WrittenSize>) -> Vec<String> {
+    let Some(WrittenSize { modules, face_width }) = size else { return vec![] };
+    let module = match modules[..] {
+        [module] => Some(format!("module: {}", length(module, DIGITS))),
+        _ => None,
+    };
+    module
+        .into_iter()
+        .chain(face_width.map(|width| format!("face_width: {}", length(width, DIGITS))))
+        .collect()
+}
+
+fn length(length: Length, digits: usize) -> String {
+    in_unit(length.si(), Dimension::Length.usual_unit(), digits)
 }
 
 fn of_gear(gearbox: &Gearbox, gear: &Gear) -> String {

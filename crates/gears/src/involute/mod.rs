@@ -40,6 +40,7 @@
 //! | [`left_out`] | how many sets of a ratio a check leaves out |
 //! | [`interference`] | whether an internal pair turns, and can be put together |
 //! | [`set`] | sun, planets and ring on one centre distance, and all that keeps them from running |
+//! | [`shifts`] | shifts that follow from stated centre distances |
 //! | [`family`] | all shifts of a set at a centre distance, and the one that an aim picks |
 //! | [`closing`] | which tooth numbers near `z_r = z_s + 2·z_p` make a set |
 //! | [`search`] | every such set for a ratio |
@@ -77,6 +78,7 @@ pub mod profile;
 mod published;
 pub mod search;
 pub mod set;
+pub mod shifts;
 pub mod sliding;
 mod tips;
 pub mod tool;

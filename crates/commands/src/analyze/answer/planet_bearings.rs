@@ -15,8 +15,8 @@ use uom::si::f64::Torque;
 
 /// Bearing of one of the equally loaded planets of a kind, in a gear.
 ///
-/// Tangential forces act along the orbit, positive against the carrier. Radial forces are those of the
-/// meshes, positive outwards.
+/// Tangential forces act along the orbit, positive in the direction in which all planets of the set together
+/// push the carrier. Radial forces are those of the meshes, positive outwards.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct PlanetBearing {

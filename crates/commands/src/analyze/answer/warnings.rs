@@ -121,7 +121,14 @@ pub(crate) fn of_gearbox(subject: &Gearbox) -> Vec<Warning> {
     let of_gearbox = of_gearbox.map(|warning| Warning { name: name(warning), message: warning.to_string() });
     let teeth: Vec<String> = subject.tooth_checks().warnings().collect();
     let teeth = teeth.into_iter().map(|message| Warning { name: "teeth", message });
-    of_gearbox.chain(teeth).collect()
+    let ideal = subject.without_friction.iter().map(|(set, why)| {
+        let message = format!(
+            "the friction of the gearbox is not applied to set {set}, which runs without losses: {why}; its efficiency can be stated \
+             instead"
+        );
+        Warning { name: "friction", message }
+    });
+    of_gearbox.chain(teeth).chain(ideal).collect()
 }
 
 /// Warning about helical sets whose planet bearings have forces or ratings: both leave out the moment of the

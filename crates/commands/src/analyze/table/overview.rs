@@ -385,7 +385,7 @@ fn note(overview: &Overview) -> String {
     if overview.has_losses {
         speeds.to_owned()
     } else {
-        format!("{speeds} No losses are stated; --efficiency 0.97 gives each set some.")
+        format!("{speeds} No set has losses; --efficiency 0.97 gives each set some.")
     }
 }
 

@@ -98,8 +98,8 @@ fn note(bearings: &[PlanetBearing], is_sized: bool, turns: bool) -> String {
     let mut notes = vec![];
     if is_sized {
         notes.push(
-            "n: planets, which carry alike. Tangential: along the orbit, positive against the carrier. Radial: of the \
-             meshes, outwards positive."
+            "n: planets, which carry alike. Tangential: along the orbit, positive as all planets together push the \
+             carrier. Radial: of the meshes, outwards positive."
                 .to_owned(),
         );
         if !turns {

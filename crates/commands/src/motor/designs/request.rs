@@ -56,7 +56,7 @@ pub struct Goal {
     pub tolerance: Quantity<Ratio>,
 
     /// Width over the stator's diameter, which then gives both module and width.
-    #[arg(long, value_name = "NUMBER", conflicts_with_all = ["module", "width"], allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER", conflicts_with_all = ["module", "width"], allow_hyphen_values = true)]
     pub width_over_diameter: Option<Number>,
 
     /// Greatest diameter of the stator's centrode.

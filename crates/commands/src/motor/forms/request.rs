@@ -117,7 +117,7 @@ pub struct Teeth {
     pub fillet: Stepped<Number>,
 
     /// Backlash j* along the pitch curves, one value.
-    #[arg(long, value_name = "NUMBER", default_value = "0.04", allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER", default_value = "0.04", allow_hyphen_values = true)]
     pub backlash: Number,
 
     /// What lies in the middle of the stator's crests: space (as of `motor`), tooth.
@@ -125,7 +125,7 @@ pub struct Teeth {
     pub crests: List<Crest>,
 
     /// Least contact ratio: the shortest path of contact of any flank over the base pitch.
-    #[arg(long, value_name = "NUMBER", default_value = "1", allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER", default_value = "1", allow_hyphen_values = true)]
     pub contact_ratio: Number,
 }
 
@@ -146,7 +146,7 @@ pub struct Flanks {
     pub youngs_modulus: Quantity<Pressure>,
 
     /// Poisson's ratio of the material.
-    #[arg(long, value_name = "NUMBER", default_value = "0.3", allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER", default_value = "0.3", allow_hyphen_values = true)]
     pub poissons_ratio: Number,
 
     /// Requirements of satellites that seal at the flanks.

@@ -25,7 +25,7 @@ pub struct Made {
     pub gaps: Option<Group<GapsGroup>>,
 
     /// Coefficient of friction of the flanks, one or from the least to the greatest.
-    #[arg(long, value_name = "FROM..TO", allow_negative_numbers = true)]
+    #[arg(long, value_name = "FROM..TO", allow_hyphen_values = true)]
     pub friction: Option<Span<f64>>,
 
     /// Ports as made: part, or high and low; dead_volume, discharge, most_trapped. 'part: 0.95'

@@ -566,7 +566,7 @@ impl SelectTeeth {
 fn size(set: &SetTeeth, face_width_ratio: f64) -> Option<WrittenSize> {
     let module = set.module_m?;
     let width = face_width_ratio * module * f64::from(set.sun.min(set.planet));
-    Some(WrittenSize { module: Length::from_si(module), face_width: Length::from_si(width) })
+    Some(WrittenSize { modules: vec![Length::from_si(module)], face_width: Some(Length::from_si(width)) })
 }
 
 impl SetTeeth {

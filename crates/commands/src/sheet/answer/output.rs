@@ -76,7 +76,8 @@ fn of_gear(
     }
     if is_whole {
         let [lower, upper] = backlash;
-        row.backlash_rad = Some(Limits { lower, upper });
+        // Gears that wedge have no play; a warning is of the mesh.
+        row.backlash_rad = Some(Limits { lower: lower.max(0.0), upper: upper.max(0.0) });
         row.stiffness_n_m = compliance.filter(|all| *all > 0.0).map(f64::recip);
     }
     Ok(row)

@@ -151,6 +151,19 @@ pub(in crate::teeth) fn answer(
     })
 }
 
+impl ArrangedSets {
+    /// Module of each mesh of a listed set, from 1, over that of the first; empty where all are equal.
+    pub(super) fn of_meshes(&self, number: usize) -> Vec<f64> {
+        let set = number.checked_sub(1).and_then(|place| self.tooth_numbers.get(place));
+        let Some(ratio) = set.map(|set| set.module_ratio).filter(|ratio| *ratio != 1.0) else {
+            return vec![];
+        };
+        let gears = self.arrangement.gears();
+        let of_mesh = |[gear, _]: &[usize; 2]| if gears[*gear].step == 0 { 1.0 } else { ratio };
+        self.arrangement.meshes().iter().map(of_mesh).collect()
+    }
+}
+
 impl ArrangedNumbers {
     fn of(found: &ArrangedCandidate, bounds: &ArrangementBounds) -> Self {
         let (rack, stated) = (&bounds.rack, &bounds.angles);

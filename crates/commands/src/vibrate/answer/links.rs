@@ -98,7 +98,7 @@ impl<'a> Train<'a> {
         let gearbox = &self.subject.train;
         let roots = joined(gearbox, Some(gear), &self.springs());
         let housing = LinkId::GROUND.index();
-        let mut laid = Laid { bodies: Bodies::default(), sets: vec![], shafts: vec![] };
+        let mut laid = Laid { bodies: Bodies::default(), sets: vec![], shafts: vec![], roots: vec![] };
         let bodies = &mut laid.bodies;
         for one in sets {
             let links = one.of.set.members();
@@ -149,6 +149,7 @@ impl<'a> Train<'a> {
             let place = bodies.joined(roots[link.index()], gearbox, &roots);
             bodies.links[place].inertia += inertia.0;
         }
+        laid.roots = roots;
         Ok(Ok(laid))
     }
 
@@ -171,6 +172,8 @@ pub(super) struct Laid<'a> {
     pub(super) sets: Vec<(GearSet, Vec<usize>)>,
     /// Shafts in the order of the file.
     pub(super) shafts: Vec<LaidShaft<'a>>,
+    /// The representative of the body that each link is part of.
+    pub(super) roots: Vec<usize>,
 }
 
 /// Shaft in a gear.

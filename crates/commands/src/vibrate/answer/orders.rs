@@ -21,6 +21,7 @@ use epicyclic_train::compound::CentralKind;
 use epicyclic_train::in_mesh::sharing;
 use epicyclic_train::planet_set::GearOf;
 use epicyclic_vibration::phasing;
+use std::f64::consts::TAU;
 use uom::si::f64::Length;
 
 /// Order with what its phases follow from.
@@ -33,13 +34,13 @@ pub(super) struct Phased {
 }
 
 /// Lists the orders whose frequency is not 0, harmonics of the meshes last. Speeds are those of the members,
-/// relative to the input speed.
+/// relative to the input speed; `fastest` is the greatest speed of the input, rad/s.
 pub(super) fn all(
     of: &Of<'_>,
     prepared: &Prepared,
     gear: &str,
     speeds: &[f64],
-    harmonics: u32,
+    (harmonics, fastest): (u32, f64),
 ) -> Vec<Phased> {
     let set = of.set;
     let centrals = set.centrals();
@@ -55,6 +56,7 @@ pub(super) fn all(
             part: (!is_simple).then(|| part.to_owned()),
             harmonic,
             of_input,
+            frequency_hz: of_input * fastest / TAU,
             excites: periods.and_then(excited),
         },
         periods,

@@ -249,6 +249,8 @@ pub struct Order {
     pub harmonic: u32,
     /// Frequency in coordinates on the carrier, relative to the input's rotational frequency.
     pub of_input: f64,
+    /// Frequency at the greatest requested speed of the input, in Hz.
+    pub frequency_hz: f64,
     /// Kind of modes that the order can excite; null if it can excite all.
     pub excites: Option<Kind>,
 }

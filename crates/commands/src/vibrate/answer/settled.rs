@@ -51,10 +51,14 @@ impl Settled {
             let path = Path::root().key("vibration");
             refused(&subject.document, &path, &[key], error)
         };
-        let of_file = keys.speeds.map(|[from, to]| Places::new(from.0, to.0, PLACES)).transpose()?;
+        let of_file = keys.speeds.map(|[from, to]| Places::new(from.0, to.0, PLACES)).transpose();
+        let of_file = of_file.map_err(|error| at("speeds", &error))?;
         let speeds = options.speeds.as_ref().or(of_file.as_ref());
         let has_speeds = speeds.is_some();
-        let speeds = speeds.map_or_else(Vec::new, |all| all.values().map(Physical::si).collect());
+        let mut speeds: Vec<f64> =
+            speeds.map_or_else(Vec::new, |all| all.values().map(Physical::si).collect());
+        // Resonances are looked for from the least speed up.
+        speeds.sort_by(f64::total_cmp);
         let harmonics = options.harmonics.or(keys.harmonics).unwrap_or(HARMONICS);
         if options.harmonics.is_some() && !has_speeds {
             return Err(Error::ExcitationWithout { given: "harmonics", lacks: "speeds of the input" });
@@ -78,10 +82,14 @@ impl Settled {
         Ok(Self { speeds, harmonics, excitation, gyroscopic: !options.without_gyroscopic })
     }
 
+    /// Greatest size of the input speed in rad/s; 0 without speeds.
+    pub(super) fn fastest(&self) -> f64 {
+        self.speeds.iter().fold(0.0, |fastest, speed| speed.abs().max(fastest))
+    }
+
     /// Least and greatest input speed in rad/s.
     pub(super) fn ends(&self) -> Option<[f64; 2]> {
-        let [first, last] = [self.speeds.first()?, self.speeds.last()?];
-        Some([first.min(*last), first.max(*last)])
+        Some([*self.speeds.first()?, *self.speeds.last()?])
     }
 }
 

@@ -2,6 +2,9 @@
 //! and its excitation.
 //!
 //! Centres are at rest, so no frequency depends on the speed, and an order meets a mode at `n = f/order`.
+//! In a gear with one freedom the motion at 0 Hz gives the inertia of the whole gearbox at its input and
+//! output.
+//!
 //! Teeth and planets of a set excite, by [`phasing::torsional`], either modes in which links rotate, or only
 //! those of the planets of this set. A link excites the modes in which it rotates.
 
@@ -17,7 +20,7 @@ use super::{Prepared, number};
 use crate::analyze::answer::analysis;
 use crate::error::Error;
 use crate::tolerance::{ROUNDED, rounded};
-use epicyclic_train::{Analysis, Gear};
+use epicyclic_train::{Analysis, Gear, LinkId};
 use epicyclic_units::Physical;
 use epicyclic_vibration::Kind;
 use epicyclic_vibration::train::{Placed, Shaft, TrainParts, torsional};
@@ -52,10 +55,22 @@ pub(super) fn modes(
         .enumerate()
         .map(|(index, group)| mode(index, group, &model, &parts, bodies, sets, &shafts))
         .collect();
-    let zeros = groups.iter().filter(|group| group.is_zero());
+    let zeros: Vec<&Group> = groups.iter().filter(|group| group.is_zero()).collect();
+    // Of the mass-normalised motion of a gear with one freedom the energy is ½, so J = 1/θ² at an angle θ.
+    let reduced = |link: LinkId| {
+        let [[shape]] = zeros.iter().map(|group| &group.shapes[..]).collect::<Vec<_>>()[..] else {
+            return None;
+        };
+        let root = laid.roots[link.index()];
+        let (_, place) = bodies.of_root.iter().find(|(own, _)| *own == root)?;
+        let [_, _, angle] = shape.of(parts.links[*place])?;
+        (angle.abs() > ROUNDED).then(|| 1.0 / (angle * angle))
+    };
     let mut all = TorsionalModes {
         gear: gear.name().to_owned(),
-        freedoms: zeros.map(|group| group.multiplicity() as u32).sum(),
+        freedoms: zeros.iter().map(|group| group.multiplicity() as u32).sum(),
+        inertia_at_input_kg_m2: reduced(gear.input()),
+        inertia_at_output_kg_m2: reduced(gear.output()),
         modes: modes.map_err(refuse)?,
         orders: vec![],
         resonances: vec![],
@@ -63,9 +78,9 @@ pub(super) fn modes(
     };
     if let Some([low, high]) = all.input_speeds_rad_s {
         let analysis = analysis(&train.subject.train, gear.name())?;
-        all.orders = of_links(&analysis, bodies);
+        all.orders = of_links(&analysis, bodies, settled.fastest());
         for one in sets {
-            all.orders.extend(of_set(&analysis, one, settled.harmonics));
+            all.orders.extend(of_set(&analysis, one, (settled.harmonics, settled.fastest())));
         }
         for order in &all.orders {
             all.resonances.extend(met(order, &all.modes, [low, high]));
@@ -76,7 +91,7 @@ pub(super) fn modes(
 }
 
 /// Orders for a turn of each link that turns.
-fn of_links(analysis: &Analysis<'_>, bodies: &Bodies) -> Vec<TorsionalOrder> {
+fn of_links(analysis: &Analysis<'_>, bodies: &Bodies, fastest: f64) -> Vec<TorsionalOrder> {
     let order = |(root, place): &(usize, usize)| {
         let of_input = analysis.speeds().get(*root).copied().flatten()?.abs();
         (of_input > ROUNDED).then(|| TorsionalOrder {
@@ -85,6 +100,7 @@ fn of_links(analysis: &Analysis<'_>, bodies: &Bodies) -> Vec<TorsionalOrder> {
             part: None,
             harmonic: 1,
             of_input,
+            frequency_hz: of_input * fastest / TAU,
             excites: Some(Kind::Rotational),
         })
     };
@@ -93,7 +109,7 @@ fn of_links(analysis: &Analysis<'_>, bodies: &Bodies) -> Vec<TorsionalOrder> {
 
 /// Orders of the teeth and planets of a set, in coordinates on its carrier; empty if tooth numbers or speeds
 /// are unknown.
-fn of_set(analysis: &Analysis<'_>, one: &TrainSet<'_>, harmonics: u32) -> Vec<TorsionalOrder> {
+fn of_set(analysis: &Analysis<'_>, one: &TrainSet<'_>, harmonics: (u32, f64)) -> Vec<TorsionalOrder> {
     let members = analysis.sets()[one.place].members.iter().copied().collect::<Option<Vec<f64>>>();
     let Some(members) = members.filter(|_| !one.prepared.teeth.is_empty()) else { return vec![] };
     let all = orders::all(&one.of, &one.prepared, analysis.gear().name(), &members, harmonics);
@@ -110,6 +126,7 @@ fn of_set(analysis: &Analysis<'_>, one: &TrainSet<'_>, harmonics: u32) -> Vec<To
                 part: order.part,
                 harmonic: order.harmonic,
                 of_input: order.of_input,
+                frequency_hz: order.frequency_hz,
                 excites,
             }
         })

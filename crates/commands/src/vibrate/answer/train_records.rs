@@ -17,6 +17,11 @@ pub struct TorsionalModes {
     pub gear: String,
     /// Number of modes with frequency 0: the degrees of freedom that the gear keeps.
     pub freedoms: u32,
+    /// Inertia of the whole gearbox, with what its links carry, reduced to the input, in kg·m²: the kinetic
+    /// energy is `½·J·ω²` at the speed of the input. Null in a gear that keeps no freedom or several.
+    pub inertia_at_input_kg_m2: Option<f64>,
+    /// The same reduced to the output, in kg·m².
+    pub inertia_at_output_kg_m2: Option<f64>,
     /// Modes in increasing order of frequency.
     pub modes: Vec<TorsionalMode>,
     /// Orders of excitation, in coordinates on the carrier of each set; empty without speeds.
@@ -41,6 +46,8 @@ pub struct TorsionalOrder {
     pub harmonic: u32,
     /// Frequency relative to the input's rotational frequency.
     pub of_input: f64,
+    /// Frequency at the greatest requested speed of the input, in Hz.
+    pub frequency_hz: f64,
     /// Kind of modes that the order can excite by the phases of the planets of its set; null if it can excite
     /// all.
     pub excites: Option<Kind>,

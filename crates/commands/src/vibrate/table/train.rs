@@ -3,7 +3,8 @@
 use super::{SECONDS_A_MINUTE, excited_by, kind, most, part, ray_name, share};
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, rpm, text};
-use crate::table::report::Records;
+use crate::table::quantities::optional;
+use crate::table::report::{Column, Records};
 use crate::vibrate::answer::Vibration;
 use crate::vibrate::answer::records::Source;
 use crate::vibrate::answer::train_records::{
@@ -11,7 +12,7 @@ use crate::vibrate::answer::train_records::{
     TorsionalMode, TorsionalModes, TorsionalOrder, TorsionalStrain,
 };
 use epicyclic_pictures::campbell::{self, Branch, Campbell, Ray};
-use epicyclic_units::Dimension::{AngularSpeed, Frequency, Mass, Stiffness};
+use epicyclic_units::Dimension::{AngularSpeed, Frequency, Inertia, Mass, Stiffness};
 
 /// The torsional frequencies of a gear over the speed as a Campbell diagram; its place is that in the answer.
 /// Zero modes are left out.
@@ -82,6 +83,20 @@ pub(super) fn torsional(all: &[TorsionalModes]) -> Records {
         .records()
 }
 
+pub(super) fn inertias(all: &[TorsionalModes]) -> Records {
+    Table::new("inertias", all.iter())
+        .text("gear", "gear", |gear| &gear.gear)
+        .column(Column::headed("at_input", "J in", Inertia), |gear| {
+            optional(Inertia, gear.inertia_at_input_kg_m2)
+        })
+        .column(Column::headed("at_output", "J out", Inertia), |gear| {
+            optional(Inertia, gear.inertia_at_output_kg_m2)
+        })
+        .all("Inertia of the whole gearbox, reduced to its input and output")
+        .note("With what its links carry: the kinetic energy is ½·J·ω² at the speed of the input or output.")
+        .records()
+}
+
 pub(super) fn resonances(all: &[TorsionalModes]) -> Records {
     let rows = all.iter().flat_map(|gear| gear.resonances.iter().map(move |one| (gear, one)));
     Table::new("torsional_resonances", rows)
@@ -114,9 +129,10 @@ pub(super) fn orders(all: &[TorsionalModes]) -> Records {
         .only_if(all.iter().any(|gear| gear.orders.iter().any(|one| one.part.is_some())))
         .number("harmonic", "harm.", |(_, one)| one.harmonic)
         .multiple("of_input", "order", |(_, one)| one.of_input)
+        .measured("frequency", "f", Frequency, 1, |(_, one)| one.frequency_hz)
         .words("excites", "excites", |(_, one)| excited(one))
-        .view("Torsional orders", "gear of source harmonic of_input excites")
-        .note("Which torsional modes the phases of the planets of a set let it excite; a shaft excites those in which it rotates.")
+        .view("Torsional orders", "gear of source harmonic of_input frequency excites")
+        .note("f: at the greatest speed of the input. Which torsional modes the phases of the planets of a set let it excite; a shaft excites those in which it rotates.")
         .records()
 }
 
