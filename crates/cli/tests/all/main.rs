@@ -9,6 +9,7 @@ mod design;
 mod draw;
 mod endings;
 mod every_input;
+mod every_set;
 mod files;
 mod gearboxes;
 mod helical;

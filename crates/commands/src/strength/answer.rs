@@ -44,14 +44,13 @@ use crate::analyze::answer::warnings::tilting;
 use crate::analyze::answer::{OperatingPoint, Worked};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
-use crate::shared::fault::{Named, refused};
 use crate::shared::gearbox::Gearbox;
 use crate::shared::load::Load;
 use crate::shared::tooth_checks::answer::ToothChecks;
 use crate::strength::options::Request;
 use duty::WorkedStep;
 use epicyclic_formats::gearbox::GearboxFile;
-use epicyclic_formats::{Document, Path};
+use epicyclic_formats::{Document, Faults, Path, Problem};
 use epicyclic_strength::factor::Edition;
 use epicyclic_strength::load::Floating;
 use epicyclic_strength::rating::rate;
@@ -222,14 +221,20 @@ impl Asked {
     /// [`Error::Document`] for missing data, and for required safeties that are not above 0.
     pub(crate) fn of(document: &Document, file: &GearboxFile) -> Result<Self, Error> {
         let root = Path::root();
-        let missing = |key: &str, why: &str| {
-            refused(document, &root, &[], &Named("missing-key", format!("`{key}` is missing: {why}")))
+        let lacks = [
+            ("life", file.life.is_none(), "the required life, such as 20000 h"),
+            ("oil", file.oil.is_none(), "write oil: { viscosity: 220 mm²/s }"),
+        ];
+        let mut faults = Faults::default();
+        for (key, _, why) in lacks.into_iter().filter(|one| one.1) {
+            faults.add(root.clone(), Problem::refused("missing-key", format!("`{key}` is missing: {why}")));
+        }
+        let (Some(life), Some(oil)) = (file.life, &file.oil) else {
+            return Err(faults.placed(document, &root).into());
         };
-        let life = file.life.ok_or_else(|| missing("life", "the required life, such as 20000 h"))?.0;
-        let oil = file.oil.as_ref().ok_or_else(|| missing("oil", "write oil: { viscosity: 220 mm²/s }"))?;
         let required = Required::of(file.required.as_ref());
         required.check().map_err(|error| located(document, &root, &error))?;
-        Ok(Self { life, viscosity: oil.viscosity.0, required })
+        Ok(Self { life: life.0, viscosity: oil.viscosity.0, required })
     }
 }
 

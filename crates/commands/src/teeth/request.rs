@@ -162,7 +162,7 @@ impl Request {
                 let all: Vec<String> = gears.iter().map(|gear| format!("{} ({gear})", gear.symbol)).collect();
                 Failure::invalid(
                     "--gear",
-                    format!("no gear {letter} in a {arrangement}: write one of {}", all.join(", ")),
+                    format!("{letter} is no gear; those of this kind, {arrangement}, are {}", all.join(", ")),
                 )
             })?;
             let range = options::of_wheel("--gear", *span, teeth[place].clone())?;
