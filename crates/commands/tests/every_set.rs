@@ -385,6 +385,24 @@ fn several_meshes_on_one_flank_are_warned_of() {
         .replace("input: a\noutput: h", "input: s\noutput: r")
         .replace("{ name: only, engaged: [] }", "{ name: '2', engaged: [B1] }, { name: '1', engaged: [B2] }")
         .replace("factors: {", "shaper: { teeth: 30 }, factors: {");
+    let duty = "duty: [{ gear: '2', share: 100 %, speed: 1000 rpm, torque: 100 N·m }]\n";
+    let over_duty = strength::Request::default().answer(&read(&format!("{text}{duty}"))).unwrap();
+    // In one step the damage together is the sum of those of the meshes.
+    let [shared] = &over_duty.shared_flanks[..] else { panic!("{:?}", over_duty.shared_flanks) };
+    let own = over_duty
+        .over_duty
+        .iter()
+        .filter(|one| one.toothed_gear == "long" && shared.meshes.contains(&one.mesh));
+    let own: Vec<f64> = own.map(|one| one.flank.as_ref().unwrap().damage.unwrap()).collect();
+    assert!(
+        own.len() == 2 && near(shared.flank_damage.unwrap(), own.iter().sum(), 1e-12),
+        "{shared:?} {own:?}"
+    );
+    // A simple set that is driven both ways loads each flank of its planets by both meshes in turn.
+    let both = "duty: [{ gear: only, share: 50 %, speed: 1000 rpm, torque: 400 N·m }, { gear: only, share: 50 %, speed: 1000 rpm, torque: -400 N·m }]\n";
+    let both = strength::Request::default().answer(&read(&format!("{}{both}", simple("0 deg")))).unwrap();
+    let gears: Vec<&str> = both.shared_flanks.iter().map(|one| one.toothed_gear.as_str()).collect();
+    assert_eq!(gears, ["planet"]);
     let warned = rated(&text, "100 N·m").warnings;
     let warned: Vec<&str> =
         warned.iter().filter(|one| one.name == "shared-flank").map(|one| one.message.as_str()).collect();

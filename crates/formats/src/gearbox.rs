@@ -56,6 +56,7 @@ use std::collections::BTreeMap;
 use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, MassDensity, Ratio, Time, Torque};
 
 mod checks;
+mod closing;
 mod compound;
 mod data_sheet;
 mod described;
@@ -537,10 +538,7 @@ mod tests {
                 "profile_shifts: { ring: 0.2 }",
                 "`profile_shifts` has a value of `ring`, and its gears are gear 1, gear 2",
             ),
-            (
-                "tip_alterations: [0, 0]",
-                "`profile_shifts`, with or without `tip_alterations`, need the teeth",
-            ),
+            ("tip_alterations: [0, 0]", "where all shifts are 0, write `profile_shifts: {}`"),
             ("friction: [0.2, 0.1]", "`friction` has 2 values; 1 are required"),
             ("tools: { sun: { dedendum: 1.25 } }", "`tools` has a value of `sun`"),
             ("module: 2 mm, modules: [2 mm]", "`module` and `modules` say the same"),

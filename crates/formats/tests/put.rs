@@ -370,6 +370,24 @@ const SOUND: [Sound; 12] = [
             ),
             (
                 "[24, 66]",
+                "[24, 66], module: 1 mm, planet_teeth: [21], profile_shifts: { sun: 0.1 }, centre_distance: 23 mm, carrier_radius: @23 mm@",
+                "sets[2].carrier_radius",
+                "twice",
+            ),
+            (
+                "[24, 66]",
+                "[24, 66], module: 1 mm, planet_teeth: [21], profile_shifts: { sun: 0.1 }, centre_distance: @26 mm@",
+                "sets[2].centre_distance",
+                "shift-follows",
+            ),
+            (
+                "[24, 66]",
+                "[24, 66], planet_teeth: [21], tip_alterations: @{ sun: -0.1 }@",
+                "sets[2].tip_alterations",
+                "tips-alone",
+            ),
+            (
+                "[24, 66]",
                 "[24, 66], module: 1 mm, planet_teeth: [21], centre_distance: @23 mm@",
                 "sets[2].centre_distance",
                 "shifts-open",

@@ -180,7 +180,7 @@ pub enum Error {
         left_out: Option<Box<LeftOut>>,
     },
     /// Ratios of modules of an arrangement that has none.
-    #[error("module ratio {ratio} of a {arrangement}: {}", if arrangement.has_steps() { "must be above 0" } else { "its gears have one module, leave it at 1" })]
+    #[error("module ratio {ratio}, {arrangement}: {}", if arrangement.has_steps() { "must be above 0" } else { "its gears have one module, leave it at 1" })]
     ModuleRatio {
         /// Arrangement of the gears.
         arrangement: Arrangement,

@@ -75,7 +75,7 @@ fn steps_of_other_modules_close_exactly() {
     let wrong = ArrangementBounds { arrangement: Arrangement::Ravigneaux, ..bounds.clone() };
     let wrong = ArrangementBounds { teeth: usual(Arrangement::Ravigneaux).teeth, ..wrong };
     let error = for_ratio(&wrong, 1.5, "ab^c", 0.01).unwrap_err().to_string();
-    assert_eq!(error, "module ratio 5/4 of a Ravigneaux set: its gears have one module, leave it at 1");
+    assert_eq!(error, "module ratio 5/4, Ravigneaux set: its gears have one module, leave it at 1");
 }
 
 #[test]

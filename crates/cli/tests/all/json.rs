@@ -146,6 +146,9 @@ fn folder() -> tempfile::TempDir {
     }
     std::fs::write(folder.path().join("free.yaml"), FREE).unwrap();
     std::fs::write(folder.path().join("worn.yaml"), worn()).unwrap();
+    // Driven both ways, each flank of its planets is in both meshes.
+    let reversed = wind_stage().replace("torque: 600 kN·m", "torque: -600 kN·m");
+    std::fs::write(folder.path().join("reversed.yaml"), reversed).unwrap();
     std::fs::write(folder.path().join("sharp.yaml"), common::SHARP).unwrap();
     std::fs::write(folder.path().join("unplaced.yaml"), unplaced()).unwrap();
     std::fs::write(folder.path().join("many.yaml"), many()).unwrap();

@@ -387,7 +387,7 @@ fn warned(subject: &Gearbox) -> Vec<Warning> {
     let mut all = warnings::of_gearbox(subject);
     if is_lossless(subject) {
         let message =
-            "nothing loses power here: the file states no efficiencies, friction or drags".to_owned();
+            "nothing loses power here: no efficiencies, friction or drags are stated that apply".to_owned();
         all.push(Warning { name: "no-losses", message });
     }
     all

@@ -18,7 +18,7 @@ use epicyclic_units::Quantity;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use uom::si::f64::{AngularVelocity, Torque};
+use uom::si::f64::{AngularVelocity, Length, Torque};
 
 /// Choice of a gearbox in a file, and assumptions about it.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -67,6 +67,8 @@ pub struct Gearbox {
     is_behind: Vec<Vec<bool>>,
     /// Sets to which the friction of the gearbox is not applied, with what their teeth lack for it.
     pub(crate) without_friction: Vec<(String, Untoothed)>,
+    /// Stated radii of planets that are not those of the teeth.
+    pub(crate) other_radii: Vec<(String, Length, Length)>,
     /// Where it comes from.
     pub origin: Origin,
     /// Whether its tooth numbers or ring-to-sun ratios are known; a scheme by its name alone has any.
@@ -265,6 +267,7 @@ pub(crate) fn gearbox(
     let is_behind = |set: &PlanetSet| file.set_data(set).map(|data| data.is_behind).unwrap_or_default();
     let is_behind = gearbox.sets().iter().map(is_behind).collect();
     // An assumed efficiency takes the place of what friction does not give.
+    let other_radii = file.other_radii(&gearbox);
     let without_friction = if efficiency.is_some() { vec![] } else { file.without_friction(&gearbox) };
     Ok(Box::new(Gearbox {
         train: gearbox,
@@ -280,6 +283,7 @@ pub(crate) fn gearbox(
         modules,
         is_behind,
         without_friction,
+        other_radii,
         origin: Origin::GearboxFile,
         is_sized: true,
     }))
@@ -316,6 +320,7 @@ fn transmission(
         modules,
         is_behind,
         without_friction: vec![],
+        other_radii: vec![],
         origin: Origin::GearboxFile,
         is_sized: true,
     }))

@@ -408,12 +408,7 @@ fn in_mesh(set: &SetSheet) -> Records {
             each(&|gear| length(gear.active_root_diameter_m)),
         ),
         Line("tip_clearance", "tip clearance", "c", each(&|gear| length(gear.tip_clearance_m))),
-        Line(
-            "sliding_at_tip",
-            "specific sliding, tip",
-            "ζ",
-            each(&|gear| sliding(Some(gear.sliding_at_tip))),
-        ),
+        Line("sliding_at_tip", "specific sliding, tip", "ζ", each(&|gear| sliding(gear.sliding_at_tip))),
         Line("sliding_at_root", "specific sliding, root", "ζ", each(&|gear| sliding(gear.sliding_at_root))),
     ];
     table(

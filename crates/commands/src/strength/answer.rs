@@ -20,7 +20,7 @@
 //! | `place` | where in the file a fault is |
 //!
 //! Torques are those without losses, speeds are relative to the carrier. Each mesh is rated alone with the
-//! load that the solver finds of it: the damage of two meshes on one flank of a gear is not added.
+//! load that the solver finds of it; over a duty the damage of several meshes on one flank of a gear is added.
 
 mod axial;
 mod bearing_records;
@@ -38,6 +38,7 @@ pub(crate) mod prepared;
 pub(crate) mod rated_set;
 pub mod records;
 mod sharing;
+mod together;
 
 use crate::analyze::answer::pins;
 use crate::analyze::answer::warnings::tilting;
@@ -66,6 +67,7 @@ use records::{
 };
 use schemars::JsonSchema;
 use serde::Serialize;
+pub use together::SharedFlank;
 use uom::si::f64::{KinematicViscosity, Time};
 
 /// Stresses, limits and safeties of the teeth of a gearbox by ISO 6336, method B.
@@ -93,6 +95,9 @@ pub struct Strength {
     pub at_point: Vec<Rated>,
     /// Results for each gear of each mesh over the duty; empty at an operating point.
     pub over_duty: Vec<OverDuty>,
+    /// Flanks of gears that several meshes load over the duty, with their damage together; empty at an
+    /// operating point.
+    pub shared_flanks: Vec<SharedFlank>,
     /// Results for each gear of each mesh against the overloads of the file; at an operating point in one
     /// gear those of this gear only.
     pub overload: Vec<Overloaded>,
@@ -244,7 +249,7 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
     let (sets, not_rated) = rated_set::sets(subject, &file)?;
     let Asked { life, viscosity, required } = Asked::of(&subject.document, &file)?;
     let mut found = Found { not_rated, ..Found::default() };
-    let mut bearings = vec![];
+    let (mut bearings, mut shared_flanks) = (vec![], vec![]);
     let is_at_point = input.load.is_some();
     if is_at_point {
         at_point(subject, &sets, request, life, &mut found)?;
@@ -266,9 +271,9 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
                 let load = worked.as_ref().map(|worked| SetLoad::of(set, worked, Some(entry.speed.0)));
                 if let Some(Ok(load)) = load {
                     found.axial.extend(axial::of(set, &entry.gear, Some(number), &load, life));
-                    found.shared.add(set, &entry.gear, &load);
                 }
             }
+            shared_flanks.extend(together::of_set(set, &steps, life));
         }
         for set in &sets {
             let rated = duty::rated(subject, set, &steps, life, request.factors);
@@ -302,6 +307,7 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
         .chain(uneven)
         .chain(pins::warning(subject, &turning))
         .chain(shared.warnings())
+        .chain(shared_flanks.iter().filter_map(SharedFlank::warning))
         .chain(tilting(&helical))
         .chain(tooth_checks.warnings())
         .collect();
@@ -318,6 +324,7 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
         governing,
         at_point,
         over_duty,
+        shared_flanks,
         overload,
         bearings,
         load_sharing,

@@ -5,10 +5,10 @@ mod planets;
 mod words;
 
 use crate::shared::tooth_checks::table as tooth_checks;
-use crate::strength::answer::Strength;
 use crate::strength::answer::records::{
     DutyStep, LoadSharing, MeshName, NotRated, OverDuty, Overloaded, Rated, SharingBasis, Wear,
 };
+use crate::strength::answer::{SharedFlank, Strength};
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, hours, text};
 use crate::table::quantities::{optional, quantity};
@@ -55,6 +55,9 @@ fn tables(strength: &Strength) -> Vec<Part> {
     }
     if !strength.over_duty.is_empty() {
         parts.push(Part::Records(over_duty(strength.over_duty.iter().map(Worn::from))));
+    }
+    if !strength.shared_flanks.is_empty() {
+        parts.push(Part::Records(shared_flanks(&strength.shared_flanks)));
     }
     if !strength.overload.is_empty() {
         parts.push(Part::Records(overload(&strength.overload)));
@@ -309,6 +312,22 @@ pub(crate) fn over_duty<'a>(all: impl IntoIterator<Item = Worn<'a>>) -> Records 
         )
         .note("Damage in the required life by Miner's rule, 1 at its end; hours until then, none where nothing does damage.")
         .view("Materials", "set mesh toothed_gear material")
+        .records()
+}
+
+fn shared_flanks(all: &[SharedFlank]) -> Records {
+    let damage =
+        |of: Option<f64>| of.map_or(Figure::answer("above_static_limit", "above static"), Figure::Number);
+    let meshes =
+        |one: &SharedFlank| one.meshes.iter().map(MeshName::to_string).collect::<Vec<_>>().join(", ");
+    Table::new("shared_flanks", all.iter())
+        .text("set", "set", |one| &one.set)
+        .text("toothed_gear", "gear", |one| &one.toothed_gear)
+        .words("meshes", "meshes", |one| meshes(one))
+        .number("flank_damage", "flanks", |one| damage(one.flank_damage))
+        .number("root_damage", "roots", |one| damage(one.root_damage))
+        .all("Damage of several meshes on one flank together")
+        .note("Sum of the damages of these meshes in the required life, 1 at its end. The tables above rate each mesh alone.")
         .records()
 }
 

@@ -21,6 +21,7 @@ use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::synthesis::{Bounds, Placement};
 use epicyclic_units::Physical;
 use epicyclic_units::format::trimmed;
+use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
@@ -173,7 +174,7 @@ impl Request {
         }
         Ok(ArrangementBounds {
             teeth,
-            module_ratios: self.module_ratio.clone(),
+            module_ratios: self.module_ratio.iter().copied().collect::<BTreeSet<_>>().into_iter().collect(),
             offsets: self.shifts.ring_offset.clone().unwrap_or(0..=0),
             angles: self.angles.iter().map(|angle| angle.0).collect(),
             no_undercut: self.no_undercut,

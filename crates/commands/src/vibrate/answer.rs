@@ -215,7 +215,10 @@ fn vibrating(
     if in_train.len() == gearbox.sets().len() {
         for gear in gears {
             match torsional::modes(&train, gear, &in_train, &settled)? {
-                Ok(modes) => all.torsional.push(modes),
+                Ok((modes, warning)) => {
+                    all.torsional.push(modes);
+                    all.warnings.extend(warning);
+                }
                 Err(missing) => all.not_calculated.push(missing),
             }
             if request.exciting.coupled {

@@ -7,6 +7,9 @@ use serde::{Deserializer, forward_to_deserialize_any};
 use super::fault::Fault;
 use epicyclic_units::{Dimension, token_dimension};
 
+/// Name under which a type asks for any node of which a list is one.
+pub(crate) const LIST: &str = "list";
+
 /// Deserializer of an allowed value: 1, a text, an empty list, the first name.
 #[derive(Clone, Copy)]
 pub(super) struct Filled;
@@ -64,6 +67,9 @@ impl<'de> Deserializer<'de> for Filled {
             Some(dimension) => {
                 let text = format!("1 {}", dimension.usual_unit().symbol);
                 visitor.visit_newtype_struct(StrDeserializer::new(&text))
+            }
+            None if name == LIST => {
+                visitor.visit_newtype_struct(SeqDeserializer::new(std::iter::empty::<Self>()))
             }
             None => visitor.visit_newtype_struct(self),
         }

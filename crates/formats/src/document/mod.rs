@@ -27,6 +27,7 @@ use crate::{
     error::{Error, Fault, Place, Problem},
     yaml::Value,
 };
+pub(crate) use filled::LIST;
 pub use renamed::RENAMED;
 
 /// The most bytes that a file may have. A description of a gearbox has some thousands; what is far beyond is

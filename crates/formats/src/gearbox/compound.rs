@@ -3,7 +3,7 @@
 use super::checks::NO_LINK;
 use super::per_gear::MESHES;
 use super::place::{keys_of_part, of_set};
-use super::shape::{ClosingMesh, Shape, Stated, missing, one_module};
+use super::shape::{Shape, Stated, missing, one_module};
 use super::{
     CompoundVibrationEntry, DataSheetEntry, DescriptionError, FloatingEntry, Gears, PerGear, RollingEntry,
     StrengthEntry, ToolEntry, Vibrating, VibrationEntry, spaced,
@@ -358,7 +358,10 @@ impl<P: PlanetSized> CompoundEntry<P> {
             strength: self.strength.as_ref(),
             data_sheet: self.data_sheet.as_ref(),
             helix_angles: self.meshes.iter().enumerate().map(helix_angle).collect(),
-            is_known: !self.proportional && self.planet_gears.values().all(|teeth| !teeth.is_empty()),
+            is_known: !self.proportional
+                && self.bevels_left.is_empty()
+                && self.bevels_right.is_empty()
+                && self.planet_gears.values().all(|teeth| !teeth.is_empty()),
             teeth: self.teeth(),
             closing: self.closing(),
         };
@@ -370,6 +373,7 @@ impl<P: PlanetSized> CompoundEntry<P> {
             Some(Stated { gears: &mesh.gears, module: mesh.module.or(self.module)?.0, at })
         });
         let (tooth_shape, is_sound) = faults.sound(|faults| {
+            self.check_distances(faults);
             one_module(&self.id, &stated.collect::<Vec<_>>(), faults);
             shape.tooth_shape(rack, faults)
         });
@@ -391,31 +395,6 @@ impl<P: PlanetSized> CompoundEntry<P> {
         let mut spec = spec.spaced(spacing);
         self.add_friction(&mut spec, rack.filter(|_| is_sound), friction, faults);
         spec
-    }
-
-    /// Teeth of each gear, in the order of [`gears`](Self::gears); those of a central gear as far as they are
-    /// whole.
-    fn teeth(&self) -> Vec<u32> {
-        let centrals = self.centrals().filter(|one| one.1 != CentralKind::PlanetShaft);
-        let centrals = centrals.map(|(_, _, _, teeth)| teeth as u32);
-        centrals.chain(self.planet_gears.values().flatten().copied()).collect()
-    }
-
-    /// Meshes with a stated centre distance.
-    fn closing(&self) -> Vec<ClosingMesh<'_>> {
-        let mut all = vec![];
-        for (place, mesh) in self.meshes.iter().enumerate() {
-            let Some(distance) = mesh.centre_distance else { continue };
-            let helix_angle = mesh.helix_angle.or(self.helix_angle);
-            all.push(ClosingMesh {
-                gears: &mesh.gears,
-                distance: distance.0,
-                module: mesh.module.or(self.module).map(|module| module.0),
-                helix_angle: helix_angle.map_or_else(Angle::default, |angle| angle.0),
-                at: Path::root().key("meshes").index(place).key("centre_distance"),
-            });
-        }
-        all
     }
 
     /// Efficiencies of the meshes that state friction, or have that of the gearbox.
@@ -455,7 +434,11 @@ impl<P: PlanetSized> CompoundEntry<P> {
             let eta = mesh_efficiency(&toothed.pair, friction.get());
             let eta = eta.map_err(|source| DescriptionError::of_set(&self.id, source));
             let at = Path::root().key("meshes").index(place).first_of(&["friction", "gears"]);
-            mesh.efficiency = faults.keep(at, eta).unwrap_or(MeshEfficiency::IDEAL);
+            // Friction of the gearbox that these teeth cannot have is told in a warning.
+            mesh.efficiency = match (entry.friction, eta) {
+                (None, eta) => eta.unwrap_or(MeshEfficiency::IDEAL),
+                (Some(_), eta) => faults.keep(at, eta).unwrap_or(MeshEfficiency::IDEAL),
+            };
         }
     }
 
@@ -576,7 +559,7 @@ impl<P: PlanetSized> CompoundEntry<P> {
     }
 
     /// Key, kind, name and teeth of its central gears and planet shafts.
-    fn centrals(&self) -> impl Iterator<Item = (&'static str, CentralKind, &String, f64)> + Clone {
+    pub(super) fn centrals(&self) -> impl Iterator<Item = (&'static str, CentralKind, &String, f64)> + Clone {
         let gears = [
             ("suns", CentralKind::Sun, &self.suns),
             ("rings", CentralKind::Ring, &self.rings),

@@ -41,17 +41,24 @@ impl GearboxFile {
             let key = if is_angle { "pressure_angle" } else { "addendum" };
             faults.push(key, DescriptionError::Rack(error.clone()));
         }
+        let friction = self.friction.filter(|friction| {
+            let is_right = friction.get() > 0.0 && friction.get() <= 1.0;
+            if !is_right {
+                faults.push("friction", DescriptionError::FrictionRange { given: friction.get() });
+            }
+            is_right
+        });
         for (place, set) in self.sets.iter().enumerate() {
             let spec = faults.below(&of_set(self.sets.len(), place), |faults| {
                 let rack = rack.as_ref().ok();
                 // Sets beyond the limit are not worth the work.
-                (place < MOST_SETS).then(|| set.spec(rack, self.friction, faults)).flatten()
+                (place < MOST_SETS).then(|| set.spec(rack, friction, faults)).flatten()
             });
             builder = builder.set(spec.unwrap_or_else(|| refused(&set.id, set.planets)));
         }
         for (place, set) in (self.sets.len()..).zip(&self.compound_sets) {
             let spec = faults.below(&of_set(self.sets.len(), place), |faults| {
-                set.spec(Some, rack.as_ref().ok(), self.friction, faults)
+                set.spec(Some, rack.as_ref().ok(), friction, faults)
             });
             builder = builder.compound_set(spec);
         }

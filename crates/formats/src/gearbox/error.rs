@@ -99,11 +99,47 @@ pub enum DescriptionError {
         /// Names of these, and the one that is most like the name given.
         gears: String,
     },
+    /// A coefficient of friction of the gearbox that is none.
+    #[error("`friction` is {}; a coefficient of friction is above 0 and at most 1", trimmed(*given, 6))]
+    FrictionRange {
+        /// The value.
+        given: f64,
+    },
     /// A centre distance without what shifts follow from.
-    #[error(
-        "set `{set}`: profile shifts follow from a `centre_distance` above 0 with the teeth of all gears and the module of each mesh; of planets in mesh with each other it stands in `meshes` of a set in `compound_sets`"
-    )]
+    #[error("set `{set}`: `centre_distance` {needs}")]
     CentreDistanceAlone {
+        /// The set.
+        set: String,
+        /// What it needs.
+        needs: &'static str,
+    },
+    /// Meshes of one planet with central gears at two centre distances.
+    #[error("set `{set}`: planet {planet} has the centre distances {} and {} from the axis; all central gears are on one", quantity(*first, 6), quantity(*second, 6))]
+    TwoRadii {
+        /// The set.
+        set: String,
+        /// The planet.
+        planet: String,
+        /// Distance of its first mesh.
+        first: Length,
+        /// Distance of a later one.
+        second: Length,
+    },
+    /// A shift that follows from a centre distance and leaves no teeth.
+    #[error("set `{set}`: at this centre distance {gear} gets the profile shift {}, which leaves it no teeth: take another distance, or state other shifts", trimmed(*shift, 4))]
+    ShiftFollows {
+        /// The set.
+        set: String,
+        /// The gear.
+        gear: String,
+        /// The shift.
+        shift: f64,
+    },
+    /// Tip alterations without shifts.
+    #[error(
+        "set `{set}`: `tip_alterations` stand beside `profile_shifts`: where all shifts are 0, write `profile_shifts: {{}}`"
+    )]
+    TipsAlone {
         /// The set.
         set: String,
     },

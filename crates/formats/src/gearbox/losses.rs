@@ -6,6 +6,7 @@ use super::{CompoundEntry, DescriptionError, GearboxFile, SetEntry};
 use crate::Path;
 use crate::faults::{At, Faults};
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::involute::sliding::mesh_efficiency;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::set::{MeshLoss, SetKind, SetSpec};
 use epicyclic_train::toothed::Untoothed;
@@ -17,7 +18,7 @@ impl GearboxFile {
     /// Sets to which the friction of the gearbox is not applied, with what their teeth lack for it.
     #[must_use]
     pub fn without_friction(&self, gearbox: &Gearbox) -> Vec<(String, Untoothed)> {
-        let (Some(_), Ok(rack)) = (self.friction, self.rack()) else { return vec![] };
+        let (Some(friction), Ok(rack)) = (self.friction, self.rack()) else { return vec![] };
         let states_losses = |set: &PlanetSet| {
             let short = self.sets.iter().filter(|entry| entry.id == set.id());
             let compound = self.compound_sets.iter().filter(|entry| entry.id == set.id());
@@ -27,8 +28,14 @@ impl GearboxFile {
                 .any(|has| has)
         };
         let without = |set: &PlanetSet| {
-            let why = set.toothed(&rack, &self.stated_modules(set)).err()?;
-            Some((set.id().to_owned(), why))
+            let why = match set.toothed(&rack, &self.stated_modules(set)) {
+                Err(why) => Some(why),
+                Ok(toothed) => {
+                    let eta = toothed.meshes.iter().map(|mesh| mesh_efficiency(&mesh.pair, friction.get()));
+                    eta.collect::<Result<Vec<_>, _>>().err().map(Untoothed::Refused)
+                }
+            };
+            Some((set.id().to_owned(), why?))
         };
         gearbox.sets().iter().filter(|set| !states_losses(set)).filter_map(without).collect()
     }
@@ -70,7 +77,7 @@ impl SetEntry {
             &friction,
         ) {
             Ok(losses) => Some(spec.with_loss(losses)),
-            Err(Untoothed::Refused(source)) => {
+            Err(Untoothed::Refused(source)) if is_own => {
                 faults.push(keys_of(&source), DescriptionError::of_set(&self.id, source));
                 None
             }

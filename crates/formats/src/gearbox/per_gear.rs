@@ -1,6 +1,7 @@
 //! Values of the gears of a set, in their order or by their names.
 
 use super::DescriptionError;
+use crate::document::LIST;
 use crate::faults::Faults;
 use crate::{Path, nearest};
 use epicyclic_gears::geometry::GearKind;
@@ -162,7 +163,7 @@ impl Gears {
 
 impl<'de, T: Deserialize<'de>> Deserialize<'de> for PerGear<T> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(ListOrMap(PhantomData))
+        deserializer.deserialize_newtype_struct(LIST, ListOrMap(PhantomData))
     }
 }
 
@@ -173,6 +174,10 @@ impl<'de, T: Deserialize<'de>> Visitor<'de> for ListOrMap<T> {
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("a list of values in the order of the gears, or a map from gears to values")
+    }
+
+    fn visit_newtype_struct<D: Deserializer<'de>>(self, deserializer: D) -> Result<Self::Value, D::Error> {
+        deserializer.deserialize_any(self)
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut values: A) -> Result<Self::Value, A::Error> {

@@ -2,7 +2,7 @@
 
 use super::checks::{NO_LINK, counts};
 use super::losses::losses;
-use super::shape::{ClosingMesh, Shape, Stated, missing, one_module};
+use super::shape::{Shape, Stated, missing, one_module};
 use super::spacing::spaced;
 use super::{DescriptionError, Gears, SetEntry, Vibrating};
 use crate::Path;
@@ -11,8 +11,8 @@ use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::GROUND;
 use epicyclic_train::set::{SetKind, SetSpec};
 use epicyclic_train::spacing::Spacing;
-use epicyclic_units::{Number, Physical};
-use uom::si::f64::{Angle, Length};
+use epicyclic_units::Number;
+use uom::si::f64::Angle;
 
 impl SetEntry {
     /// The set; `None` where a fault leaves its ratio or its planets open. Of what else has a
@@ -102,6 +102,10 @@ impl SetEntry {
         if let Some(vibration) = &self.vibration {
             vibration.check(&self.id, &gears, &Vibrating::of_kind(kind), faults);
         }
+        if self.carrier_radius.is_some() && self.centre_distance.is_some() {
+            let (first, second) = ("centre_distance", "carrier_radius");
+            faults.push(second, DescriptionError::Twice { set: set(), first, second });
+        }
         if self.modules.is_some() && self.module.is_some() {
             let twice = DescriptionError::Twice { set: set(), first: "module", second: "modules" };
             faults.push("modules", twice);
@@ -125,26 +129,6 @@ impl SetEntry {
         let planets = self.planet_teeth.iter().flatten().copied();
         let planets = planets.filter(|_| !SetKind::from(self.kind).is_pair());
         [sun].into_iter().chain(planets).chain([ring]).collect()
-    }
-
-    /// Meshes with the stated centre distance; without a module where planets mesh with each other, for which
-    /// it is not one distance.
-    fn closing<'m>(&self, kind: SetKind, meshes: &'m [[String; 2]]) -> Vec<ClosingMesh<'m>> {
-        let Some(distance) = self.centre_distance else { return vec![] };
-        let modules = self.stated_modules(meshes.len(), !kind.is_stepped());
-        let is_one = kind.is_pair() || kind.is_stepped() || kind == SetKind::Simple;
-        let mesh = |(place, gears): (usize, &'m [String; 2])| {
-            let of_mesh =
-                self.helix_angles.as_ref().and_then(|angles| angles.get(place)).or(self.helix_angle.as_ref());
-            ClosingMesh {
-                gears,
-                distance: distance.0,
-                module: modules[place].filter(|_| is_one).map(Length::from_si),
-                helix_angle: of_mesh.map_or_else(Angle::default, |angle| angle.0),
-                at: Path::root().key("centre_distance"),
-            }
-        };
-        meshes.iter().enumerate().map(mesh).collect()
     }
 
     /// Refuses keys of planets, which a pair has not.

@@ -40,6 +40,9 @@ pub(super) struct Shape<'e> {
     pub(super) closing: Vec<ClosingMesh<'e>>,
 }
 
+/// The largest size of a shift that follows from a centre distance.
+const MOST_SHIFT: f64 = 5.0;
+
 /// A mesh with a stated centre distance.
 pub(super) struct ClosingMesh<'e> {
     /// Names of the gears.
@@ -47,6 +50,8 @@ pub(super) struct ClosingMesh<'e> {
     pub(super) distance: Length,
     pub(super) module: Option<Length>,
     pub(super) helix_angle: Angle,
+    /// Whether its planets mesh with central gears alone, so that the set has one distance.
+    pub(super) is_one: bool,
     /// Path of the key.
     pub(super) at: Path,
 }
@@ -71,6 +76,20 @@ impl Shape<'_> {
         };
         if let Some(widths) = self.face_widths {
             gears.check(set, at(&["face_widths"]), widths, faults);
+            let path = Path::root().key("face_widths");
+            let all: Vec<(Path, &Quantity<Length>)> = match widths {
+                PerGear::List(all) => {
+                    all.iter().enumerate().map(|(place, width)| (path.clone().index(place), width)).collect()
+                }
+                PerGear::Named(all) => {
+                    all.iter().map(|(gear, width)| (path.clone().key(gear), width)).collect()
+                }
+            };
+            for (path, width) in all.into_iter().filter(|(_, width)| width.0.si() <= 0.0) {
+                let error =
+                    Error::NotPositive { quantity: Named::FaceWidth, value: width.0.mm(), unit: "mm" };
+                faults.push(path, DescriptionError::of_set(set, error));
+            }
         }
         if let Some(of) = self.strength {
             gears.check(set, at(&["strength", "materials"]), &of.materials, faults);
@@ -104,6 +123,10 @@ impl Shape<'_> {
         if self.profile_shifts.is_none() && self.tip_alterations.is_none() {
             return None;
         }
+        if self.profile_shifts.is_none() && self.is_known {
+            faults.push("tip_alterations", DescriptionError::TipsAlone { set: self.set.to_owned() });
+            return None;
+        }
         let Some(profile) = self.profile_shifts.filter(|_| self.is_known) else {
             let shifts = DescriptionError::Shifts { set: self.set.to_owned() };
             faults.push(&["profile_shifts", "tip_alterations"][..], shifts);
@@ -135,9 +158,22 @@ impl Shape<'_> {
         };
         let stated: Vec<Option<f64>> = of("profile_shifts", self.profile_shifts);
         let tips: Vec<Option<f64>> = of("tip_alterations", self.tip_alterations);
-        let has_modules = self.closing.iter().all(|mesh| mesh.module.is_some());
-        if !self.is_known || !has_modules {
-            faults.push(at, DescriptionError::CentreDistanceAlone { set: set() });
+        let needs = |needs| DescriptionError::CentreDistanceAlone { set: set(), needs };
+        let is_above_0 = |mesh: &ClosingMesh<'_>| mesh.distance.si() > 0.0;
+        let lacks = [
+            (!self.closing.iter().all(is_above_0), "must be above 0"),
+            (!self.is_known, "needs the teeth of all gears, and gears that are not bevel"),
+            (
+                self.closing.iter().any(|mesh| !mesh.is_one),
+                "is not one where planets mesh with each other: state it at `meshes` of a set in `compound_sets`",
+            ),
+            (
+                self.closing.iter().any(|mesh| mesh.module.is_none_or(|module| module.si() <= 0.0)),
+                "needs the module of each mesh: `module`, of planets with two gears `modules`",
+            ),
+        ];
+        if let Some((_, why)) = lacks.into_iter().find(|one| one.0) {
+            faults.push(at, needs(why));
             return None;
         }
         let rack = rack.filter(|_| is_sound)?;
@@ -151,10 +187,6 @@ impl Shape<'_> {
             let gears = if is_ring(first) { [second, first] } else { [first, second] };
             gears.into_iter().for_each(|gear| helix_angles[gear] = mesh.helix_angle);
             let module = mesh.module.unwrap_or_default();
-            if !(module.si() > 0.0 && mesh.distance.si() > 0.0) {
-                faults.push(mesh.at.clone(), DescriptionError::CentreDistanceAlone { set: set() });
-                return None;
-            }
             meshes.push(StatedDistance { gears, distance: mesh.distance.si() / module.si() });
         }
         let gear = |gear: usize| {
@@ -166,6 +198,17 @@ impl Shape<'_> {
         let gears = faults.keep(at, gears.map_err(|source| DescriptionError::of_set(self.set, source)))?;
         match closing_shifts(&gears, &stated, &meshes) {
             Ok(profile) => {
+                let follows = (0..count).filter(|gear| stated[*gear].is_none() && profile[*gear] != 0.0);
+                for gear in follows {
+                    let shift = profile[gear];
+                    let at = self.closing.iter().zip(&meshes).find(|(_, mesh)| mesh.gears.contains(&gear));
+                    if shift.abs() > MOST_SHIFT || gears[gear].with_shift(shift).is_err() {
+                        let (set, gear) = (set(), self.gears.names[gear].clone());
+                        let fault = DescriptionError::ShiftFollows { set, gear, shift };
+                        faults.push(at.map_or(&self.closing[0].at, |(mesh, _)| &mesh.at).clone(), fault);
+                        return None;
+                    }
+                }
                 let tips = self.tip_alterations.is_some().then_some(tips);
                 let tips = tips.map(|tips| tips.into_iter().map(Option::unwrap_or_default).collect());
                 Some(Shifts { profile, tips })

@@ -11,6 +11,9 @@ use epicyclic_train::{Gearbox, PlanetSet};
 use epicyclic_units::{Number, Physical};
 use uom::si::f64::{Angle, Length, MassDensity};
 
+/// Part of a radius by which a stated one is not that of the teeth.
+const OTHER_RADIUS: f64 = 1e-3;
+
 impl GearboxFile {
     /// The planet bearings of each set that has any, as far as their size is known.
     ///
@@ -54,6 +57,31 @@ impl GearboxFile {
             return entry.stated_modules();
         }
         vec![None; set.meshes().len()]
+    }
+
+    /// Stated radii of planets that are not those of the teeth, by a thousandth or more: set, stated radius, that
+    /// of the teeth.
+    #[must_use]
+    pub fn other_radii(&self, gearbox: &Gearbox) -> Vec<(String, Length, Length)> {
+        let Ok(rack) = self.rack() else { return vec![] };
+        let mut all = vec![];
+        for set in gearbox.sets() {
+            let modules = self.stated_modules(set);
+            let size = self.size(set);
+            let Ok(toothed) = set.toothed(&rack, &modules) else { continue };
+            // Without modules the radii of the teeth have no length.
+            if modules.iter().any(Option::is_none) {
+                continue;
+            }
+            for (place, own) in toothed.radii.iter().enumerate() {
+                let stated = size.planets.get(place).and_then(|planet| planet.carrier_radius);
+                let Some((stated, own)) = stated.or(size.carrier_radius).zip(*own) else { continue };
+                if (stated.si() / own - 1.0).abs() > OTHER_RADIUS {
+                    all.push((set.id().to_owned(), stated, Length::from_si(own)));
+                }
+            }
+        }
+        all
     }
 
     /// Size of a set, as far as the file states it.

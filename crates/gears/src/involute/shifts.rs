@@ -14,6 +14,10 @@
 use super::{InvoluteGear, Pair};
 use crate::Error;
 
+/// How far stated shifts may be from the sum that their centre distance requires: as if printed with three
+/// decimals.
+const AGREES: f64 = 1e-3;
+
 /// Mesh at a stated centre distance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StatedDistance {
@@ -33,7 +37,7 @@ pub enum Unclosed {
         /// Sum of both shifts.
         sum: f64,
     },
-    /// Both shifts of a mesh are stated or follow from other meshes.
+    /// Both shifts of a mesh are stated or follow from other meshes, and contradict its centre distance.
     Fixed {
         /// Index of the mesh.
         mesh: usize,
@@ -93,9 +97,10 @@ pub fn closing_shifts(
         let required = sum(mesh)?;
         let ends = meshes[mesh].gears;
         match ends.map(|gear| known[gear]) {
-            [Some(one), Some(other)] => {
+            [Some(one), Some(other)] if (one + other - required).abs() > AGREES => {
                 return Err(Unclosed::Fixed { mesh, required, sum: one + other });
             }
+            [Some(_), Some(_)] => {}
             [first, second] => {
                 let follows = required - first.or(second).unwrap_or_default();
                 known[ends[usize::from(first.is_some())]] = Some(follows);

@@ -6,6 +6,7 @@ use crate::answer::Warning;
 use crate::shared::gearbox::Gearbox;
 use epicyclic_train::one_way::Duty;
 use epicyclic_train::{self as train, Analysis, PlanetSet};
+use epicyclic_units::format::quantity;
 
 /// Formats names of gears: `gear 1`, `gears 1, 2`.
 fn named(gears: &[&str]) -> String {
@@ -123,12 +124,21 @@ pub(crate) fn of_gearbox(subject: &Gearbox) -> Vec<Warning> {
     let teeth = teeth.into_iter().map(|message| Warning { name: "teeth", message });
     let ideal = subject.without_friction.iter().map(|(set, why)| {
         let message = format!(
-            "the friction of the gearbox is not applied to set {set}, which runs without losses: {why}; its efficiency can be stated \
+            "the friction of the gearbox is not applied to set {set}, which runs without losses: {why}; efficiencies can be stated \
              instead"
         );
         Warning { name: "friction", message }
     });
-    of_gearbox.chain(teeth).chain(ideal).collect()
+    let radii = subject.other_radii.iter().map(|(set, stated, own)| {
+        let message = format!(
+            "the carrier_radius {} of set {set} is not that of its teeth, {}; state centre_distance in its place, from which profile \
+             shifts follow, or leave it out",
+            quantity(*stated, 5),
+            quantity(*own, 5)
+        );
+        Warning { name: "carrier-radius", message }
+    });
+    of_gearbox.chain(teeth).chain(ideal).chain(radii).collect()
 }
 
 /// Warning about helical sets whose planet bearings have forces or ratings: both leave out the moment of the

@@ -229,8 +229,8 @@ pub struct GearInMesh {
     pub active_root_diameter_m: f64,
     /// Tip clearance `c` in m: from the tip of the gear to the root circle of its mate.
     pub tip_clearance_m: f64,
-    /// Specific sliding `ζ` at the end of contact at the tip of the gear.
-    pub sliding_at_tip: f64,
+    /// Specific sliding `ζ` at the end of contact at the tip; null where it is infinite.
+    pub sliding_at_tip: Option<f64>,
     /// Specific sliding `ζ` at the end of contact at the root; null if contact begins at the base circle,
     /// where it is infinite.
     pub sliding_at_root: Option<f64>,
@@ -395,7 +395,7 @@ impl MeshSheet {
             working_diameter_m: module_m * working[place],
             active_root_diameter_m: module_m * roots[place],
             tip_clearance_m: module_m * clearances[place],
-            sliding_at_tip: sliding[place][0],
+            sliding_at_tip: Some(sliding[place][0]).filter(|sliding| sliding.is_finite()),
             // Sliding at the base circle is infinite, which JSON cannot hold.
             sliding_at_root: Some(sliding[place][1]).filter(|sliding| sliding.is_finite()),
         });

@@ -70,7 +70,7 @@ impl SetLoad {
     }
 
     /// Torques of the meshes of the set, in its order; 0 where only a rounding error is left.
-    fn of_meshes(&self, set: &RatedSet<'_>) -> Vec<MeshLoad> {
+    pub(super) fn of_meshes(&self, set: &RatedSet<'_>) -> Vec<MeshLoad> {
         let largest = self.torques.iter().fold(0.0, |largest: f64, torque| largest.max(torque.abs()));
         // A mesh without load has what rounding leaves of torques that cancel.
         let clean = |torque: f64| if torque.abs() <= ROUNDED * largest { 0.0 } else { torque };

@@ -18,22 +18,29 @@ use super::train_records::{
 };
 use super::{Prepared, number};
 use crate::analyze::answer::analysis;
+use crate::answer::Warning;
 use crate::error::Error;
 use crate::tolerance::{ROUNDED, rounded};
 use epicyclic_train::{Analysis, Gear, LinkId};
 use epicyclic_units::Physical;
+use epicyclic_units::format::trimmed;
 use epicyclic_vibration::Kind;
 use epicyclic_vibration::train::{Placed, Shaft, TrainParts, torsional};
 use epicyclic_vibration::{Group, Model, SpringId, phasing};
 use std::f64::consts::TAU;
 
-/// Torsional modes in a gear with their excitation, or the set that lacks data.
+/// Relative difference of the ratio by the vibration data from that of the gear, from which on a warning is
+/// due.
+const OFF_RATIO: f64 = 1e-4;
+
+/// Torsional modes in a gear with their excitation, or the set that lacks data; with a warning where the data
+/// contradict the ratio of the gear.
 pub(super) fn modes(
     train: &Train<'_>,
     gear: &Gear,
     sets: &[TrainSet<'_>],
     settled: &Settled,
-) -> Result<Result<TorsionalModes, NotCalculated>, Error> {
+) -> Result<Result<(TorsionalModes, Option<Warning>), NotCalculated>, Error> {
     let laid = match train.laid(gear, sets, What::Torsional, Prepared::torsional)? {
         Ok(laid) => laid,
         Err(missing) => return Ok(Err(missing)),
@@ -57,27 +64,45 @@ pub(super) fn modes(
         .collect();
     let zeros: Vec<&Group> = groups.iter().filter(|group| group.is_zero()).collect();
     // Of the mass-normalised motion of a gear with one freedom the energy is ½, so J = 1/θ² at an angle θ.
-    let reduced = |link: LinkId| {
+    let angle = |link: LinkId| {
         let [[shape]] = zeros.iter().map(|group| &group.shapes[..]).collect::<Vec<_>>()[..] else {
             return None;
         };
         let root = laid.roots[link.index()];
         let (_, place) = bodies.of_root.iter().find(|(own, _)| *own == root)?;
         let [_, _, angle] = shape.of(parts.links[*place])?;
-        (angle.abs() > ROUNDED).then(|| 1.0 / (angle * angle))
+        Some(angle).filter(|angle| angle.abs() > ROUNDED)
     };
+    let angles = [gear.input(), gear.output()].map(angle);
+    let analysis = analysis(&train.subject.train, gear.name())?;
+    let ratio = match (angles, analysis.ratio()) {
+        ([Some(one), Some(other)], Some(ratio)) if (one / other / ratio - 1.0).abs() > OFF_RATIO => {
+            Some((one / other, ratio))
+        }
+        _ => None,
+    };
+    let warning = ratio.map(|(own, ratio)| Warning {
+        name: "vibration-data",
+        message: format!(
+            "gear {}: the base radii, pressure angles and carrier radii of the vibration have the ratio {}, and the gear has {}; \
+             the inertia of the whole gearbox is left out",
+            gear.name(),
+            trimmed(own, 5),
+            trimmed(ratio, 5)
+        ),
+    });
+    let reduced = angles.map(|angle| angle.filter(|_| ratio.is_none()).map(|angle| 1.0 / (angle * angle)));
     let mut all = TorsionalModes {
         gear: gear.name().to_owned(),
         freedoms: zeros.iter().map(|group| group.multiplicity() as u32).sum(),
-        inertia_at_input_kg_m2: reduced(gear.input()),
-        inertia_at_output_kg_m2: reduced(gear.output()),
+        inertia_at_input_kg_m2: reduced[0],
+        inertia_at_output_kg_m2: reduced[1],
         modes: modes.map_err(refuse)?,
         orders: vec![],
         resonances: vec![],
         input_speeds_rad_s: settled.ends(),
     };
     if let Some([low, high]) = all.input_speeds_rad_s {
-        let analysis = analysis(&train.subject.train, gear.name())?;
         all.orders = of_links(&analysis, bodies, settled.fastest());
         for one in sets {
             all.orders.extend(of_set(&analysis, one, (settled.harmonics, settled.fastest())));
@@ -87,7 +112,7 @@ pub(super) fn modes(
         }
         all.resonances.sort_by(|one, other| one.input_speed_rad_s.total_cmp(&other.input_speed_rad_s));
     }
-    Ok(Ok(all))
+    Ok(Ok((all, warning)))
 }
 
 /// Orders for a turn of each link that turns.

@@ -84,7 +84,7 @@ pub(super) fn torsional(all: &[TorsionalModes]) -> Records {
 }
 
 pub(super) fn inertias(all: &[TorsionalModes]) -> Records {
-    Table::new("inertias", all.iter())
+    Table::new("inertias", all.iter().filter(|gear| gear.inertia_at_input_kg_m2.is_some()))
         .text("gear", "gear", |gear| &gear.gear)
         .column(Column::headed("at_input", "J in", Inertia), |gear| {
             optional(Inertia, gear.inertia_at_input_kg_m2)

@@ -1,0 +1,116 @@
+//! Damage of several meshes on one flank of a gear, over the duty.
+//!
+//! Each mesh is rated alone. A flank that several meshes load, in the same step or in others, has the sum of
+//! their damages by Miner's rule, and its roots too, which they bend the same way.
+
+use super::duty::WorkedStep;
+use super::load::SetLoad;
+use super::names::MeshName;
+use super::rated_set::RatedSet;
+use crate::answer::Warning;
+use epicyclic_strength::spectrum::{Step, rate_duty};
+use epicyclic_train::mesh_loads::MeshLoad;
+use epicyclic_units::Physical;
+use epicyclic_units::format::trimmed;
+use schemars::JsonSchema;
+use serde::Serialize;
+use uom::si::f64::{AngularVelocity, Time, Torque};
+
+/// Flank of a gear that several meshes load over the duty; of both flanks that with more damage.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct SharedFlank {
+    /// Name of the set.
+    pub set: String,
+    /// The gear.
+    pub toothed_gear: String,
+    /// Meshes that load the flank.
+    pub meshes: Vec<MeshName>,
+    /// Damage of the flank in the required life by all of them, 1 at the end of the life; null if a stress
+    /// is above the static limit.
+    pub flank_damage: Option<f64>,
+    /// Damage of the roots in the required life by all of them; null if a stress is above the static limit.
+    pub root_damage: Option<f64>,
+}
+
+/// Shared flanks of a set over the duty, as far as all meshes on them are rated.
+pub(super) fn of_set(set: &RatedSet<'_>, duty: &[WorkedStep<'_>], life: Time) -> Vec<SharedFlank> {
+    let load = |WorkedStep(entry, worked): &WorkedStep<'_>| {
+        let load = worked.as_ref().map(|worked| SetLoad::of(set, worked, Some(entry.speed.0)));
+        let load = load.and_then(Result::ok).unwrap_or_else(|| SetLoad::idle(set));
+        (load.of_meshes(set), load.speed)
+    };
+    let loads: Vec<_> = duty.iter().map(load).collect();
+    let of_gear = |gear| {
+        let ends = (0..set.meshes.len()).filter_map(|mesh| {
+            let end = set.set.gears_of_mesh(mesh).iter().position(|one| *one == gear)?;
+            Some((mesh, end))
+        });
+        let ends: Vec<(usize, usize)> = ends.collect();
+        let of_flank = |flank: f64| {
+            let is_on = |load: &MeshLoad, end: usize| load.torques[end] * flank > 0.0;
+            let on =
+                ends.iter().filter(|(mesh, end)| loads.iter().any(|(load, _)| is_on(&load[*mesh], *end)));
+            let on: Vec<&(usize, usize)> = on.collect();
+            let [mut at_flank, mut at_root] = [0.0; 2];
+            for (mesh, end) in on.iter().copied().filter(|_| on.len() > 1) {
+                let step = |(WorkedStep(entry, _), (load, speed)): (
+                    &WorkedStep<'_>,
+                    &(Vec<MeshLoad>, AngularVelocity),
+                )| {
+                    let own = &load[*mesh];
+                    // On the other flank it does no damage here.
+                    let torque = if is_on(own, *end) { own.torques[0].abs() } else { 0.0 };
+                    Step {
+                        share: entry.share.0.si(),
+                        torque: Torque::from_si(torque),
+                        speed: AngularVelocity::from_si((speed.si() * own.speeds[0]).abs()),
+                    }
+                };
+                let steps: Vec<Step> = duty.iter().zip(&loads).map(step).collect();
+                let (rated, contacts) = (&set.meshes[*mesh], loads.first()?.0[*mesh].contacts);
+                let rating = rate_duty(&rated.mesh, &steps, life, contacts, &rated.method).ok()?;
+                let own = &rating.gears[*end];
+                at_flank += own.contact.as_ref().ok()?.damage;
+                at_root += own.root.as_ref().ok()?.damage;
+            }
+            let meshes = on.iter().map(|(mesh, _)| set.meshes[*mesh].name.clone()).collect::<Vec<_>>();
+            (meshes.len() > 1).then_some((meshes, at_flank, at_root))
+        };
+        let both = [1.0, -1.0].into_iter().filter_map(of_flank);
+        let (meshes, flank, root) = both.max_by(|one, other| one.1.total_cmp(&other.1))?;
+        let finite = |damage: f64| Some(damage).filter(|damage| damage.is_finite());
+        Some(SharedFlank {
+            set: set.id.to_owned(),
+            toothed_gear: set.set.gear_name(gear),
+            meshes,
+            flank_damage: finite(flank),
+            root_damage: finite(root),
+        })
+    };
+    set.set.gears().into_iter().filter_map(of_gear).collect()
+}
+
+impl SharedFlank {
+    /// Warning of a flank or root whose life is shorter than required.
+    pub(super) fn warning(&self) -> Option<Warning> {
+        let worn = |damage: Option<f64>| damage.is_none_or(|damage| damage > 1.0);
+        let place = match (worn(self.flank_damage), worn(self.root_damage)) {
+            (false, false) => return None,
+            (true, false) => ("flank", self.flank_damage),
+            (false, true) => ("root", self.root_damage),
+            (true, true) => {
+                ("flank and root", self.flank_damage.zip(self.root_damage).map(|(one, other)| one.max(other)))
+            }
+        };
+        let (place, damage) =
+            (place.0, place.1.map_or("above static".to_owned(), |damage| trimmed(damage, 4)));
+        let Self { set, toothed_gear, meshes, .. } = self;
+        let meshes: Vec<String> = meshes.iter().map(MeshName::to_string).collect();
+        let message = format!(
+            "set {set}: the meshes {} together wear the {place} of the {toothed_gear} out before the required life: damage {damage}, where each is rated alone",
+            meshes.join(", ")
+        );
+        Some(Warning { name: "shared-flank", message })
+    }
+}
