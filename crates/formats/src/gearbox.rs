@@ -511,9 +511,14 @@ mod tests {
             let is_close = |(one, other): (&f64, f64)| (one - other).abs() < 1e-5;
             assert!(found.iter().zip([0.389, 0.503_873, 0.117_115]).all(is_close), "{found:?}");
         }
-        let compound = read(
-            "gearbox: P\ninput: x\noutput: h\ncompound_sets: [{ id: P, carrier: h, suns: { x: 18 }, rings: { ground: 93 }, planet_gears: { p: [36] }, module: 21 mm, profile_shifts: { p: 0.503873 }, meshes: [{ gears: [x, p], centre_distance: 584 mm }, { gears: [ground, p], centre_distance: 584 mm }] }]\ngears: [{ name: only }]\n",
-        );
+        let of_planet = |distance: &str| {
+            format!(
+                "gearbox: P\ninput: x\noutput: h\ncompound_sets: [{{ id: P, carrier: h, suns: {{ x: 18 }}, rings: {{ ground: 93 }}, planet_gears: {{ p: [36] }}, module: 21 mm, profile_shifts: {{ p: 0.503873 }}, meshes: [{{ gears: [x, p], centre_distance: 584 mm }}, {{ gears: [ground, p], centre_distance: {distance} }}] }}]\ngears: [{{ name: only }}]\n"
+            )
+        };
+        let error = read(&of_planet("585 mm")).unwrap_err();
+        assert!(error.contains("planet p has the centre distances 584 mm and 585 mm"), "{error}");
+        let compound = read(&of_planet("584 mm"));
         let found = compound.unwrap().sets()[0].tooth_shape().shifts.clone().unwrap().profile;
         assert!((found[0] - 0.389).abs() < 1e-5 && (found[1] - 0.117_115).abs() < 1e-5, "{found:?}");
     }

@@ -96,7 +96,7 @@ pub enum Error {
         tolerance: f64,
     },
     /// A ratio of speeds that no gear set has.
-    #[error("ratio {ratio}: it is finite, not 0, and not 1 with the carrier driving or driven")]
+    #[error("ratio {ratio}: a ratio is finite and not 0, and not 1 where the carrier drives or is driven")]
     Ratio {
         /// The value given.
         ratio: f64,

@@ -136,7 +136,8 @@ impl Request {
             simple && !self.angles.is_empty(),
             "sets with a stepped planet and Ravigneaux sets",
         )?;
-        refuse("--module-ratio", simple && self.module_ratio != [1.into()], others)?;
+        let steps = "sets with a stepped planet";
+        refuse("--module-ratio", simple && self.module_ratio != [1.into()], steps)?;
         refuse(
             "--ring-offset",
             self.is_double() && self.shifts.ring_offset.is_some(),

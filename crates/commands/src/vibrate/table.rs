@@ -295,6 +295,7 @@ fn of_modes(sets: &[SetModes], is_answer: bool) -> Records {
 
 fn resonances(all: &[Resonance]) -> Records {
     let note = "Speeds of the input at which what excites has the frequency of a mode that it can excite.";
+    let title = if all.is_empty() { "Resonances: none at these speeds" } else { "Resonances" };
     Table::new("resonances", all.iter())
         .text("set", "set", |one| &one.set)
         .text("gear", "gear", |one| &one.gear)
@@ -306,7 +307,7 @@ fn resonances(all: &[Resonance]) -> Records {
         .number("mode", "mode", |one| one.mode)
         .words("kind", "kind", |one| Figure::choice(one.kind, kind(one.kind)))
         .measured("frequency", "f", Frequency, 1, |one| one.frequency_hz)
-        .view("Resonances", "set gear input_speed source harmonic mode kind frequency")
+        .view(title, "set gear input_speed source harmonic mode kind frequency")
         .note(note)
         .records()
 }

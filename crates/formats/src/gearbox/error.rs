@@ -68,8 +68,7 @@ pub enum DescriptionError {
         /// Why.
         source: ToolMisfit,
     },
-    /// Profile shifts of a set whose teeth are not all given, or of bevel gears; tip alterations without
-    /// shifts.
+    /// Profile shifts of a set whose teeth are not all given, or of bevel gears.
     #[error(
         "set `{set}`: `profile_shifts`, with or without `tip_alterations`, need the teeth of all its gears, and gears that are not bevel"
     )]
@@ -114,7 +113,7 @@ pub enum DescriptionError {
         needs: &'static str,
     },
     /// Meshes of one planet with central gears at two centre distances.
-    #[error("set `{set}`: planet {planet} has the centre distances {} and {} from the axis; all central gears are on one", quantity(*first, 6), quantity(*second, 6))]
+    #[error("set `{set}`: planet {planet} has the centre distances {} and {} from the axis; it has one", quantity(*first, 6), quantity(*second, 6))]
     TwoRadii {
         /// The set.
         set: String,

@@ -99,6 +99,8 @@ pub(super) fn inertias(all: &[TorsionalModes]) -> Records {
 
 pub(super) fn resonances(all: &[TorsionalModes]) -> Records {
     let rows = all.iter().flat_map(|gear| gear.resonances.iter().map(move |one| (gear, one)));
+    let is_none = all.iter().all(|gear| gear.resonances.is_empty());
+    let title = if is_none { "Torsional resonances: none at these speeds" } else { "Torsional resonances" };
     Table::new("torsional_resonances", rows)
         .text("gear", "gear", |(gear, _)| &gear.gear)
         .quantity("input_speed", "n in", AngularSpeed, |(_, one)| one.input_speed_rad_s)
@@ -110,7 +112,7 @@ pub(super) fn resonances(all: &[TorsionalModes]) -> Records {
         .number("mode", "mode", |(_, one)| one.mode)
         .measured("frequency", "f", Frequency, 1, |(_, one)| one.frequency_hz)
         .number("share", "share, %", |(_, one)| share(one.share))
-        .view("Torsional resonances", "gear input_speed of source harmonic mode frequency share")
+        .view(title, "gear input_speed of source harmonic mode frequency share")
         .note(
             "Speeds of the input at which what excites has the frequency of a torsional mode that it can excite. Share: of the meshes of the set in the strain energy \
              of the mode, or of the shaft in its kinetic energy; where it is small, the resonance is.",
