@@ -141,8 +141,8 @@ pub struct GearboxFile {
     /// Addendum in modules, for the checks of teeth. Default 1.
     #[serde(default)]
     pub addendum: Option<Number>,
-    /// Mean coefficient of friction of the teeth in every mesh without friction or efficiency of its own. Sets
-    /// whose teeth do not suffice for it are named in a warning.
+    /// Mean coefficient of friction of the teeth in every mesh without friction or efficiency of its own.
+    /// Sets whose teeth do not suffice for it are named in a warning.
     #[serde(default)]
     pub friction: Option<Number>,
     /// Drag torques of seals, bearings and churning, for `epicyclic losses`.
@@ -251,9 +251,9 @@ pub struct SetEntry {
     /// Module of each mesh from sun to ring, in place of `module`: of stepped planets.
     #[serde(default)]
     pub modules: Option<Vec<Quantity<Length>>>,
-    /// Centre distance of its meshes with sun and ring, or of the pair, from which open profile shifts follow:
-    /// `profile_shifts` then state those of some gears by name, and each mesh gives that of another. Needs
-    /// `module`.
+    /// Centre distance of its meshes with sun and ring, or of the pair, from which open profile shifts
+    /// follow: `profile_shifts` then state those of some gears by name, and each mesh gives that of another.
+    /// Needs `module`.
     #[serde(default)]
     pub centre_distance: Option<Quantity<Length>>,
     /// Radius of the planets' centres; goes before that of module and teeth.

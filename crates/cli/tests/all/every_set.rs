@@ -1,4 +1,5 @@
-//! Random sets of every kind through every command: each has an answer of finite figures, or says what it lacks.
+//! Random sets of every kind through every command: each has an answer of finite figures, or says what it
+//! lacks.
 
 use epicyclic::call;
 use epicyclic_commands::desk::memory::Memory;
@@ -32,7 +33,7 @@ fn run(words: &[&str], text: &str) -> (u8, String, String) {
     (code, String::from_utf8_lossy(&kept.answer).into_owned(), kept.messages.join("\n"))
 }
 
-/// What every command says of a gearbox.
+/// Runs every command on a gearbox; number of answers.
 fn tried(text: &str) -> Result<u32, TestCaseError> {
     let mut answered = 0;
     for words in COMMANDS {

@@ -20,7 +20,8 @@
 //! | `place` | where in the file a fault is |
 //!
 //! Torques are those without losses, speeds are relative to the carrier. Each mesh is rated alone with the
-//! load that the solver finds of it; over a duty the damage of several meshes on one flank of a gear is added.
+//! load that the solver finds of it; over a duty the damage of several meshes on one flank of a gear is
+//! added.
 
 mod axial;
 mod bearing_records;

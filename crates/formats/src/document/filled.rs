@@ -7,7 +7,7 @@ use serde::{Deserializer, forward_to_deserialize_any};
 use super::fault::Fault;
 use epicyclic_units::{Dimension, token_dimension};
 
-/// Name under which a type asks for any node of which a list is one.
+/// Name for types that read a list or a map.
 pub(crate) const LIST: &str = "list";
 
 /// Deserializer of an allowed value: 1, a text, an empty list, the first name.

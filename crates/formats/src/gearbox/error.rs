@@ -1,4 +1,4 @@
-//! What is wrong with the description of a gearbox.
+//! Faults of the description of a gearbox.
 
 use crate::Problem;
 use crate::faults::Keys;
@@ -98,7 +98,7 @@ pub enum DescriptionError {
         /// Names of these, and the one that is most like the name given.
         gears: String,
     },
-    /// A coefficient of friction of the gearbox that is none.
+    /// Friction of the gearbox outside its range.
     #[error("`friction` is {}; a coefficient of friction is above 0 and at most 1", trimmed(*given, 6))]
     FrictionRange {
         /// The value.
@@ -109,7 +109,7 @@ pub enum DescriptionError {
     CentreDistanceAlone {
         /// The set.
         set: String,
-        /// What it needs.
+        /// Missing or wrong data, in words.
         needs: &'static str,
     },
     /// Meshes of one planet with central gears at two centre distances.

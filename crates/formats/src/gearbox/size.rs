@@ -59,20 +59,22 @@ impl GearboxFile {
         vec![None; set.meshes().len()]
     }
 
-    /// Stated radii of planets that are not those of the teeth, by a thousandth or more: set, stated radius, that
-    /// of the teeth.
+    /// Stated radii of planets that differ from those of the teeth by more than a thousandth: set, stated
+    /// radius, radius by the teeth.
     #[must_use]
     pub fn other_radii(&self, gearbox: &Gearbox) -> Vec<(String, Length, Length)> {
         let Ok(rack) = self.rack() else { return vec![] };
         let mut all = vec![];
         for set in gearbox.sets() {
-            let modules = self.stated_modules(set);
-            let size = self.size(set);
-            let Ok(toothed) = set.toothed(&rack, &modules) else { continue };
-            // Without modules the radii of the teeth have no length.
-            if modules.iter().any(Option::is_none) {
+            let (modules, size) = (self.stated_modules(set), self.size(set));
+            let own = size.planets.iter().map(|planet| planet.carrier_radius);
+            let is_stated = own.chain([size.carrier_radius]).any(|radius| radius.is_some());
+            // Every command reads this, so teeth are laid out only where a radius is stated; without modules
+            // their radii have no length.
+            if !is_stated || modules.iter().any(Option::is_none) {
                 continue;
             }
+            let Ok(toothed) = set.toothed(&rack, &modules) else { continue };
             for (place, own) in toothed.radii.iter().enumerate() {
                 let stated = size.planets.get(place).and_then(|planet| planet.carrier_radius);
                 let Some((stated, own)) = stated.or(size.carrier_radius).zip(*own) else { continue };

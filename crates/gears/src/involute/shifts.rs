@@ -6,10 +6,10 @@
 //! x_1 + x_2 = (z_1 + z_2)·(inv α_wt − inv α_t)/(2·tan α_n)    cos α_wt = (z_1 + z_2)·m_t·cos α_t/(2·a)
 //! ```
 //!
-//! with the teeth of an internal gear below 0, and its shift above 0 where its tips move inwards. A stated shift
-//! gives that of the other gear, and with it the next mesh of that gear has one open shift less: of sun, planets
-//! and ring at one distance a single shift decides all. Angles in rad, lengths in modules of the mesh. Source:
-//! ISO 21771-1, working transverse pressure angle; the errors are those of [`Pair::shift_sum`].
+//! with the teeth of an internal gear below 0, and its shift above 0 where its tips move inwards. A stated
+//! shift gives that of the other gear, and with it the next mesh of that gear has one open shift less: of
+//! sun, planets and ring at one distance a single shift decides all. Angles in rad, lengths in modules of the
+//! mesh. Source: ISO 21771-1, working transverse pressure angle; the errors are those of [`Pair::shift_sum`].
 
 use super::{InvoluteGear, Pair};
 use crate::Error;
@@ -37,7 +37,7 @@ pub enum Unclosed {
         /// Sum of both shifts.
         sum: f64,
     },
-    /// Both shifts of a mesh are stated or follow from other meshes, and contradict its centre distance.
+    /// A mesh whose shifts, stated or from other meshes, contradict its centre distance.
     Fixed {
         /// Index of the mesh.
         mesh: usize,
@@ -55,8 +55,8 @@ pub enum Unclosed {
     },
 }
 
-/// Shifts of gears whose meshes have stated centre distances. `shifts` are the stated ones; an open one that no
-/// mesh with a stated distance decides is 0. Of the gears the own shifts do not matter.
+/// Shifts of gears whose meshes have stated centre distances. `shifts` are the stated ones; an open one that
+/// no mesh with a stated distance decides is 0. Of the gears the own shifts do not matter.
 ///
 /// ```
 /// use epicyclic_gears::involute::shifts::{StatedDistance, closing_shifts};
@@ -139,8 +139,8 @@ mod tests {
     }
 
     proptest! {
-        /// Of sun, planets and ring any one shift decides the others: pairs without backlash of these gears are at the
-        /// stated distance.
+        /// Of sun, planets and ring any one shift decides the others: pairs without backlash of these gears
+        /// are at the stated distance.
         #[test]
         fn each_mesh_closes_at_its_distance(
             sun in 17_u32..60, planet in 17_u32..60, of in 0_usize..3, shift in -0.3_f64..0.6, away in -0.3_f64..0.6,

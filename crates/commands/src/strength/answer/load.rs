@@ -105,7 +105,7 @@ impl SetLoad {
 }
 
 /// A gear with several meshes that load the same flank, and the gears of the gearbox in which they do.
-pub(super) struct SharedFlank {
+pub(super) struct LoadedGear {
     set: String,
     toothed_gear: String,
     gears: Vec<String>,
@@ -113,7 +113,7 @@ pub(super) struct SharedFlank {
 
 /// Gears with several meshes that load the same flank, each once.
 #[derive(Default)]
-pub(super) struct SharedFlanks(Vec<SharedFlank>);
+pub(super) struct SharedFlanks(Vec<LoadedGear>);
 
 impl SharedFlanks {
     /// Adds those of a set in a gear.
@@ -124,7 +124,7 @@ impl SharedFlanks {
             match known {
                 Some(one) if one.gears.iter().any(|known| known == gear) => {}
                 Some(one) => one.gears.push(gear.to_owned()),
-                None => self.0.push(SharedFlank {
+                None => self.0.push(LoadedGear {
                     set: set.id.to_owned(),
                     toothed_gear: name,
                     gears: vec![gear.to_owned()],
@@ -134,7 +134,7 @@ impl SharedFlanks {
     }
 
     pub(super) fn warnings(&self) -> impl Iterator<Item = Warning> {
-        self.0.iter().map(|SharedFlank { set, toothed_gear, gears }| Warning {
+        self.0.iter().map(|LoadedGear { set, toothed_gear, gears }| Warning {
             name: "shared-flank",
             message: format!(
                 "set {set}: several meshes load the same flank of the {toothed_gear} in {} {}; each is rated alone, and their damage together is more",

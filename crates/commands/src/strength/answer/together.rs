@@ -1,7 +1,7 @@
 //! Damage of several meshes on one flank of a gear, over the duty.
 //!
-//! Each mesh is rated alone. A flank that several meshes load, in the same step or in others, has the sum of
-//! their damages by Miner's rule, and its roots too, which they bend the same way.
+//! Each mesh is rated alone. Where several load one flank, in the same step or in others, its damage is the
+//! sum by Miner's rule. That of the roots is a sum too: these meshes bend them the same way.
 
 use super::duty::WorkedStep;
 use super::load::SetLoad;

@@ -152,8 +152,8 @@ impl Prepared {
         meshes.chain(bearings).collect()
     }
 
-    /// The set with its planets, those of one kind in a row, and all meshes, those of one planet or planets in mesh in a
-    /// row.
+    /// The set with its planets, those of one kind in a row, and all meshes, those of one planet or planets
+    /// in mesh in a row.
     fn with(&self, members: Vec<Member>, forward: &[bool]) -> GearSet {
         let copies = self.copies();
         let planets = self.planet_kinds.iter().flat_map(|planet| {

@@ -20,7 +20,7 @@ pub struct TorsionalModes {
     /// Inertia of the whole gearbox, with what its links carry, reduced to the input, in kg·m²: the kinetic
     /// energy is `½·J·ω²` at the speed of the input. Null in a gear that keeps no freedom or several.
     pub inertia_at_input_kg_m2: Option<f64>,
-    /// The same reduced to the output, in kg·m².
+    /// Inertia of the whole gearbox reduced to the output, in kg·m²; null as that at the input.
     pub inertia_at_output_kg_m2: Option<f64>,
     /// Modes in increasing order of frequency.
     pub modes: Vec<TorsionalMode>,
