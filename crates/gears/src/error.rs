@@ -400,6 +400,15 @@ pub enum Error {
         second: u32,
     },
 
+    /// Gears whose meshes are no tree over all of them.
+    #[error("{meshes} meshes do not join {gears} gears in a tree")]
+    NotJoined {
+        /// Number of gears.
+        gears: usize,
+        /// Number of meshes.
+        meshes: usize,
+    },
+
     /// An internal gear must have more teeth than the gear inside it.
     #[error(
         "internal gear has {internal} teeth and the gear inside it {external}; the internal one must have more"

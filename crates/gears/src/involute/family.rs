@@ -307,38 +307,56 @@ impl Family {
             let set = at(shift).map_err(|refused| refused.fault(limits))?;
             set.faults(limits).first().map_or(Ok(set), |fault| Err(Ok(*fault)))
         };
-        let first = match checked(wanted) {
-            Ok(set) => return Ok(Choice { set, limited_by: None }),
-            Err(first) => first,
-        };
-        let step = (range.end() - range.start()) / f64::from(PARTS);
-        let sides = |part: u32| [-1.0, 1.0].map(|side| (wanted + side * f64::from(part) * step, side * step));
-        for (shift, step) in (1..=PARTS).flat_map(sides) {
-            if !(range.start() - TOUCH..=range.end() + TOUCH).contains(&shift) {
-                continue;
-            }
-            let Ok(mut set) = checked(shift) else { continue };
-            // Between it and the last with a fault lies the end of the faultless.
-            let mut limited_by = first.as_ref().ok().copied();
-            bisected([shift, shift - step], HALVINGS, |shift| match checked(shift) {
-                Ok(found) => {
-                    set = found;
-                    true
-                }
-                Err(fault) => {
-                    limited_by = fault.ok().or(limited_by);
-                    false
-                }
-            });
-            return Ok(Choice { set, limited_by });
-        }
-        let [sun, planet, ring] = self.gears.map(|gear| gear.teeth().get());
-        let centre_distance = self.centre_distance;
-        Err(first.map_or_else(
-            |error| error,
-            |fault| Error::NoShifts { sun, planet, ring, centre_distance, fault },
-        ))
+        let found = nearest(wanted, range, checked, Result::is_ok);
+        let found =
+            found.map(|(set, limited_by)| Choice { set, limited_by: limited_by.and_then(Result::ok) });
+        found.map_err(|first| {
+            let [sun, planet, ring] = self.gears.map(|gear| gear.teeth().get());
+            let centre_distance = self.centre_distance;
+            first.map_or_else(
+                |error| error,
+                |fault| Error::NoShifts { sun, planet, ring, centre_distance, fault },
+            )
+        })
     }
+}
+
+/// What has no fault nearest to a shift within a range, with the fault that keeps it from the shift itself:
+/// the last that is named. If all have faults, that of the wanted shift.
+pub(super) fn nearest<T, F: Clone>(
+    wanted: f64,
+    range: &RangeInclusive<f64>,
+    checked: impl Fn(f64) -> Result<T, F>,
+    is_named: impl Fn(&F) -> bool,
+) -> Result<(T, Option<F>), F> {
+    let first = match checked(wanted) {
+        Ok(found) => return Ok((found, None)),
+        Err(first) => first,
+    };
+    let step = (range.end() - range.start()) / f64::from(PARTS);
+    let sides = |part: u32| [-1.0, 1.0].map(|side| (wanted + side * f64::from(part) * step, side * step));
+    for (shift, step) in (1..=PARTS).flat_map(sides) {
+        if !(range.start() - TOUCH..=range.end() + TOUCH).contains(&shift) {
+            continue;
+        }
+        let Ok(mut found) = checked(shift) else { continue };
+        // Between it and the last with a fault lies the end of the faultless.
+        let mut limited_by = first.clone();
+        bisected([shift, shift - step], HALVINGS, |shift| match checked(shift) {
+            Ok(nearer) => {
+                found = nearer;
+                true
+            }
+            Err(fault) => {
+                if is_named(&fault) {
+                    limited_by = fault;
+                }
+                false
+            }
+        });
+        return Ok((found, Some(limited_by)));
+    }
+    Err(first)
 }
 
 /// A set in which one gear has no teeth left.
@@ -377,11 +395,15 @@ fn zero(
     at: &impl Fn(f64) -> Result<PlanetSet, Refused>,
     measure: impl Fn(&PlanetSet) -> f64,
 ) -> f64 {
-    let is_above = |shift: f64| match at(shift) {
+    rising_to_zero(range, |shift| match at(shift) {
         Ok(set) => measure(&set) > 0.0,
         // A sun without teeth has too large a shift; a planet has when the sun's is too small.
         Err(refused) => refused.gear == Some(SimpleGear::Sun),
-    };
+    })
+}
+
+/// Shift in a range above which a measure that rises with it is above 0.
+pub(super) fn rising_to_zero(range: &RangeInclusive<f64>, is_above: impl FnMut(f64) -> bool) -> f64 {
     let [above, below] = bisected([*range.end(), *range.start()], HALVINGS, is_above);
     above.midpoint(below)
 }
@@ -394,7 +416,11 @@ fn zero(
 ///
 /// As products, so that it stays finite at the base circles.
 fn imbalance_of_sliding(set: &PlanetSet) -> f64 {
-    let pair = set.sun_mesh();
+    sliding_imbalance(set.sun_mesh())
+}
+
+/// The same of any external pair, rising with the shift of its first gear.
+pub(super) fn sliding_imbalance(pair: &Pair) -> f64 {
     let [sun, planet] = pair.gears();
     let ratio = planet.teeth().as_f64() / sun.teeth().as_f64();
     let [from, to] = pair.contact();

@@ -42,6 +42,7 @@
 //! | [`set`] | sun, planets and ring on one centre distance, and all that keeps them from running |
 //! | [`shifts`] | shifts that follow from stated centre distances |
 //! | [`family`] | all shifts of a set at a centre distance, and the one that an aim picks |
+//! | [`tree`] | shifts of gears of any tree of meshes at their centre distances, and the choice by an aim |
 //! | [`closing`] | which tooth numbers near `z_r = z_s + 2·z_p` make a set |
 //! | [`search`] | every such set for a ratio |
 //! | [`plain`] | which tooth numbers without profile shift cannot be cut or turned together |
@@ -82,6 +83,7 @@ pub mod shifts;
 pub mod sliding;
 mod tips;
 pub mod tool;
+pub mod tree;
 
 pub use gear::InvoluteGear;
 pub use pair::Pair;

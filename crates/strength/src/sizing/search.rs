@@ -1,101 +1,95 @@
 //! Designs in ascending order of the objective, until enough of them hold.
 
 use super::bearing::Bearing;
-use super::geometry::{Geometry, check_extent, geometries};
-use super::{Design, Found, Governing, LeftOut, Objective, Requirement, SetOverload, Sizing, Space};
+use super::task::{Body, Design, DesignedPlanet, Governing, Layout, MeshLoads, Task};
+use super::{Found, LeftOut, Objective, Requirement, Tried};
 use crate::bearing::{BearingStep, Reliability, life_over_duty};
-use crate::checks::{not_negative, positive, within};
-use crate::factor::{Side, Symbol};
-use crate::load::load_sharing;
 use crate::mesh::{Gear, Mesh, Method};
-use crate::planets::loads;
 use crate::rating::overload;
-use crate::root::factors::MOST_ROOT_ROUGHNESS;
-use crate::spectrum::{GearDuty, Step, Worn, check_shares, rate_duty};
+use crate::spectrum::{GearDuty, Worn, rate_duty};
 use crate::{Error, Quantity};
-use epicyclic_gears::quantity::SimpleGear;
+use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::involute::InvoluteGear;
 use epicyclic_units::Physical;
 use std::cmp::{Ordering, Reverse};
-use std::collections::BinaryHeap;
+use std::collections::{BinaryHeap, HashMap};
+use std::f64::consts::FRAC_PI_4;
 use std::ops::ControlFlow;
-use uom::si::f64::{AngularVelocity, Force, Length, Mass, Time, Torque};
+use uom::si::f64::{Force, Length, Mass, Time};
 
 /// Rim over tooth height below which a rim weakens the root
 /// ([`rim_factor_external`](crate::root::factors::rim_factor_external)).
 const THICK_RIM: f64 = 1.2;
 
-/// The best `most` designs of the space, unless `goes_on`, which is called now and then, breaks.
+/// The best `most` designs of these layouts, unless `goes_on`, which is called now and then, breaks. `tried`
+/// is what was left out before.
 ///
 /// # Errors
-/// [`Error::Cancelled`]; [`Error::NothingToSearch`] for a space without modules, face widths, planets or
-/// centre distances; [`Error::SpaceTooLarge`]; [`Error::NotPositive`], [`Error::Negative`] and
-/// [`Error::OutOfRange`] for a quantity of it; those of
-/// [`natural_centre_distance`](epicyclic_gears::involute::family::natural_centre_distance). Also those of
-/// [`rate_duty`], except for teeth outside the range of the standard, which are left out and counted.
-pub fn size(task: &Sizing, most: usize, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Found, Error> {
-    check(task)?;
-    let modules_mm = sorted(&task.space.modules);
-    let widths_mm = sorted(&task.space.face_widths);
-    check_extent(task, &modules_mm, widths_mm.len())?;
-    let choices: Vec<Option<&Bearing>> = match &task.space.bearings[..] {
-        [] => vec![None],
-        bearings => bearings.iter().map(Some).collect(),
-    };
-    let mut left_out = LeftOut::default();
-    let others = (widths_mm.len() * choices.len()) as u64;
-    let (geometries, space, calculated) = geometries(task, &modules_mm, others, &mut left_out, goes_on)?;
-    if space == 0 {
-        return Err(Error::NothingToSearch { quantity: Quantity::CentreDistance });
+/// [`Error::Cancelled`]; [`Error::NothingToSearch`] without face widths; [`Error::IdleDuty`] for a duty that
+/// loads no mesh; [`Error::NotPositive`], [`Error::Negative`] and [`Error::OutOfRange`] for a quantity; those
+/// of [`rate_duty`], except for teeth outside the range of the standard, which are left out and counted.
+pub fn search(
+    task: &Task,
+    layouts: &[Layout],
+    tried: Tried,
+    most: usize,
+    goes_on: &dyn Fn() -> ControlFlow<()>,
+) -> Result<Found, Error> {
+    task.check()?;
+    if task.face_widths.iter().any(Vec::is_empty) {
+        return Err(Error::NothingToSearch { quantity: Quantity::FaceWidth });
     }
+    for layout in layouts {
+        task.check_loads(&layout.loads)?;
+    }
+    let space = tried.left_out.total() + layouts.len() as u64 * task.designs_of_layout();
     let mut search = Search {
         task,
-        teeth: vec![None; geometries.len() * widths_mm.len()],
-        steps: task
-            .space
-            .planets
-            .iter()
-            .map(|&planets| Ok((planets, steps(task, planets)?)))
-            .collect::<Result<_, Error>>()?,
-        geometries,
-        widths_mm,
-        choices,
-        left_out,
+        layouts,
+        masses: layouts.iter().map(|layout| Masses::new(task, layout)).collect(),
+        ratings: HashMap::new(),
+        left_out: tried.left_out,
         rated: 0,
     };
-    let mut heap = search.streams();
+    let mut heap = BinaryHeap::new();
+    for layout in 0..layouts.len() {
+        if let Some(first) = search.narrowest(layout) {
+            heap.push(Reverse(first));
+        }
+    }
     let (mut found, mut nearest): (Vec<Design>, Option<Design>) = (vec![], None);
     while found.len() < most {
-        let Some(Reverse(next)) = heap.pop() else { break };
+        let Some(Reverse(mut next)) = heap.pop() else { break };
         if goes_on().is_break() {
             return Err(Error::Cancelled);
         }
-        if let Some(design) = search.judged(&next)? {
-            if design.governing.value >= design.governing.required {
-                found.push(design);
-            } else {
-                match design.governing.requirement {
-                    Requirement::Flank => search.left_out.flank += 1,
-                    Requirement::Root => search.left_out.root += 1,
-                    Requirement::OverloadFlank | Requirement::OverloadRoot => search.left_out.overload += 1,
-                    Requirement::BearingLife => search.left_out.bearing_life += 1,
-                }
-                let ratio = |design: &Design| design.governing.ratio();
-                if found.is_empty() && nearest.as_ref().is_none_or(|one| ratio(&design) > ratio(one)) {
-                    nearest = Some(design);
-                }
-            }
-        } else {
-            search.left_out.not_calculable += 1;
+        if let Some(design) = next.design.take() {
+            found.push(*design);
+            continue;
         }
-        // A wider design of the same geometry and bearing is heavier: it enters the queue only now, which
-        // keeps it short.
-        if next.width + 1 < next.end {
-            heap.push(Reverse(search.candidate(next.geometry, next.bearing, next.width + 1, next.end)));
+        // Wider designs are no lighter: they enter the queue only now, which keeps it short.
+        search.wider(&next).into_iter().for_each(|wider| heap.push(Reverse(wider)));
+        let Some(design) = search.judged(&next)? else { continue };
+        if design.governing.ratio() >= 1.0 {
+            // It waits until no other design can be better.
+            let key = search.objectives(design.mass, design.ring_diameter);
+            heap.push(Reverse(Candidate { objectives: key, design: Some(Box::new(design)), ..next }));
+            continue;
+        }
+        match design.governing.requirement {
+            Requirement::Flank => search.left_out.flank += 1,
+            Requirement::Root => search.left_out.root += 1,
+            Requirement::OverloadFlank | Requirement::OverloadRoot => search.left_out.overload += 1,
+            Requirement::BearingLife => search.left_out.bearing_life += 1,
+        }
+        let ratio = |design: &Design| design.governing.ratio();
+        if found.is_empty() && nearest.as_ref().is_none_or(|one| ratio(&design) > ratio(one)) {
+            nearest = Some(design);
         }
     }
     Ok(Found {
         space,
-        geometries: calculated,
+        geometries: tried.geometries,
         rated: search.rated,
         not_reached: space - search.left_out.total() - found.len() as u64,
         left_out: search.left_out,
@@ -104,112 +98,15 @@ pub fn size(task: &Sizing, most: usize, goes_on: &dyn Fn() -> ControlFlow<()>) -
     })
 }
 
-/// Lengths in mm, ascending and each once.
-fn sorted(lengths: &[Length]) -> Vec<f64> {
-    let mut all: Vec<f64> = lengths.iter().map(|length| length.mm()).collect();
-    all.sort_by(f64::total_cmp);
-    all.dedup();
-    all
-}
-
-impl Space {
-    /// Refuses a space of nothing.
-    ///
-    /// # Errors
-    /// [`Error::NothingToSearch`] without modules, face widths or planets; [`Error::NotPositive`] and
-    /// [`Error::Negative`] for a quantity.
-    pub fn check(&self) -> Result<(), Error> {
-        for (quantity, lengths) in
-            [(Quantity::Module, &self.modules), (Quantity::FaceWidth, &self.face_widths)]
-        {
-            if lengths.is_empty() {
-                return Err(Error::NothingToSearch { quantity });
-            }
-            for length in lengths {
-                positive(quantity, length.mm(), "mm")?;
-            }
-        }
-        if self.planets.is_empty() {
-            return Err(Error::NothingToSearch { quantity: Quantity::Planets });
-        }
-        positive(Quantity::CentreDistanceStep, self.centre_distance_step.mm(), "mm")?;
-        not_negative(Quantity::CentreDistanceReach, self.reach, "modules")?;
-        if let Some(ratio) = self.width_ratio {
-            positive(Quantity::WidthRatio, ratio, "")?;
-        }
-        Ok(())
-    }
-}
-
-/// Refuses what is no space, no duty or no requirement.
-fn check(task: &Sizing) -> Result<(), Error> {
-    task.space.check()?;
-    positive(Quantity::Life, task.life.hours(), "h")?;
-    let overloads = task.overloads.iter().flat_map(|one| [one.required_contact, one.required_root]);
-    for required in [task.required_contact, task.required_root].into_iter().chain(overloads) {
-        positive(Quantity::RequiredSafety, required, "")?;
-    }
-    for gear in &task.gears {
-        within(Quantity::RootRoughness, gear.root_roughness.um(), [0.0, MOST_ROOT_ROUGHNESS], "µm")?;
-    }
-    not_negative(Quantity::LeastRim, task.planet_rim, "modules")?;
-    not_negative(Quantity::RingRimInModules, task.ring_rim, "modules")?;
-    for (quantity, length) in [
-        (Quantity::LeastRim, task.least_planet_rim),
-        (Quantity::RingRimInModules, task.held_ring_rim),
-        (Quantity::PlanetBore, task.planet_bore),
-    ] {
-        if let Some(length) = length {
-            positive(quantity, length.mm(), "mm")?;
-        }
-    }
-    task.limits.check()?;
-    task.profiles.check()?;
-    check_shares(task.duty.iter().map(|step| step.share))
-}
-
-/// The steps of the duty in both meshes, how often a flank of each gear is loaded, and the overloads.
-#[derive(Debug)]
-struct MeshSteps {
-    steps: [Vec<Step>; 2],
-    overloads: Vec<([Torque; 2], SetOverload)>,
-    contacts: [[f64; 2]; 2],
-    sharing: f64,
-}
-
-fn steps(task: &Sizing, planets: u32) -> Result<MeshSteps, Error> {
-    let [sun, planet, _] = task.teeth;
-    let mut steps = [vec![], vec![]];
-    let mut contacts = [[1.0; 2]; 2];
-    for step in &task.duty {
-        let both = loads(step.sun_torque, step.sun_speed, planets, [sun, planet], task.life)?;
-        for (of_mesh, load) in steps.iter_mut().zip(both) {
-            of_mesh.push(Step { share: step.share, torque: load.torque, speed: load.speed });
-        }
-        contacts = both.map(|load| load.contacts);
-    }
-    let mut overloads = vec![];
-    for one in task.overloads.iter().filter(|one| one.sun_torque.si() != 0.0) {
-        let both = loads(one.sun_torque, AngularVelocity::default(), planets, [sun, planet], task.life)?;
-        overloads.push((both.map(|load| load.torque), *one));
-    }
-    let given = task.methods[0].given.of(Side::First, Symbol::LoadSharing);
-    let sharing = given.map_or_else(|| load_sharing(planets, task.methods[0].floating), Ok)?;
-    Ok(MeshSteps { steps, overloads, contacts, sharing })
-}
-
-/// A design before it is judged, in the order of the search.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// A design in the order of the search: before it is judged with the objectives that it cannot be below.
+#[derive(Debug, Clone, PartialEq)]
 struct Candidate {
     objectives: [f64; 2],
-    planets: u32,
-    module: usize,
-    width: usize,
-    /// Ascending with the centre distance, of one module and number of planets.
-    geometry: usize,
-    bearing: usize,
-    /// Widths from here on are left out.
-    end: usize,
+    layout: usize,
+    /// Index of the face width of each family.
+    widths: Vec<usize>,
+    /// The design, if it holds.
+    design: Option<Box<Design>>,
 }
 
 impl Eq for Candidate {}
@@ -218,8 +115,11 @@ impl Ord for Candidate {
     fn cmp(&self, other: &Self) -> Ordering {
         let [first, second] =
             [0, 1].map(|place: usize| self.objectives[place].total_cmp(&other.objectives[place]));
-        let rest = |one: &Self| (one.planets, one.module, one.width, one.geometry, one.bearing);
-        first.then(second).then_with(|| rest(self).cmp(&rest(other)))
+        let rest = |one: &Self| (one.layout, one.design.is_some());
+        first
+            .then(second)
+            .then_with(|| rest(self).cmp(&rest(other)))
+            .then_with(|| self.widths.cmp(&other.widths))
     }
 }
 
@@ -229,232 +129,455 @@ impl PartialOrd for Candidate {
     }
 }
 
-/// Teeth that were rated.
+/// Masses of the gears of a layout over their face width.
+struct Masses {
+    /// All gears of each family, planets solid, kg/m.
+    solid: Vec<f64>,
+    /// One solid planet of each kind, by family, kg/m.
+    planets: Vec<Vec<f64>>,
+    /// Number of planets times their density, of each kind and family, kg/m³.
+    bored: Vec<Vec<f64>>,
+    /// The largest bore that leaves each kind of planets its rim, m.
+    largest_bore: Vec<f64>,
+    ring: Option<Length>,
+}
+
+impl Masses {
+    fn new(task: &Task, layout: &Layout) -> Self {
+        let families = task.face_widths.len();
+        let mut own = Self {
+            solid: vec![0.0; families],
+            planets: vec![vec![0.0; families]; task.planets.len()],
+            bored: vec![vec![0.0; families]; task.planets.len()],
+            largest_bore: vec![],
+            ring: layout.ring_diameter(task),
+        };
+        for (place, gear) in layout.gears.iter().enumerate() {
+            let sized = &task.gears[place];
+            let (module, density) = (layout.module(task, place), sized.gear.material.density.si());
+            let square = |diameter: f64| (diameter * module.si()).powi(2);
+            // A circle with the mean area of those of tips and roots.
+            let filled = FRAC_PI_4 * f64::midpoint(square(gear.tip_diameter()), square(gear.root_diameter()));
+            let one = density
+                * match gear.kind() {
+                    GearKind::External => filled,
+                    GearKind::Internal => {
+                        let rim = task.ring_rim(place, module).si();
+                        FRAC_PI_4 * (gear.root_diameter() * module.si() + 2.0 * rim).powi(2) - filled
+                    }
+                };
+            own.solid[sized.family] += task.count(place, layout.planets) * one;
+            if let Body::Planet(planet) = sized.body {
+                own.planets[planet][sized.family] += one;
+                own.bored[planet][sized.family] += density;
+            }
+        }
+        let bore = |planet: usize| {
+            let bores = task.bores(planet).map(|bore| bore.si());
+            bores.filter(|bore| leaves_rim(task, layout, planet, *bore)).fold(f64::NEG_INFINITY, f64::max)
+        };
+        own.largest_bore = (0..task.planets.len()).map(bore).collect();
+        own
+    }
+
+    /// Mass of all gears with these bores and widths, kg.
+    fn all(&self, planets: u32, bores: impl Iterator<Item = f64>, widths: &[f64]) -> f64 {
+        let by_width = |of: &[f64]| of.iter().zip(widths).map(|(one, width)| one * width).sum::<f64>();
+        let bored: f64 =
+            self.bored.iter().zip(bores).map(|(of, bore)| FRAC_PI_4 * bore * bore * by_width(of)).sum();
+        by_width(&self.solid) - f64::from(planets) * bored
+    }
+
+    /// Mass of a planet, kg.
+    fn planet(&self, planet: usize, bore: f64, widths: &[f64]) -> f64 {
+        let own = self.planets[planet].iter().zip(&self.bored[planet]).zip(widths);
+        own.map(|((solid, density), width)| width * (solid - FRAC_PI_4 * bore * bore * density)).sum()
+    }
+}
+
+/// Rim of a planet's gear under a bore, in m.
+fn rim_of(task: &Task, layout: &Layout, gear: usize, bore: f64) -> f64 {
+    (layout.gears[gear].root_diameter() * layout.module(task, gear).si() - bore) / 2.0
+}
+
+/// Whether a bore leaves each gear of the planets its rim; no bore always does.
+fn leaves_rim(task: &Task, layout: &Layout, planet: usize, bore: f64) -> bool {
+    let least = |gear: usize| {
+        let stated = task.gears[gear].gear.rim.map_or(0.0, Physical::si);
+        (task.planet_rim * layout.module(task, gear).si()).max(stated)
+    };
+    bore == 0.0 || task.gears_of(planet).all(|gear| rim_of(task, layout, gear, bore) >= least(gear))
+}
+
+impl Task {
+    /// Bores that planets may have; 0 of solid ones.
+    fn bores(&self, planet: usize) -> impl Iterator<Item = Length> + '_ {
+        let own = &self.planets[planet];
+        let alone = own.bearings.is_empty().then(|| own.bore.unwrap_or_default());
+        own.bearings.iter().map(|bearing| bearing.outside_diameter).chain(alone)
+    }
+}
+
+/// A mesh over the duty and against the overloads.
 #[derive(Debug, Clone, Copy)]
 struct Rated {
-    meshes: [[GearDuty<Worn>; 2]; 2],
-    /// The requirement that is met least over the duty.
-    over_duty: Governing,
-    /// The overload requirement that is met least.
+    /// `None` of a mesh that the duty does not load.
+    over_duty: Option<[GearDuty<Worn>; 2]>,
     overload: Option<Governing>,
+    governing: Option<Governing>,
 }
 
 /// Teeth that were rated; `None` outside what the standard holds for.
 type Teeth = Option<Rated>;
 
-/// The requirement that is met least; of equal ones the first.
-fn least(all: impl IntoIterator<Item = Governing>) -> Option<Governing> {
-    all.into_iter().reduce(|least, one| if one.ratio() < least.ratio() { one } else { least })
-}
-
 struct Search<'a> {
-    task: &'a Sizing,
-    geometries: Vec<Geometry>,
-    widths_mm: Vec<f64>,
-    choices: Vec<Option<&'a Bearing>>,
-    /// Ratings of each geometry and width, with planets whose rim weakens nothing.
-    teeth: Vec<Option<Teeth>>,
-    steps: Vec<(u32, MeshSteps)>,
+    task: &'a Task,
+    layouts: &'a [Layout],
+    masses: Vec<Masses>,
+    /// Ratings by layout, mesh, index of the face width and rims of planets that weaken roots, in bits.
+    ratings: HashMap<(usize, usize, usize, [u64; 2]), Teeth>,
     left_out: LeftOut,
     rated: u64,
 }
 
 impl Search<'_> {
-    /// Outside diameter of a bearing, or the bore of the planets without one; 0 of solid ones.
-    fn bore_mm(&self, bearing: usize) -> f64 {
-        match self.choices[bearing] {
-            Some(bearing) => bearing.outside_diameter.mm(),
-            None => self.task.planet_bore.map_or(0.0, Physical::mm),
+    fn objectives(&self, mass: Mass, ring: Option<Length>) -> [f64; 2] {
+        let ring = ring.map_or(0.0, Physical::si);
+        match self.task.objective {
+            Objective::Mass => [mass.si(), ring],
+            Objective::Ring => [ring, mass.si()],
         }
     }
 
-    fn candidate(&self, geometry: usize, bearing: usize, width: usize, end: usize) -> Candidate {
-        let own = &self.geometries[geometry];
-        let mass = own.mass(self.bore_mm(bearing), self.widths_mm[width]);
-        let objectives = match self.task.objective {
-            Objective::Mass => [mass, own.ring_mm],
-            Objective::Ring => [own.ring_mm, mass],
+    fn widths(&self, widths: &[usize]) -> Vec<f64> {
+        self.task.face_widths.iter().zip(widths).map(|(all, place)| all[*place].si()).collect()
+    }
+
+    /// A design before it is judged. No bearing makes it lighter than the largest bore.
+    fn candidate(&self, layout: usize, widths: Vec<usize>) -> Candidate {
+        let masses = &self.masses[layout];
+        let bores = masses.largest_bore.iter().copied();
+        let mass = masses.all(self.layouts[layout].planets, bores, &self.widths(&widths));
+        let objectives = self.objectives(Mass::from_si(mass), masses.ring);
+        Candidate { objectives, layout, widths, design: None }
+    }
+
+    /// How many of the face widths of each family the width ratio allows.
+    fn allowed(&self, layout: usize) -> Vec<usize> {
+        let task = self.task;
+        let own = &self.layouts[layout];
+        let widest = |family: usize| {
+            let Some(ratio) = task.width_ratio else { return f64::INFINITY };
+            let is_own = |gear: &usize| task.gears[*gear].family == family;
+            let is_sun = |gear: &usize| {
+                task.gears[*gear].body == Body::Central && own.gears[*gear].kind() == GearKind::External
+            };
+            let diameter = |gear: usize| own.gears[gear].reference_diameter() * own.module(task, gear).si();
+            let least = |all: &mut dyn Iterator<Item = usize>| all.map(diameter).reduce(f64::min);
+            let gears = || (0..own.gears.len()).filter(is_own);
+            let of_sun = least(&mut gears().filter(is_sun));
+            ratio * of_sun.or_else(|| least(&mut gears())).unwrap_or(f64::INFINITY)
         };
-        Candidate { objectives, planets: own.planets, module: own.module, width, geometry, bearing, end }
+        task.face_widths
+            .iter()
+            .enumerate()
+            .map(|(family, all)| all.partition_point(|width| width.si() <= widest(family)))
+            .collect()
     }
 
-    /// The narrowest design of each geometry with each bearing that fits; mass grows with the width.
-    fn streams(&mut self) -> BinaryHeap<Reverse<Candidate>> {
-        let mut heap = vec![];
-        let all = self.widths_mm.len();
-        for geometry in 0..self.geometries.len() {
-            let own = &self.geometries[geometry];
-            let sun_mm = own.set.gears()[0].reference_diameter() * own.module_mm;
-            let widest = self.task.space.width_ratio.map_or(f64::INFINITY, |ratio| ratio * sun_mm);
-            let end = self.widths_mm.partition_point(|width| *width <= widest);
-            let least = (self.task.planet_rim * own.module_mm)
-                .max(self.task.least_planet_rim.map_or(0.0, Physical::mm));
-            let root_mm = own.planet_root_mm;
-            self.left_out.width_ratio += ((all - end) * self.choices.len()) as u64;
-            for bearing in 0..self.choices.len() {
-                let bore_mm = self.bore_mm(bearing);
-                if bore_mm > 0.0 && (root_mm - bore_mm) / 2.0 < least {
-                    self.left_out.rim += end as u64;
-                    continue;
-                }
-                let width_mm = self.choices[bearing].map_or(0.0, |bearing| bearing.width.mm());
-                let first = self.widths_mm.partition_point(|width| *width < width_mm).min(end);
-                self.left_out.bearing_width += first as u64;
-                if first < end {
-                    heap.push(Reverse(self.candidate(geometry, bearing, first, end)));
-                }
-            }
+    /// The narrowest design of a layout; those that the width ratio or the rims leave out are counted.
+    fn narrowest(&mut self, layout: usize) -> Option<Candidate> {
+        let all = self.task.designs_of_layout();
+        if self.masses[layout].largest_bore.contains(&f64::NEG_INFINITY) {
+            self.left_out.rim += all;
+            return None;
         }
-        heap.into()
+        let allowed: u64 = self.allowed(layout).iter().map(|count| *count as u64).product();
+        self.left_out.width_ratio += all - allowed;
+        (allowed > 0).then(|| self.candidate(layout, vec![0; self.task.face_widths.len()]))
     }
 
-    /// A design with its safeties and lives; `None` of teeth outside what the standard holds for.
+    /// The designs that follow one in width: each is reached from one other alone.
+    fn wider(&self, one: &Candidate) -> Vec<Candidate> {
+        let allowed = self.allowed(one.layout);
+        let last = one.widths.iter().rposition(|width| *width > 0).unwrap_or(0);
+        let next = |family: usize| {
+            let mut widths = one.widths.clone();
+            widths[family] += 1;
+            (widths[family] < allowed[family]).then(|| self.candidate(one.layout, widths))
+        };
+        (last..one.widths.len()).filter_map(next).collect()
+    }
+
+    /// A design with its safeties and lives; `None` if it is left out for other reasons, which are counted.
     fn judged(&mut self, one: &Candidate) -> Result<Option<Design>, Error> {
-        let bore_mm = self.bore_mm(one.bearing);
-        let own = &self.geometries[one.geometry];
-        let rim_mm = (bore_mm > 0.0).then(|| (own.planet_root_mm - bore_mm) / 2.0);
-        let is_thin = rim_mm.is_some_and(|rim| rim / own.planet_height_mm < THICK_RIM);
-        let place = one.geometry * self.widths_mm.len() + one.width;
-        // Rating is the slow step. Only a thin rim depends on the bearing, so all other bearings share one
-        // rating.
-        let teeth = match self.teeth[place] {
-            Some(teeth) if !is_thin => teeth,
-            _ => {
-                self.rated += 1;
-                let rim = rim_mm.filter(|_| is_thin);
-                let teeth = self.rate(one, rim)?;
-                if !is_thin {
-                    self.teeth[place] = Some(teeth);
+        let (task, layouts) = (self.task, self.layouts);
+        let own = &layouts[one.layout];
+        let mut teeth = vec![];
+        for mesh in 0..task.meshes.len() {
+            let Some(rated) = self.rate(one, mesh, [None; 2])? else {
+                self.left_out.not_calculable += 1;
+                return Ok(None);
+            };
+            teeth.push(rated);
+        }
+        let widths = self.widths(&one.widths);
+        let mut planets = vec![];
+        let mut of_bearings = vec![];
+        for planet in 0..task.planets.len() {
+            match self.planet(one, planet, &widths)? {
+                Chosen::Planet(chosen, governing) => {
+                    planets.push(chosen);
+                    of_bearings.extend(governing);
                 }
-                teeth
+                Chosen::TooWide => {
+                    self.left_out.bearing_width += 1;
+                    return Ok(None);
+                }
+                Chosen::NotCalculable => {
+                    self.left_out.not_calculable += 1;
+                    return Ok(None);
+                }
             }
+        }
+        let bore = |planet: &DesignedPlanet| planet.bore.map_or(0.0, Physical::si);
+        for (mesh, rated) in teeth.iter_mut().enumerate() {
+            let bores: Vec<f64> = planets.iter().map(bore).collect();
+            let Some(thin) = self.thin(one, mesh, |planet| bores[planet])? else { continue };
+            let Some(thin) = thin else {
+                self.left_out.not_calculable += 1;
+                return Ok(None);
+            };
+            *rated = thin;
+        }
+        let all = teeth.iter().filter_map(|rated| rated.governing).chain(of_bearings);
+        let governing = Governing::least(all).expect("a duty that loads a mesh has a safety");
+        let masses = &self.masses[one.layout];
+        let rim = |gear: usize| {
+            let is_ring = own.gears[gear].kind() == GearKind::Internal;
+            is_ring.then(|| task.ring_rim(gear, own.module(task, gear)))
         };
-        let Some(Rated { meshes, over_duty, overload }) = teeth else { return Ok(None) };
-        let own = &self.geometries[one.geometry];
-        let face_mm = self.widths_mm[one.width];
-        let bearing = self.choices[one.bearing];
-        let bearing_life = match bearing {
-            Some(bearing) => self.bearing_life(own, bearing, own.planet_mass(bore_mm, face_mm))?,
-            None => None,
-        };
-        let of_bearing = bearing.zip(bearing_life).map(|(bearing, life)| Governing {
-            requirement: Requirement::BearingLife,
-            mesh: 0,
-            gear: SimpleGear::Planet,
-            value: libm::pow(life.hours() / self.task.life.hours(), 1.0 / bearing.rolling.exponent()),
-            required: 1.0,
-        });
-        let governing = least([over_duty].into_iter().chain(overload).chain(of_bearing)).unwrap_or(over_duty);
         Ok(Some(Design {
-            module: Length::from_mm(own.module_mm),
-            face_width: Length::from_mm(face_mm),
-            centre_distance: Length::from_mm(own.centre_mm),
-            set: own.set,
-            limited_by: own.limited_by,
-            bearing: bearing.cloned(),
-            planet_bore: (bore_mm > 0.0).then(|| Length::from_mm(bore_mm)),
-            planet_rim: rim_mm.map(Length::from_mm),
-            ring_rim: Length::from_mm(own.ring_rim_mm),
-            ring_diameter: Length::from_mm(own.ring_mm),
-            mass: Mass::from_si(own.mass(bore_mm, face_mm)),
-            meshes,
-            overload,
-            bearing_life,
+            mass: Mass::from_si(masses.all(own.planets, planets.iter().map(bore), &widths)),
+            ring_diameter: masses.ring,
+            ring_rims: (0..own.gears.len()).map(rim).collect(),
+            layout: own.clone(),
+            face_widths: widths.into_iter().map(Length::from_si).collect(),
+            planets,
+            overload: Governing::least(teeth.iter().filter_map(|rated| rated.overload)),
+            meshes: teeth.into_iter().map(|rated| rated.over_duty).collect(),
             governing,
         }))
     }
 
-    fn steps_of(&self, planets: u32) -> &MeshSteps {
-        let own = self.steps.iter().find(|(count, _)| *count == planets);
-        &own.expect("every number of planets of the space has its steps").1
-    }
-
-    /// Ratings of both meshes over the duty, with `planet_rim_mm` if the rim of the planets weakens their
-    /// roots.
-    fn rate(&self, one: &Candidate, planet_rim_mm: Option<f64>) -> Result<Teeth, Error> {
-        let task = self.task;
-        let own = &self.geometries[one.geometry];
-        let [sun, planet, ring] = task.gears;
-        let planet = Gear { rim: planet_rim_mm.map(Length::from_mm), ..planet };
-        let ring = Gear { rim: Some(Length::from_mm(own.ring_rim_mm)), ..ring };
-        let steps = self.steps_of(own.planets);
-        let rated = |place: usize, gears: [Gear; 2]| {
-            let mesh = Mesh {
-                pair: own.pairs[place],
-                module: Length::from_mm(own.module_mm),
-                face_width: Length::from_mm(self.widths_mm[one.width]),
-                gears,
-                viscosity: task.viscosity,
-            };
-            let method = Method { planets: Some(own.planets), ..task.methods[place] };
-            let over_duty =
-                rate_duty(&mesh, &steps.steps[place], task.life, steps.contacts[place], &method)?.whole()?;
-            let mut static_safeties = vec![];
-            for (torques, against) in &steps.overloads {
-                let rating = overload(&mesh, torques[place], &method)?;
-                for (side, gear) in rating.gears.into_iter().enumerate() {
-                    let of = |requirement, value, required| {
-                        Governing::of_teeth(requirement, place, side, value, required)
-                    };
-                    static_safeties.extend([
-                        of(Requirement::OverloadFlank, gear.contact?, against.required_contact),
-                        of(Requirement::OverloadRoot, gear.root?, against.required_root),
-                    ]);
-                }
-            }
-            Ok((over_duty, least(static_safeties)))
+    /// The planets of a kind with the bearing of the largest bore that lives as long as required and leaves
+    /// the teeth strong enough; if there is none, with that which misses least.
+    fn planet(&mut self, one: &Candidate, planet: usize, widths: &[f64]) -> Result<Chosen, Error> {
+        let (task, layouts) = (self.task, self.layouts);
+        let own = &layouts[one.layout];
+        let width: f64 = task.gears_of(planet).map(|gear| widths[task.gears[gear].family]).sum();
+        let made = |bearing: Option<&Bearing>, bore: f64, life| DesignedPlanet {
+            bearing: bearing.cloned(),
+            bore: (bore > 0.0).then(|| Length::from_si(bore)),
+            rim: (bore > 0.0).then(|| {
+                let rims = task.gears_of(planet).map(|gear| rim_of(task, own, gear, bore));
+                Length::from_si(rims.fold(f64::INFINITY, f64::min))
+            }),
+            life,
         };
-        let both: Result<_, Error> =
-            rated(0, [sun, planet]).and_then(|outer| Ok([outer, rated(1, [planet, ring])?]));
-        match both {
-            Ok(both) => {
-                let meshes = both.map(|(over_duty, _)| over_duty);
-                let overload = least(both.into_iter().filter_map(|(_, overload)| overload));
-                Ok(Some(Rated { over_duty: self.least_over_duty(&meshes), meshes, overload }))
-            }
-            Err(error) if error.is_beyond_standard() => Ok(None),
-            Err(error) => Err(error),
+        let sized = &task.planets[planet];
+        if sized.bearings.is_empty() {
+            return Ok(Chosen::Planet(made(None, sized.bore.map_or(0.0, Physical::si), None), None));
         }
+        let bore = |bearing: &Bearing| bearing.outside_diameter.si();
+        let fits =
+            |bearing: &&Bearing| bearing.width.si() <= width && leaves_rim(task, own, planet, bore(bearing));
+        let mut bearings: Vec<&Bearing> = sized.bearings.iter().filter(fits).collect();
+        // The sort is stable: of equal bores the first of the table stays first.
+        bearings.sort_by(|one, other| bore(other).total_cmp(&bore(one)));
+        let mut best: Option<(f64, DesignedPlanet, Option<Governing>)> = None;
+        let mut is_calculable = bearings.is_empty();
+        for bearing in bearings {
+            let bore = bore(bearing);
+            let mass = self.masses[one.layout].planet(planet, bore, widths);
+            let life = bearing_life(own, planet, bearing, mass)?;
+            let of_bearing = life.map(|life| Governing {
+                requirement: Requirement::BearingLife,
+                mesh: None,
+                gear: task.gears_of(planet).next().unwrap_or_default(),
+                value: libm::pow(life.hours() / task.life.hours(), 1.0 / bearing.rolling.exponent()),
+                required: 1.0,
+            });
+            let Some(of_teeth) = self.roots(one, planet, bore)? else { continue };
+            is_calculable = true;
+            let all = of_teeth.into_iter().chain(of_bearing);
+            let ratio = Governing::least(all).map_or(f64::INFINITY, |least| least.ratio());
+            if best.as_ref().is_none_or(|(least, ..)| ratio > *least) {
+                best = Some((ratio, made(Some(bearing), bore, life), of_bearing));
+            }
+            if ratio >= 1.0 {
+                break;
+            }
+        }
+        Ok(match best {
+            Some((_, planet, governing)) => Chosen::Planet(planet, governing),
+            None if is_calculable => Chosen::TooWide,
+            None => Chosen::NotCalculable,
+        })
     }
 
-    /// The safety over the duty that is least over what is required of it.
-    fn least_over_duty(&self, meshes: &[[GearDuty<Worn>; 2]; 2]) -> Governing {
-        let (contact, root) = (self.task.required_contact, self.task.required_root);
-        let all = meshes.iter().enumerate().flat_map(|(mesh, rating)| {
-            rating.iter().enumerate().flat_map(move |(side, gear)| {
-                [
-                    Governing::of_teeth(Requirement::Flank, mesh, side, gear.contact.safety, contact),
-                    Governing::of_teeth(Requirement::Root, mesh, side, gear.root.safety, root),
-                ]
-            })
-        });
-        least(all).expect("two meshes have eight safeties")
+    /// What the rim under a bore leaves the teeth of a kind of planets, where it weakens them; `None` outside
+    /// what the standard holds for.
+    fn roots(
+        &mut self,
+        one: &Candidate,
+        planet: usize,
+        bore: f64,
+    ) -> Result<Option<Option<Governing>>, Error> {
+        let task = self.task;
+        let mut all = vec![];
+        for mesh in 0..task.meshes.len() {
+            let is_own = |gear: &usize| task.gears[*gear].body == Body::Planet(planet);
+            if !task.meshes[mesh].gears.iter().any(is_own) {
+                continue;
+            }
+            match self.thin(one, mesh, |of| if of == planet { bore } else { 0.0 })? {
+                None => {}
+                Some(None) => return Ok(None),
+                Some(Some(rated)) => all.extend(rated.governing),
+            }
+        }
+        Ok(Some(Governing::least(all)))
     }
 
-    /// `L_10` over the duty.
-    fn bearing_life(&self, own: &Geometry, bearing: &Bearing, planet_kg: f64) -> Result<Option<Time>, Error> {
-        let [sun, planet, ring] = self.task.teeth.map(epicyclic_gears::ToothCount::as_f64);
-        let sharing = self.steps_of(own.planets).sharing;
-        let centre_m = own.centre_mm / 1e3;
-        let each = f64::from(own.planets) * centre_m * sun;
-        let [outer, inner] = own.pairs.map(|pair| libm::tan(pair.working_angle_rad()));
-        let duty: Vec<BearingStep> = self
-            .task
-            .duty
-            .iter()
-            .map(|step| {
-                let torque = step.sun_torque.si().abs() * sharing;
-                let [first, second] = [sun + planet, ring - planet].map(|teeth| torque * teeth / each);
-                let centrifugal = planet_kg * centre_m * step.carrier_speed.si().powi(2);
-                let radial = first * outer - second * inner + centrifugal;
-                BearingStep {
-                    share: step.share,
-                    load: Force::from_si(libm::hypot(first + second, radial)),
-                    speed: step.sun_speed.abs() * (sun / planet),
-                    modification: 1.0,
-                }
-            })
-            .collect();
-        life_over_duty(bearing.rolling, bearing.load_rating, &duty, Reliability::Percent90)
+    /// Rating of a mesh with planets of these bores; `None` if no rim is so thin that it weakens a root.
+    fn thin(
+        &mut self,
+        one: &Candidate,
+        mesh: usize,
+        bore: impl Fn(usize) -> f64,
+    ) -> Result<Option<Teeth>, Error> {
+        let task = self.task;
+        let own = &self.layouts[one.layout];
+        let rim = |gear: usize| {
+            let Body::Planet(planet) = task.gears[gear].body else { return None };
+            let bore = bore(planet);
+            let rim = rim_of(task, own, gear, bore);
+            let height = height(&own.gears[gear]) * own.module(task, gear).si();
+            (bore > 0.0 && rim / height < THICK_RIM).then(|| Length::from_si(rim))
+        };
+        let rims = task.meshes[mesh].gears.map(rim);
+        if rims.iter().all(Option::is_none) {
+            return Ok(None);
+        }
+        self.rate(one, mesh, rims).map(Some)
     }
+
+    /// Rating of a mesh, with the rims of planets that weaken their roots; each is made once.
+    fn rate(&mut self, one: &Candidate, mesh: usize, rims: [Option<Length>; 2]) -> Result<Teeth, Error> {
+        let task = self.task;
+        let own = &self.layouts[one.layout];
+        let ends = task.meshes[mesh].gears;
+        let family = task.gears[ends[0]].family;
+        let bits = rims.map(|rim| rim.map_or(0, |rim| rim.si().to_bits()));
+        let key = (one.layout, mesh, one.widths[family], bits);
+        if let Some(known) = self.ratings.get(&key) {
+            return Ok(*known);
+        }
+        let gear = |end: usize| {
+            let sized = &task.gears[ends[end]];
+            let rim = match (sized.body, own.gears[ends[end]].kind()) {
+                (_, GearKind::Internal) => Some(task.ring_rim(ends[end], own.modules[family])),
+                (Body::Planet(_), _) => rims[end],
+                (Body::Central, _) => sized.gear.rim,
+            };
+            Gear { rim, ..sized.gear }
+        };
+        let rated = Mesh {
+            pair: own.pairs[mesh],
+            module: own.modules[family],
+            face_width: task.face_widths[family][one.widths[family]],
+            gears: [gear(0), gear(1)],
+            viscosity: task.viscosity,
+        };
+        let method = Method { planets: Some(own.planets), ..task.meshes[mesh].method };
+        self.rated += 1;
+        let teeth = match task.rated(mesh, &rated, &own.loads[mesh], &method) {
+            Ok(rated) => Some(rated),
+            Err(error) if error.is_beyond_standard() => None,
+            Err(error) => return Err(error),
+        };
+        self.ratings.insert(key, teeth);
+        Ok(teeth)
+    }
+}
+
+/// Bearing of a kind of planets in a design, if it has one.
+enum Chosen {
+    Planet(DesignedPlanet, Option<Governing>),
+    /// No bearing is as narrow as the planet.
+    TooWide,
+    /// Rims outside what the standard holds for.
+    NotCalculable,
+}
+
+/// Tooth height, in modules.
+fn height(gear: &InvoluteGear) -> f64 {
+    (gear.tip_diameter() - gear.root_diameter()) / 2.0
+}
+
+impl Task {
+    fn rated(&self, mesh: usize, of: &Mesh, loads: &MeshLoads, method: &Method) -> Result<Rated, Error> {
+        let over_duty = match rate_duty(of, &loads.steps, self.life, loads.contacts, method) {
+            Ok(rating) => Some(rating.whole()?),
+            Err(Error::IdleDuty) => None,
+            Err(error) => return Err(error),
+        };
+        let ends = self.meshes[mesh].gears;
+        let governing = |requirement, side: usize, value, required| Governing {
+            requirement,
+            mesh: Some(mesh),
+            gear: ends[side],
+            value,
+            required,
+        };
+        let mut all = vec![];
+        for (side, gear) in over_duty.iter().flatten().enumerate() {
+            all.push(governing(Requirement::Flank, side, gear.contact.safety, self.required_contact));
+            all.push(governing(Requirement::Root, side, gear.root.safety, self.required_root));
+        }
+        let mut overloads = vec![];
+        for against in loads.overloads.iter().filter(|one| one.torque.si() != 0.0) {
+            let rating = overload(of, against.torque, method)?;
+            for (side, gear) in rating.gears.into_iter().enumerate() {
+                let flank = Requirement::OverloadFlank;
+                overloads.push(governing(flank, side, gear.contact?, against.required_contact));
+                let root = Requirement::OverloadRoot;
+                overloads.push(governing(root, side, gear.root?, against.required_root));
+            }
+        }
+        let overload = Governing::least(overloads);
+        Ok(Rated { over_duty, overload, governing: Governing::least(all.into_iter().chain(overload)) })
+    }
+}
+
+/// `L_10` over the duty.
+fn bearing_life(
+    own: &Layout,
+    planet: usize,
+    bearing: &Bearing,
+    planet_kg: f64,
+) -> Result<Option<Time>, Error> {
+    let steps = own.bearing_loads[planet].iter().map(|step| {
+        let centrifugal = planet_kg * own.radii[planet].si() * step.carrier_speed.si().powi(2);
+        let radial = own.sharing * step.radial.si() + centrifugal;
+        BearingStep {
+            share: step.share,
+            load: Force::from_si(libm::hypot(own.sharing * step.tangential.si(), radial)),
+            speed: step.speed,
+            modification: 1.0,
+        }
+    });
+    let duty: Vec<BearingStep> = steps.collect();
+    life_over_duty(bearing.rolling, bearing.load_rating, &duty, Reliability::Percent90)
 }

@@ -1,0 +1,359 @@
+//! Layouts of a simple set: the gears at every centre distance of the space, and their loads.
+
+use super::search::search;
+use super::task::{
+    Body, Layout, MeshLoads, PlanetStep, SizedGear, SizedMesh, SizedPlanet, StaticDemand, Task,
+};
+use super::{Found, Objective, Space, Tried};
+use crate::checks::{not_negative, positive};
+use crate::factor::{Side, Symbol};
+use crate::load::load_sharing;
+use crate::mesh::{Gear, Method};
+use crate::planets::loads;
+use crate::spectrum::{Step, check_shares};
+use crate::tolerance::EDGE;
+use crate::{Error, Quantity};
+use epicyclic_gears::ToothCount;
+use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::involute::check::{Check, Rule};
+use epicyclic_gears::involute::family::{Aim, Family, natural_centre_distance};
+use epicyclic_gears::involute::profile::Profiles;
+use epicyclic_gears::involute::set::Limits;
+use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet};
+use epicyclic_gears::mesh::TipCircle;
+use epicyclic_gears::spacing::PlanetSpacing;
+use epicyclic_units::Physical;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use uom::si::f64::{Angle, AngularVelocity, Force, KinematicViscosity, Length, Time, Torque};
+
+/// A step of the duty as the set feels it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SetStep {
+    /// Share of the time.
+    pub share: f64,
+    /// Torque on the sun, without losses; its sign does not matter.
+    pub sun_torque: Torque,
+    /// Speed of the sun relative to the carrier; its sign does not matter.
+    pub sun_speed: AngularVelocity,
+    /// Speed of the carrier.
+    pub carrier_speed: AngularVelocity,
+}
+
+/// The greatest torque of the life, and what is required against it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SetOverload {
+    /// Torque on the sun, without losses; its sign does not matter. A torque of 0 sets no requirement.
+    pub sun_torque: Torque,
+    /// Required static safety of the flanks.
+    pub required_contact: f64,
+    /// Required static safety of the roots.
+    pub required_root: f64,
+}
+
+/// Shifts and tip alterations of sun, planets and ring that are held, in modules.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HeldShifts {
+    /// Profile shift coefficients.
+    pub profile: [f64; 3],
+    /// Tip alterations; where none are given the tips of the ring are shortened to stay out of the fillets of
+    /// the planets.
+    pub tips: Option<[f64; 3]>,
+}
+
+/// A set to size.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sizing {
+    /// Teeth of sun, planets and ring.
+    pub teeth: [ToothCount; 3],
+    /// Basic racks and tools of sun, planets and ring.
+    pub profiles: Profiles,
+    /// Aim that picks the shifts.
+    pub aim: Aim,
+    /// Shifts that are kept in place of an aim.
+    pub held_shifts: Option<HeldShifts>,
+    /// Limits for the checks of the geometry.
+    pub limits: Limits,
+    /// Sun, planets and ring. A rim of the ring is kept; planets have at least theirs.
+    pub gears: [Gear; 3],
+    /// Methods for both meshes; `K_γ` by the number of planets where it is not given.
+    pub methods: [Method; 2],
+    /// Viscosity of the oil at 40 °C.
+    pub viscosity: KinematicViscosity,
+    /// The duty.
+    pub duty: Vec<SetStep>,
+    /// The overloads.
+    pub overloads: Vec<SetOverload>,
+    /// Required life of teeth and bearings.
+    pub life: Time,
+    /// Required safety of the flanks.
+    pub required_contact: f64,
+    /// Required safety of the roots.
+    pub required_root: f64,
+    /// Least rim of the planets between root circle and bore, in modules.
+    pub planet_rim: f64,
+    /// Rim of the ring outside its root circle, in modules.
+    pub ring_rim: f64,
+    /// Bore of the planets if no bearing is selected.
+    pub planet_bore: Option<Length>,
+    /// The least angle between neighbouring planets at given angles; `None` if they must be at equal angles.
+    pub least_planet_angle: Option<Angle>,
+    /// Objective that is minimized.
+    pub objective: Objective,
+    /// The space.
+    pub space: Space,
+}
+
+/// The best `most` designs of the space, unless `goes_on`, which is called now and then, breaks.
+///
+/// # Errors
+/// [`Error::NothingToSearch`] for a space without modules, planets or centre distances;
+/// [`Error::SpaceTooLarge`]; those of [`natural_centre_distance`] and [`search`].
+pub fn size(task: &Sizing, most: usize, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Found, Error> {
+    task.space.check()?;
+    task.limits.check()?;
+    task.profiles.check()?;
+    check_shares(task.duty.iter().map(|step| step.share))?;
+    for one in &task.overloads {
+        positive(Quantity::RequiredSafety, one.required_contact, "")?;
+        positive(Quantity::RequiredSafety, one.required_root, "")?;
+    }
+    let modules_mm = sorted(&task.space.modules);
+    let widths_mm = sorted(&task.space.face_widths);
+    check_extent(task, &modules_mm, widths_mm.len())?;
+    let general = task.general(widths_mm.into_iter().map(Length::from_mm).collect());
+    let (layouts, tried) = layouts(task, &modules_mm, &general, goes_on)?;
+    if layouts.is_empty() && tried.left_out.total() == 0 {
+        return Err(Error::NothingToSearch { quantity: Quantity::CentreDistance });
+    }
+    search(&general, &layouts, tried, most, goes_on)
+}
+
+impl Sizing {
+    /// The set as the search sees it: one family, meshes of sun and planets, of planets and ring.
+    fn general(&self, face_widths: Vec<Length>) -> Task {
+        let bodies = [Body::Central, Body::Planet(0), Body::Central];
+        let gear = |place: usize| SizedGear { gear: self.gears[place], body: bodies[place], family: 0 };
+        Task {
+            gears: (0..3).map(gear).collect(),
+            meshes: (0..2)
+                .map(|mesh| SizedMesh { gears: [mesh, mesh + 1], method: self.methods[mesh] })
+                .collect(),
+            planets: vec![SizedPlanet { bearings: self.space.bearings.clone(), bore: self.planet_bore }],
+            face_widths: vec![face_widths],
+            width_ratio: self.space.width_ratio,
+            viscosity: self.viscosity,
+            life: self.life,
+            required_contact: self.required_contact,
+            required_root: self.required_root,
+            planet_rim: self.planet_rim,
+            ring_rim: self.ring_rim,
+            objective: self.objective,
+        }
+    }
+
+    /// Loads of both meshes, and `K_γ` of the bearings.
+    fn loads(&self, planets: u32) -> Result<(Arc<[MeshLoads]>, f64), Error> {
+        let teeth = [self.teeth[0], self.teeth[1]];
+        let none = || MeshLoads { steps: vec![], contacts: [1.0; 2], overloads: vec![] };
+        let mut both = [none(), none()];
+        for step in &self.duty {
+            let felt = loads(step.sun_torque, step.sun_speed, planets, teeth, self.life)?;
+            for (own, load) in both.iter_mut().zip(felt) {
+                own.steps.push(Step { share: step.share, torque: load.torque, speed: load.speed });
+                own.contacts = load.contacts;
+            }
+        }
+        for one in self.overloads.iter().filter(|one| one.sun_torque.si() != 0.0) {
+            let felt = loads(one.sun_torque, AngularVelocity::default(), planets, teeth, self.life)?;
+            for (own, load) in both.iter_mut().zip(felt) {
+                let SetOverload { required_contact, required_root, .. } = *one;
+                own.overloads.push(StaticDemand { torque: load.torque, required_contact, required_root });
+            }
+        }
+        let given = self.methods[0].given.of(Side::First, Symbol::LoadSharing);
+        let sharing = given.map_or_else(|| load_sharing(planets, self.methods[0].floating), Ok)?;
+        Ok((both.into(), sharing))
+    }
+
+    /// Forces on the bearing of a planet, by the formulas of the [module](super).
+    fn bearing_loads(&self, set: &PlanetSet, module: Length) -> Vec<PlanetStep> {
+        let [sun, planet, ring] = self.teeth.map(ToothCount::as_f64);
+        let each = f64::from(set.planets()) * set.centre_distance() * module.si() * sun;
+        let [outer, inner] =
+            [set.sun_mesh(), set.ring_mesh()].map(|pair| libm::tan(pair.working_angle_rad()));
+        let step = |step: &SetStep| {
+            let torque = step.sun_torque.si().abs();
+            let [first, second] = [sun + planet, ring - planet].map(|teeth| torque * teeth / each);
+            PlanetStep {
+                share: step.share,
+                tangential: Force::from_si(first + second),
+                radial: Force::from_si(first * outer - second * inner),
+                carrier_speed: step.carrier_speed,
+                speed: step.sun_speed.abs() * (sun / planet),
+            }
+        };
+        self.duty.iter().map(step).collect()
+    }
+}
+
+/// Lengths in mm, ascending and each once.
+fn sorted(lengths: &[Length]) -> Vec<f64> {
+    let mut all: Vec<f64> = lengths.iter().map(|length| length.mm()).collect();
+    all.sort_by(f64::total_cmp);
+    all.dedup();
+    all
+}
+
+impl Space {
+    /// Refuses a space of nothing.
+    ///
+    /// # Errors
+    /// [`Error::NothingToSearch`] without modules, face widths or planets; [`Error::NotPositive`] and
+    /// [`Error::Negative`] for a quantity.
+    pub fn check(&self) -> Result<(), Error> {
+        for (quantity, lengths) in
+            [(Quantity::Module, &self.modules), (Quantity::FaceWidth, &self.face_widths)]
+        {
+            if lengths.is_empty() {
+                return Err(Error::NothingToSearch { quantity });
+            }
+            for length in lengths {
+                positive(quantity, length.mm(), "mm")?;
+            }
+        }
+        if self.planets.is_empty() {
+            return Err(Error::NothingToSearch { quantity: Quantity::Planets });
+        }
+        positive(Quantity::CentreDistanceStep, self.centre_distance_step.mm(), "mm")?;
+        not_negative(Quantity::CentreDistanceReach, self.reach, "modules")?;
+        if let Some(ratio) = self.width_ratio {
+            positive(Quantity::WidthRatio, ratio, "")?;
+        }
+        Ok(())
+    }
+}
+
+/// The centre distances of a module, in modules.
+fn centres(task: &Sizing, natural: f64, module_mm: f64) -> Vec<f64> {
+    let step = task.space.centre_distance_step.mm() / module_mm;
+    let first = ((natural - task.space.reach) / step - EDGE).ceil() as i64;
+    let last = ((natural + task.space.reach) / step + EDGE).floor() as i64;
+    (first..=last).map(|count| count as f64 * step).collect()
+}
+
+/// Centre distances with face widths that are searched at most: a search then ends within minutes.
+const MOST: u32 = 300_000;
+
+/// Refuses a space of more centre distances and face widths than a search holds.
+pub(super) fn check_extent(task: &Sizing, modules_mm: &[f64], widths: usize) -> Result<(), Error> {
+    let step_mm = task.space.centre_distance_step.mm();
+    let of_module = |module_mm: &f64| match task.held_shifts {
+        Some(_) => 1.0,
+        None => (2.0 * task.space.reach * module_mm / step_mm).max(1.0),
+    };
+    let centres: f64 = modules_mm.iter().map(of_module).sum();
+    let count = centres * (task.space.planets.len() * widths) as f64;
+    if count <= f64::from(MOST) { Ok(()) } else { Err(Error::SpaceTooLarge { count, most: MOST }) }
+}
+
+/// The set with shifts that are held; `None` where they leave no gears or have a fault.
+fn held(task: &Sizing, planets: u32) -> Option<Result<PlanetSet, Check>> {
+    let shifts = task.held_shifts?;
+    let [sun, planet, ring] = task.teeth;
+    let Profiles(profiles) = task.profiles;
+    let tips = shifts.tips.unwrap_or_default();
+    let gear = |kind, teeth, place: usize| {
+        InvoluteGear::new(kind, teeth, profiles[place], shifts.profile[place])?
+            .with_tip_alteration(tips[place])
+    };
+    let set = || {
+        let sun = gear(GearKind::External, sun, 0)?;
+        let planet = gear(GearKind::External, planet, 1)?;
+        let ring = gear(GearKind::Internal, ring, 2)?;
+        let centre = Pair::without_backlash(sun, planet)?.centre_distance();
+        let set = PlanetSet::new([sun, planet, ring], planets, centre)?;
+        if shifts.tips.is_some() { Ok(set) } else { set.with_clear_ring_tips() }
+    };
+    let set = set().ok()?;
+    Some(match set.faults(&task.limits).first() {
+        Some(fault) => Err(*fault),
+        None => Ok(set),
+    })
+}
+
+/// Whether planets at stated angles touch: the set itself knows them as near to equal angles as they
+/// assemble.
+fn do_touch(task: &Sizing, set: &PlanetSet) -> bool {
+    let planet =
+        TipCircle { centre_radius: set.centre_distance(), tip_radius: set.gears()[1].tip_diameter() / 2.0 };
+    task.least_planet_angle.is_some_and(|angle| planet.gap(planet, angle.si()) <= task.limits.planet_gap)
+}
+
+/// The gears at every centre distance of the space, and how many were left out.
+fn layouts(
+    task: &Sizing,
+    modules_mm: &[f64],
+    general: &Task,
+    goes_on: &dyn Fn() -> ControlFlow<()>,
+) -> Result<(Vec<Layout>, Tried), Error> {
+    let natural = natural_centre_distance(task.teeth, *task.profiles.shared())?;
+    let [sun, _, ring] = task.teeth;
+    let designs = general.designs_of_layout();
+    let (mut all, mut tried) = (vec![], Tried::default());
+    for &planets in &task.space.planets {
+        let (loads, sharing) = task.loads(planets)?;
+        let is_placed =
+            task.least_planet_angle.is_some() || PlanetSpacing::least_unequal(sun, ring, planets).is_equal();
+        for &module_mm in modules_mm {
+            let module = Length::from_mm(module_mm);
+            let wanted: Vec<Option<f64>> = match task.held_shifts {
+                Some(_) => vec![None],
+                None => centres(task, natural, module_mm).into_iter().map(Some).collect(),
+            };
+            if !is_placed {
+                tried.left_out.spacing += wanted.len() as u64 * designs;
+                continue;
+            }
+            for centre in wanted {
+                if goes_on().is_break() {
+                    return Err(Error::Cancelled);
+                }
+                tried.geometries += 1;
+                let found = match centre {
+                    None => match held(task, planets) {
+                        Some(Ok(set)) => Ok((set, true)),
+                        Some(Err(fault)) => Err(Some(fault)),
+                        None => Err(None),
+                    },
+                    Some(centre) => Family::new(task.teeth, planets, task.profiles, centre)
+                        .and_then(|family| family.choose(task.aim, &task.limits))
+                        .map(|choice| (choice.set, choice.limited_by.is_none()))
+                        .map_err(|error| match error {
+                            epicyclic_gears::Error::NoShifts { fault, .. } => Some(fault),
+                            _ => None,
+                        }),
+                };
+                match found {
+                    Ok((set, _)) if do_touch(task, &set) => tried.left_out.planets_touch += designs,
+                    Ok((set, is_aim_met)) => all.push(Layout {
+                        planets,
+                        modules: vec![module],
+                        gears: set.gears().into_iter().copied().collect(),
+                        pairs: vec![*set.sun_mesh(), *set.ring_mesh()],
+                        radii: vec![module * set.centre_distance()],
+                        is_aim_met,
+                        loads: Arc::clone(&loads),
+                        sharing,
+                        bearing_loads: vec![task.bearing_loads(&set, module)],
+                    }),
+                    Err(Some(Check { rule: Rule::PlanetGap, .. })) => {
+                        tried.left_out.planets_touch += designs;
+                    }
+                    Err(_) => tried.left_out.geometry += designs,
+                }
+            }
+        }
+    }
+    Ok((all, tried))
+}

@@ -1,0 +1,283 @@
+//! A set as the search sees it: gears and meshes of any kind of set, and what each design must meet.
+//!
+//! Gears that mesh with one another are one *family*: they have one module and one face width. A planet of
+//! several gears joins families: a stepped planet has two, a planet between sun and ring one.
+
+use super::bearing::Bearing;
+use super::{Objective, Requirement};
+use crate::checks::{not_negative, positive, within};
+use crate::mesh::{Gear, Method};
+use crate::root::factors::MOST_ROOT_ROUGHNESS;
+use crate::spectrum::{GearDuty, Step, Worn, check_shares};
+use crate::{Error, Quantity};
+use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::involute::{InvoluteGear, Pair};
+use epicyclic_units::Physical;
+use std::sync::Arc;
+use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length, Mass, Time, Torque};
+
+/// What turns with a gear.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Body {
+    /// A central gear, or a gear of a pair: there is one of it.
+    Central,
+    /// The planets of a kind, by their index.
+    Planet(usize),
+}
+
+/// A gear of a set to size.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SizedGear {
+    /// Material, roughness, tool. A rim that is stated is kept by a ring; planets have at least that.
+    pub gear: Gear,
+    /// What it turns with.
+    pub body: Body,
+    /// Index of its family.
+    pub family: usize,
+}
+
+/// A mesh of a set to size.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SizedMesh {
+    /// Indices of its gears, in the order of the pair.
+    pub gears: [usize; 2],
+    /// Method of calculation. Data of method B hold for one size, so they are not used here.
+    pub method: Method,
+}
+
+/// Planets of a kind.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SizedPlanet {
+    /// Bearings to choose from; empty if planets have no bearing of a table.
+    pub bearings: Vec<Bearing>,
+    /// Bore if no bearing is chosen; `None` of solid planets.
+    pub bore: Option<Length>,
+}
+
+/// Safeties required against a torque that comes a few times in the life.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StaticDemand {
+    /// Torque of one mesh on its first gear, 0 or more; a torque of 0 sets no requirement.
+    pub torque: Torque,
+    /// Required static safety of the flanks.
+    pub required_contact: f64,
+    /// Required static safety of the roots.
+    pub required_root: f64,
+}
+
+/// Loads of a mesh.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeshLoads {
+    /// Steps of the duty.
+    pub steps: Vec<Step>,
+    /// Contacts of a flank per revolution, of each gear.
+    pub contacts: [f64; 2],
+    /// Overloads.
+    pub overloads: Vec<StaticDemand>,
+}
+
+/// Load of a planet's bearing in a step of the duty.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlanetStep {
+    /// Share of the time.
+    pub share: f64,
+    /// Tangential force of the meshes, along the orbit.
+    pub tangential: Force,
+    /// Radial force of the meshes, outwards above 0.
+    pub radial: Force,
+    /// Speed of the carrier.
+    pub carrier_speed: AngularVelocity,
+    /// Speed of the planet relative to the carrier.
+    pub speed: AngularVelocity,
+}
+
+/// The gears of a set at certain modules, number of planets and centre distances, without face widths and
+/// bearings.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Layout {
+    /// Number of planets of each kind; 1 of a pair.
+    pub planets: u32,
+    /// Module of each family.
+    pub modules: Vec<Length>,
+    /// The gears, in modules.
+    pub gears: Vec<InvoluteGear>,
+    /// The meshes, in modules.
+    pub pairs: Vec<Pair>,
+    /// Distance of the centres of each kind of planets from the main axis.
+    pub radii: Vec<Length>,
+    /// Whether the aim of the profile shifts is met in full.
+    pub is_aim_met: bool,
+    /// Loads of the meshes.
+    pub loads: Arc<[MeshLoads]>,
+    /// Mesh load factor `K_γ` for the bearings.
+    pub sharing: f64,
+    /// Loads of the bearings of each kind of planets.
+    pub bearing_loads: Vec<Vec<PlanetStep>>,
+}
+
+/// A set to size.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Task {
+    /// The gears.
+    pub gears: Vec<SizedGear>,
+    /// The meshes.
+    pub meshes: Vec<SizedMesh>,
+    /// The kinds of planets.
+    pub planets: Vec<SizedPlanet>,
+    /// Face widths of each family.
+    pub face_widths: Vec<Vec<Length>>,
+    /// The greatest face width over the reference diameter of the smallest central gear with external teeth
+    /// of the family, or of its smallest gear; `None` without bound.
+    pub width_ratio: Option<f64>,
+    /// Viscosity of the oil at 40 °C.
+    pub viscosity: KinematicViscosity,
+    /// Required life of teeth and bearings.
+    pub life: Time,
+    /// Required safety of the flanks.
+    pub required_contact: f64,
+    /// Required safety of the roots.
+    pub required_root: f64,
+    /// Least rim of the planets between root circle and bore, in modules.
+    pub planet_rim: f64,
+    /// Rim of rings outside the root circle, in modules.
+    pub ring_rim: f64,
+    /// Objective that is minimized.
+    pub objective: Objective,
+}
+
+impl Task {
+    /// Refuses quantities that are no requirement.
+    pub(super) fn check(&self) -> Result<(), Error> {
+        positive(Quantity::Life, self.life.hours(), "h")?;
+        for required in [self.required_contact, self.required_root] {
+            positive(Quantity::RequiredSafety, required, "")?;
+        }
+        for SizedGear { gear, .. } in &self.gears {
+            within(Quantity::RootRoughness, gear.root_roughness.um(), [0.0, MOST_ROOT_ROUGHNESS], "µm")?;
+            if let Some(rim) = gear.rim {
+                positive(Quantity::LeastRim, rim.mm(), "mm")?;
+            }
+        }
+        not_negative(Quantity::LeastRim, self.planet_rim, "modules")?;
+        not_negative(Quantity::RingRimInModules, self.ring_rim, "modules")?;
+        for bore in self.planets.iter().filter_map(|planet| planet.bore) {
+            positive(Quantity::PlanetBore, bore.mm(), "mm")?;
+        }
+        Ok(())
+    }
+
+    /// Refuses loads that are no duty, or no overload.
+    pub(super) fn check_loads(&self, loads: &[MeshLoads]) -> Result<(), Error> {
+        for of_mesh in loads {
+            check_shares(of_mesh.steps.iter().map(|step| step.share))?;
+            for one in &of_mesh.overloads {
+                positive(Quantity::RequiredSafety, one.required_contact, "")?;
+                positive(Quantity::RequiredSafety, one.required_root, "")?;
+            }
+        }
+        let does = |step: &Step| step.share > 0.0 && step.torque.si() != 0.0 && step.speed.si() != 0.0;
+        if loads.iter().any(|of_mesh| of_mesh.steps.iter().any(does)) { Ok(()) } else { Err(Error::IdleDuty) }
+    }
+
+    /// Designs of each layout: the combinations of face widths.
+    pub(super) fn designs_of_layout(&self) -> u64 {
+        self.face_widths.iter().map(|widths| widths.len() as u64).product()
+    }
+
+    /// Rim of a ring at a module.
+    pub(super) fn ring_rim(&self, gear: usize, module: Length) -> Length {
+        self.gears[gear].gear.rim.unwrap_or(module * self.ring_rim)
+    }
+
+    /// How many of a gear there are.
+    pub(super) fn count(&self, gear: usize, planets: u32) -> f64 {
+        if self.gears[gear].body == Body::Central { 1.0 } else { f64::from(planets) }
+    }
+
+    /// Gears of a kind of planets.
+    pub(super) fn gears_of(&self, planet: usize) -> impl Iterator<Item = usize> + '_ {
+        (0..self.gears.len()).filter(move |gear| self.gears[*gear].body == Body::Planet(planet))
+    }
+}
+
+impl Layout {
+    /// Module of a gear.
+    pub(super) fn module(&self, task: &Task, gear: usize) -> Length {
+        self.modules[task.gears[gear].family]
+    }
+
+    /// Outside diameter of the largest ring; `None` of a set without one.
+    #[must_use]
+    pub(super) fn ring_diameter(&self, task: &Task) -> Option<Length> {
+        let rings = (0..self.gears.len()).filter(|gear| self.gears[*gear].kind() == GearKind::Internal);
+        let outside = rings.map(|gear| {
+            let module = self.module(task, gear);
+            module * self.gears[gear].root_diameter() + 2.0 * task.ring_rim(gear, module)
+        });
+        outside.reduce(|one, other| if one > other { one } else { other })
+    }
+}
+
+/// The requirement that is met least.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Governing {
+    /// The requirement.
+    pub requirement: Requirement,
+    /// Mesh of the teeth; `None` for a bearing.
+    pub mesh: Option<usize>,
+    /// The gear; for a bearing the first of its planet.
+    pub gear: usize,
+    /// Safety, or the load that the bearing carries for the required life over its load.
+    pub value: f64,
+    /// Value that is required: the safety, or 1.
+    pub required: f64,
+}
+
+impl Governing {
+    /// Value over the required one: 1 and more is enough.
+    #[must_use]
+    pub fn ratio(&self) -> f64 {
+        self.value / self.required
+    }
+
+    /// The requirement that is met least; of equal ones the first.
+    pub(super) fn least(all: impl IntoIterator<Item = Self>) -> Option<Self> {
+        all.into_iter().reduce(|least, one| if one.ratio() < least.ratio() { one } else { least })
+    }
+}
+
+/// Planets of a kind in a design.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DesignedPlanet {
+    /// Their bearing.
+    pub bearing: Option<Bearing>,
+    /// Their bore; `None` of solid ones.
+    pub bore: Option<Length>,
+    /// The least rim between root circle and bore; `None` of solid ones.
+    pub rim: Option<Length>,
+    /// `L_10` of the bearing over the duty; `None` without a bearing, and where it never turns under load.
+    pub life: Option<Time>,
+}
+
+/// A design of the space.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Design {
+    /// Its gears.
+    pub layout: Layout,
+    /// Face width of each family.
+    pub face_widths: Vec<Length>,
+    /// The kinds of planets.
+    pub planets: Vec<DesignedPlanet>,
+    /// Rim of each gear outside its root circle; `None` of other gears than rings.
+    pub ring_rims: Vec<Option<Length>>,
+    /// Outside diameter of the largest ring; `None` of a set without one.
+    pub ring_diameter: Option<Length>,
+    /// Mass of all gears.
+    pub mass: Mass,
+    /// Ratings of the meshes over the duty; `None` of a mesh that the duty does not load.
+    pub meshes: Vec<Option<[GearDuty<Worn>; 2]>>,
+    /// The overload requirement that is met least; `None` where no overload loads the set.
+    pub overload: Option<Governing>,
+    /// The requirement that is met least.
+    pub governing: Governing,
+}
