@@ -127,12 +127,17 @@ impl Gearbox {
     #[must_use]
     pub fn planet_bearings(&self, set: usize, size: &SetSize) -> Option<Result<Vec<PlanetBearing>, Error>> {
         let own = self.sets.get(set).filter(|own| !own.is_pair())?;
-        Some(own.planet_bearings(set, size))
+        Some(own.bearings(set, size))
     }
 }
 
 impl PlanetSet {
-    fn planet_bearings(&self, place: usize, size: &SetSize) -> Result<Vec<PlanetBearing>, Error> {
+    /// The planet bearings of the set, whose index in its gearbox is `place`, as
+    /// [`Gearbox::planet_bearings`]; of a pair none.
+    ///
+    /// # Errors
+    /// Those of [`Gearbox::planet_bearings`].
+    pub fn bearings(&self, place: usize, size: &SetSize) -> Result<Vec<PlanetBearing>, Error> {
         size.check(self)?;
         let is_bevel =
             self.meshes().iter().any(|mesh| matches!(mesh.kind, MeshKind::BevelLeft | MeshKind::BevelRight));

@@ -184,6 +184,11 @@ impl PlanetSet {
         &self.description
     }
 
+    /// The same set with a description that changes neither its members nor its teeth.
+    pub(crate) fn described(&self, description: Description) -> Self {
+        Self { description, ..self.clone() }
+    }
+
     /// Short description of the set, if it has one.
     #[must_use]
     pub fn short(&self) -> Option<&SetSpec> {

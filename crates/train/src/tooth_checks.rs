@@ -123,6 +123,13 @@ impl PlanetSet {
         teeth_of(self, gear)
     }
 
+    /// Whether its planets clear each other, with the modules of its meshes in any unit; `None` where their
+    /// number, teeth or places are not known.
+    #[must_use]
+    pub fn planets_clear(&self, rack: &BasicRack, modules: &[Option<f64>]) -> Option<bool> {
+        Checks::new(self, *rack, modules).do_clear()
+    }
+
     /// Whether its planets can be put in and clear each other.
     ///
     /// ```

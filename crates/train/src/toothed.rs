@@ -20,6 +20,7 @@
 //! the fillets of their planets.
 
 use crate::compound::{CentralKind, CompoundSpec};
+use crate::planet_bearings::{MeshSize, SetSize};
 use crate::planet_places::{Given, NoPair, Places, central_mesh, places, planet_of, teeth_of};
 use crate::planet_set::{Description, GearOf, MeshKind, PlanetSet, parts_of_short};
 use crate::set::{Gearing, MeshLoss, SetKind, SetSpec};
@@ -33,7 +34,8 @@ use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet as InvoluteSet, Pr
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::{Error, ToothCount};
 use epicyclic_units::Physical;
-use uom::si::f64::Angle;
+use std::f64::consts::FRAC_PI_4;
+use uom::si::f64::{Angle, Length, Mass};
 
 /// Reason why a set has no teeth in mesh.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -118,6 +120,56 @@ impl PlanetSet {
             .flat_map(|(planet, own)| (0..own.gears.len()).map(move |gear| GearOf::Planet(planet, gear)));
         let last = if self.short().is_some() { centrals.pop() } else { None };
         centrals.into_iter().chain(planets).chain(last).collect()
+    }
+
+    /// The same set with this number of planets of each kind and this shape of its teeth.
+    #[must_use]
+    pub fn reshaped(&self, planets: Option<u32>, tooth_shape: ToothShape) -> Self {
+        let mut description = self.description().clone();
+        let (count, shape) = match &mut description {
+            Description::Short(spec) => (&mut spec.planet_count, &mut spec.tooth_shape),
+            Description::Compound(spec) => (&mut spec.planet_count, &mut spec.tooth_shape),
+        };
+        (*count, *shape) = (planets, tooth_shape);
+        self.described(description)
+    }
+
+    /// Mass of a planet with these teeth, modules in metres: half of the annulus between tip and root circle
+    /// is filled. `None` where a face width is missing, or a bore is beyond a root circle.
+    #[must_use]
+    pub fn mass_of_planet(&self, planet: usize, toothed: &ToothedSet, size: &SetSize) -> Option<Mass> {
+        let own = size.planets.get(planet);
+        let bore = own.and_then(|own| own.bore).or(size.planet_bore).map_or(0.0, Physical::si);
+        let gears = self.planets()[planet].gears.len();
+        let mass = |gear: usize| {
+            let of_gear = own.and_then(|own| own.face_widths.get(gear).copied().flatten());
+            let width = of_gear.or(size.face_width.filter(|_| gears == 1))?;
+            let is_own = |mesh: &&ToothedMesh| mesh.gears.contains(&GearOf::Planet(planet, gear));
+            let module = toothed.meshes.iter().find(is_own)?.module;
+            let teeth = toothed.gear(GearOf::Planet(planet, gear))?;
+            let [tip, root] = [teeth.tip_diameter(), teeth.root_diameter()].map(|of| of * module);
+            let area = FRAC_PI_4 * (f64::midpoint(tip * tip, root * root) - bore * bore);
+            (bore < root).then_some(size.density.si() * area * width.si())
+        };
+        (0..gears).map(mass).sum::<Option<f64>>().map(Mass::from_si)
+    }
+
+    /// What its planet bearings need to know of its meshes with these teeth; `has_modules` where the modules
+    /// are lengths in metres.
+    #[must_use]
+    pub fn mesh_sizes(&self, toothed: &ToothedSet, has_modules: bool) -> Vec<MeshSize> {
+        let size = |(place, mesh): (usize, &ToothedMesh)| {
+            // Centre distances, and diameters but for addenda, are as with spur teeth of the transverse
+            // module.
+            let transverse = self.tooth_shape().transverse_module(place, Length::from_si(mesh.module));
+            MeshSize {
+                module: has_modules.then_some(transverse),
+                pressure_angle: Some(Angle::from_si(mesh.pair.working_angle_rad())),
+                centre_distance: Some(mesh.pair.centre_distance() * mesh.module / transverse.si()),
+                is_behind: false,
+            }
+        };
+        toothed.meshes.iter().enumerate().map(size).collect()
     }
 
     /// Teeth of its gears beyond their numbers.

@@ -6,7 +6,7 @@ use crate::design::answer::ways_out::{Limit, RelaxedLimit, WayOut};
 use crate::select::answer::reached::largest_deviation;
 use crate::select::answer::required::Objective;
 use crate::select::table::{percent, speeds_reached};
-use crate::size::answer::records::{SizedDesign, SizedSet};
+use crate::size::answer::records::{SizedDesign, SizedFamily, SizedSet};
 use crate::size::table::{designs, left_out};
 use crate::strength::table::{Worn, over_duty};
 use crate::table::columns::Table;
@@ -261,12 +261,15 @@ fn teeth(step: &TeethStep) -> [String; 5] {
 }
 
 fn sizes(step: &SizesStep) -> [String; 5] {
-    let length = |si: f64| words(Dimension::Length, si, DIGITS);
+    let lengths = |design: &SizedDesign, of: fn(&SizedFamily) -> f64| {
+        let all = design.families.iter().map(|family| words(Dimension::Length, of(family), DIGITS));
+        all.collect::<Vec<_>>().join("/")
+    };
     let of = |design: &SizedDesign| {
         format!(
             "m {}, b {}, {} planets",
-            length(design.module_m),
-            length(design.face_width_m),
+            lengths(design, |family| family.module_m),
+            lengths(design, |family| family.face_width_m),
             design.planets
         )
     };
@@ -280,7 +283,7 @@ fn sizes(step: &SizesStep) -> [String; 5] {
 
 fn strength(step: &SizesStep) -> Option<[String; 5]> {
     let governing = step.governing.as_ref()?;
-    let of = governing.requirement;
+    let of = &governing.requirement;
     let what = match of.requirement {
         Requirement::Flank => format!("S_H of the {}'s flank", of.toothed_gear),
         Requirement::Root => format!("S_F of the {}'s root", of.toothed_gear),

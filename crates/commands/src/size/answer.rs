@@ -1,9 +1,10 @@
-//! Sizes of a gearbox's simple sets for the duty and the overloads of its file: module, face width, planets,
-//! centre distance, bearing.
+//! Sizes of a gearbox's sets for the duty and the overloads of its file: modules, face widths, planets, centre
+//! distances, bearings.
 //!
 //! Each set is sized independently. Why this loses no better design is explained at
 //! [`epicyclic_strength::sizing`]. Values that the file gives for a set are kept.
 
+mod layouts;
 pub mod records;
 mod saved;
 
@@ -17,27 +18,34 @@ use crate::size::options::Request;
 use crate::strength::answer::Asked;
 use crate::strength::answer::duty::{WorkedStep, steps};
 use crate::strength::answer::load::felt;
-use crate::strength::answer::overload::peaks;
+use crate::strength::answer::overload::{Peak, peaks};
 use crate::strength::answer::place::Fault;
 use crate::strength::answer::prepared::{SetToSize, sets_to_size};
 use crate::strength::answer::records::{NotRated, Reason, Required};
-use epicyclic_formats::gearbox::GearboxFile;
+use epicyclic_formats::gearbox::{GearboxFile, PlanetData};
 use epicyclic_formats::{Document, Path};
+use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::family::Aim;
 use epicyclic_strength as strength;
 use epicyclic_strength::factor::Edition;
 use epicyclic_strength::sizing::Objective;
 use epicyclic_strength::sizing::bearing::Bearing;
-use epicyclic_strength::sizing::{HeldShifts, SetOverload, SetStep, Sizing, size};
+use epicyclic_strength::sizing::{
+    Body, HeldShifts, SetOverload, SetStep, SizedGear, SizedMesh, SizedPlanet, Sizing, Space, Task, search,
+    size,
+};
+use epicyclic_train::planet_set::GearOf;
+use epicyclic_train::set::SetKind;
 use epicyclic_units::Physical;
+use layouts::{Families, Making};
 use records::{HeldKey, NotSized, SizedSet, Sought};
 pub use saved::saved;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::ControlFlow;
-use uom::si::f64::{AngularVelocity, Length, Time, Torque};
+use uom::si::f64::{AngularVelocity, Length, Torque};
 
-/// Sizes of a gearbox's simple sets with sufficient strength over the duty and the least mass or ring.
+/// Sizes of a gearbox's sets with sufficient strength over the duty and the least mass or ring.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Size {
@@ -99,33 +107,59 @@ pub(crate) fn answer(
     }
     let steps = steps(subject, &file.duty)?;
     let peaks = peaks(subject, &file.overload, None)?;
-    let helical = to_size.iter().filter(|set| set.profiles.shared().is_helical());
-    let helical: Vec<&str> = helical.map(|set| set.id).collect();
+    let helical = to_size.iter().filter(|set| set.set.tooth_shape().is_helical() && !set.set.is_pair());
+    let helical: Vec<&str> = helical.map(|set| set.set.id()).collect();
     // The assembly angles of planets do not depend on sizes, so impossible angles are refused before the
     // search.
     let angles = subject.tooth_checks().checks.into_iter().filter(|check| check.rule == "planet-angle");
     for (set, why) in angles.filter_map(|check| Some((check.set, check.miss?))) {
-        if let Some(set) = to_size.iter().find(|of| of.id == set) {
+        if let Some(set) = to_size.iter().find(|of| of.set.id() == set) {
             let why = Named("planet-angle", why);
-            return Err(refused(&subject.document, &set.path, &["planet_angles"], &why));
+            return Err(refused(&subject.document, &set.data.path, &["planet_angles"], &why));
         }
     }
     let mut sets = vec![];
     for set in &to_size {
-        let overloads = peaks.iter().map(|peak| peak.felt(set.place)).collect::<Option<Vec<_>>>();
-        let Some(load) = duty_of(set, &steps).zip(overloads) else {
-            not_sized.push(NotSized::of(NotRated::new(set.id, Reason::NoTorquesFollow)));
-            continue;
+        let id = set.set.id();
+        let space = request.space();
+        let families = Families::of(set);
+        let asked = Asked { life, viscosity, required };
+        let (task, held) = task(set, &families, &asked, request, &space);
+        let found = match simple(set, (&task, &space), (&steps, &peaks), subject, request) {
+            Some(Ok(sizing)) => size(&sizing, request.most.max(1), goes_on).map(Some),
+            Some(Err(reason)) => {
+                not_sized.push(NotSized::of(NotRated::new(id, reason)));
+                continue;
+            }
+            None => {
+                let making = Making {
+                    set,
+                    families: &families,
+                    rack: &subject.rack,
+                    space: &space,
+                    request,
+                    steps: &steps,
+                    peaks: &peaks,
+                };
+                match making.layouts(&task, goes_on) {
+                    Ok(Some((layouts, tried))) => {
+                        search(&task, &layouts, tried, request.most.max(1), goes_on).map(Some)
+                    }
+                    Ok(None) => Ok(None),
+                    Err(Error::Sizing(error)) => Err(error),
+                    Err(error) => return Err(error),
+                }
+            }
         };
-        let (task, held) = task(set, load, life, required, request);
-        match size(&task, request.most.max(1), goes_on) {
-            Ok(found) => sets.push(SizedSet::of(set, held, &found, request.most)),
+        match found {
+            Ok(Some(found)) => sets.push(SizedSet::of((set, &families), held, &found, request.most)),
+            Ok(None) => not_sized.push(NotSized::of(NotRated::new(id, Reason::NoTorquesFollow))),
             Err(
                 error @ (strength::Error::Cancelled
                 | strength::Error::NothingToSearch { .. }
                 | strength::Error::SpaceTooLarge { .. }),
             ) => return Err(error.into()),
-            Err(error) => match Fault::of(&subject.document, set.id, &set.path, &error) {
+            Err(error) => match Fault::of(&subject.document, id, &set.data.path, &error) {
                 Fault::Row(row) => not_sized.push(NotSized::of(*row)),
                 Fault::Refused(error) => return Err(*error),
             },
@@ -160,8 +194,12 @@ pub(crate) fn answer(
 /// Name of the resized gearbox in error messages.
 const SIZED: &str = "the gearbox with its sizes";
 
-/// Duty as loads of a set; `None` if its torques cannot be computed.
-fn duty_of(set: &SetToSize<'_>, steps: &[WorkedStep<'_>]) -> Option<Vec<SetStep>> {
+/// Loads of a simple set over the duty, and its overloads; `None` if its torques cannot be computed.
+fn loads_of(
+    set: &SetToSize<'_>,
+    steps: &[WorkedStep<'_>],
+    peaks: &[Peak<'_>],
+) -> Option<(Vec<SetStep>, Vec<SetOverload>)> {
     let still = AngularVelocity::from_si(0.0);
     let step = |WorkedStep(entry, worked): &WorkedStep<'_>| {
         let (sun_torque, [sun_speed, carrier_speed]) = match worked {
@@ -170,90 +208,141 @@ fn duty_of(set: &SetToSize<'_>, steps: &[WorkedStep<'_>]) -> Option<Vec<SetStep>
         };
         Some(SetStep { share: entry.share.0.si(), sun_torque, sun_speed, carrier_speed })
     };
-    steps.iter().map(step).collect()
+    let overloads = peaks.iter().map(|peak| peak.felt(set.place)).collect::<Option<_>>()?;
+    Some((steps.iter().map(step).collect::<Option<_>>()?, overloads))
 }
 
-/// Sizing task of a set, and the keys of the file that it keeps.
-fn task(
+/// A simple set with its space, whose layouts the search makes itself; `None` of other sets.
+fn simple(
     set: &SetToSize<'_>,
-    (duty, overloads): (Vec<SetStep>, Vec<SetOverload>),
-    life: Time,
-    required: Required,
+    (task, space): (&Task, &Space),
+    (steps, peaks): (&[WorkedStep<'_>], &[Peak<'_>]),
+    subject: &Gearbox,
     request: &Request,
-) -> (Sizing, Vec<HeldKey>) {
-    let mut space = request.space();
-    let mut held = vec![];
-    let entry = set.entry;
-    if let Some(module) = entry.module {
-        space.modules = vec![module.0];
-        held.push(HeldKey::Module);
-    }
-    if let Some(width) = entry.face_width {
-        space.face_widths = vec![width.0];
-        held.push(HeldKey::FaceWidth);
-    }
-    if let Some(planets) = set.planets {
-        space.planets = vec![planets];
-        held.push(HeldKey::Planets);
-    }
-    if set.shifts.is_some() {
-        held.push(HeldKey::ProfileShifts);
-    }
-    let bore = entry.planet_bore.map(|bore| bore.0);
-    if let Some(rating) = entry.load_rating {
-        space.bearings = vec![Bearing {
-            designation: String::new(),
-            rolling: entry.bearing_rolling.into(),
-            bore: Length::from_si(0.0),
-            outside_diameter: bore.unwrap_or(Length::from_si(0.0)),
-            width: Length::from_si(0.0),
-            load_rating: rating.0,
-            static_load_rating: None,
-        }];
-        held.push(HeldKey::LoadRating);
-    } else if bore.is_some() {
-        space.bearings.clear();
-    }
-    if bore.is_some() {
-        held.push(HeldKey::PlanetBore);
-    }
-    let strength = entry.strength.as_ref();
-    let [least_planet_rim, held_ring_rim] =
-        [strength.and_then(|of| of.planet_rim.as_ref()), strength.and_then(|of| of.ring_rim.as_ref())]
-            .map(|rim| rim.map(|rim| rim.0));
-    if least_planet_rim.is_some() {
-        held.push(HeldKey::PlanetRim);
-    }
-    if held_ring_rim.is_some() {
-        held.push(HeldKey::RingRim);
-    }
-    let task = Sizing {
-        teeth: set.teeth,
-        profiles: set.profiles,
+) -> Option<Result<Sizing, Reason>> {
+    let spec = set.set.short().filter(|spec| spec.kind == SetKind::Simple)?;
+    let ([sun, planet, ring], [of_sun, of_planet, of_ring]) = (&set.teeth[..], &set.gears[..]) else {
+        return None;
+    };
+    let [of_sun_mesh, of_ring_mesh] = set.methods[..] else { return None };
+    let Some((duty, overloads)) = loads_of(set, steps, peaks) else {
+        return Some(Err(Reason::NoTorquesFollow));
+    };
+    let own = &task.planets[0];
+    Some(Ok(Sizing {
+        teeth: [*sun, *planet, *ring],
+        profiles: spec.profiles(&subject.rack),
         aim: request.aim,
-        held_shifts: set.shifts.as_ref().map(|shifts| HeldShifts {
+        held_shifts: spec.tooth_shape.shifts.as_ref().map(|shifts| HeldShifts {
             profile: three(&shifts.profile),
             tips: shifts.tips.as_deref().map(three),
         }),
         limits: request.limits(),
-        gears: set.gears,
-        methods: set.methods,
-        viscosity: set.viscosity,
+        gears: [*of_sun, *of_planet, *of_ring],
+        methods: [of_sun_mesh, of_ring_mesh],
+        viscosity: task.viscosity,
         duty,
         overloads,
-        life,
-        required_contact: required.flank,
-        required_root: required.root,
-        planet_rim: request.planet_rim.get(),
-        least_planet_rim,
-        ring_rim: request.ring_rim.get(),
-        held_ring_rim,
-        planet_bore: bore,
-        least_planet_angle: set.least_planet_angle,
-        objective: request.minimise,
-        space,
+        life: task.life,
+        required_contact: task.required_contact,
+        required_root: task.required_root,
+        planet_rim: task.planet_rim,
+        ring_rim: task.ring_rim,
+        planet_bore: own.bore,
+        least_planet_angle: set.set.least_planet_angle(),
+        objective: task.objective,
+        space: Space {
+            modules: set.data.modules[0].map_or_else(|| space.modules.clone(), |module| vec![module]),
+            face_widths: task.face_widths[0].clone(),
+            planets: set.set.planet_count().map_or_else(|| space.planets.clone(), |planets| vec![planets]),
+            bearings: own.bearings.clone(),
+            ..space.clone()
+        },
+    }))
+}
+
+/// Task of a set, and the keys of the file that it keeps.
+fn task(
+    set: &SetToSize<'_>,
+    families: &Families,
+    asked: &Asked,
+    request: &Request,
+    space: &Space,
+) -> (Task, Vec<HeldKey>) {
+    let data = &set.data;
+    let is_stated = |keys: &[Option<Length>]| keys.iter().any(Option::is_some);
+    let rim_of = |planets: bool| {
+        let own = data.of.iter().zip(&set.gears);
+        let is_ring = |gear: &GearOf| set.set.gear_kind(*gear) == Some(GearKind::Internal);
+        let counts = |gear: &GearOf| if planets { matches!(gear, GearOf::Planet(..)) } else { is_ring(gear) };
+        own.into_iter().any(|(gear, of)| counts(gear) && of.rim.is_some())
     };
-    (task, held)
+    let held = [
+        (HeldKey::Module, is_stated(&data.modules)),
+        (HeldKey::FaceWidth, is_stated(&data.face_widths)),
+        (HeldKey::Planets, set.set.planet_count().is_some()),
+        (HeldKey::ProfileShifts, set.set.tooth_shape().shifts.is_some()),
+        (HeldKey::LoadRating, data.planets.iter().any(|planet| planet.bearing.is_some())),
+        (HeldKey::PlanetBore, data.planets.iter().any(|planet| planet.bore.is_some())),
+        (HeldKey::PlanetRim, rim_of(true)),
+        (HeldKey::RingRim, rim_of(false)),
+    ];
+    let body = |gear: &GearOf| match gear {
+        GearOf::Central(_) => Body::Central,
+        GearOf::Planet(planet, _) => Body::Planet(*planet),
+    };
+    let gear = |(place, gear): (usize, &GearOf)| SizedGear {
+        gear: set.gears[place],
+        body: body(gear),
+        family: families.of[place],
+    };
+    let widths = |family: usize| {
+        let own = data.face_widths.iter().zip(&families.of).filter(|(_, of)| **of == family);
+        let stated = own.filter_map(|(width, _)| *width);
+        let least = stated.reduce(|one, other| if one < other { one } else { other });
+        let mut all = least.map_or_else(|| space.face_widths.clone(), |width| vec![width]);
+        all.sort_by(|one, other| one.si().total_cmp(&other.si()));
+        all.dedup();
+        all
+    };
+    let planet = |planet: &PlanetData| SizedPlanet {
+        bearings: match (planet.bearing, planet.bore) {
+            (Some((load_rating, rolling)), bore) => vec![Bearing {
+                designation: String::new(),
+                rolling,
+                bore: Length::default(),
+                outside_diameter: bore.unwrap_or_default(),
+                width: Length::default(),
+                load_rating,
+                static_load_rating: None,
+            }],
+            (None, Some(_)) => vec![],
+            (None, None) => space.bearings.clone(),
+        },
+        bore: planet.bore,
+    };
+    let task = Task {
+        gears: data.of.iter().enumerate().map(gear).collect(),
+        meshes: families
+            .ends
+            .iter()
+            .zip(&set.methods)
+            .map(|(ends, method)| SizedMesh { gears: *ends, method: *method })
+            .collect(),
+        planets: data.planets.iter().map(planet).collect(),
+        // Sets with two central gears have keys for one bearing.
+        has_one_bearing: set.set.short().is_some(),
+        face_widths: (0..families.count).map(widths).collect(),
+        width_ratio: space.width_ratio,
+        viscosity: set.viscosity,
+        life: asked.life,
+        required_contact: asked.required.flank,
+        required_root: asked.required.root,
+        planet_rim: request.planet_rim.get(),
+        ring_rim: request.ring_rim.get(),
+        objective: request.minimise,
+    };
+    (task, held.into_iter().filter(|(_, is_held)| *is_held).map(|(key, _)| key).collect())
 }
 
 /// Values of sun, planets and ring.

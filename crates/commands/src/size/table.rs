@@ -2,7 +2,9 @@
 
 use crate::shared::tooth_checks::table as tooth_checks;
 use crate::size::answer::Size;
-use crate::size::answer::records::{NotSized, SizedDesign, SizedGear, SizedSet, Sought};
+use crate::size::answer::records::{
+    NotSized, SizedDesign, SizedFamily, SizedGear, SizedSet, SizedTeeth, Sought,
+};
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, hours, text};
 use crate::table::quantities::{quantity, words};
@@ -17,6 +19,7 @@ impl AsReport for Size {
             Some(Part::Facts(facts(self))),
             (!self.sets.iter().all(|set| set.found.is_empty()))
                 .then(|| Part::Records(designs("designs", "Best designs", &self.sets, |set| &set.found))),
+            (!self.sets.iter().all(|set| set.found.is_empty())).then(|| Part::Records(gears(&self.sets))),
             self.sets.iter().any(|set| set.nearest_miss.is_some()).then(|| {
                 Part::Records(designs("nearest_misses", "Nearest misses", &self.sets, |set| {
                     set.nearest_miss.as_slice()
@@ -103,7 +106,7 @@ fn facts(size: &Size) -> Section {
 
 /// What governs a design: `S_F sun 1.45`.
 pub(crate) fn governing(design: &SizedDesign) -> String {
-    let of = design.governing;
+    let of = &design.governing;
     let what = match of.requirement {
         Requirement::BearingLife => return format!("bearing {:.3}", of.value),
         Requirement::Flank | Requirement::OverloadFlank => "S_H",
@@ -122,41 +125,80 @@ pub(crate) fn designs<'s>(
     let least = |design: &SizedDesign, safety: fn(&SizedGear) -> f64| {
         design.over_duty.iter().map(safety).fold(f64::INFINITY, f64::min)
     };
-    let life = |design: &SizedDesign| design.bearing.as_ref()?.life_s;
+    let lives = |design: &SizedDesign| {
+        let own = design.planet_sizes.iter().filter_map(|planet| planet.bearing.as_ref()?.life_s);
+        own.reduce(f64::min)
+    };
+    let lengths = |design: &SizedDesign, of: fn(&SizedFamily) -> f64| -> Vec<f64> {
+        design.families.iter().map(of).collect()
+    };
+    let bearings = |design: &SizedDesign| {
+        let names =
+            design.planet_sizes.iter().filter_map(|planet| planet.bearing.as_ref()?.designation.clone());
+        let mut names: Vec<String> = names.collect();
+        names.dedup();
+        names
+    };
+    let width_ratio = |design: &SizedDesign| {
+        design.families.iter().map(|family| family.face_width_over_diameter).fold(0.0, f64::max)
+    };
     Table::new(
         name,
         sets.iter().flat_map(|set| (1_u32..).zip(of(set)).map(move |(place, one)| (set, place, one))),
     )
     .text("set", "set", |(set, ..)| &set.set)
     .number("place", "no.", |(_, place, _)| *place)
-    .quantity("module", "m", Dimension::Length, |(.., one)| one.module_m)
-    .quantity("face_width", "b", Dimension::Length, |(.., one)| one.face_width_m)
-    .printed("face_width_over_sun", "b/d_s", 2, |(.., one)| one.face_width_over_sun)
+    .list("module", "m", Dimension::Length, |(.., one)| lengths(one, |family| family.module_m))
+    .list("face_width", "b", Dimension::Length, |(.., one)| lengths(one, |family| family.face_width_m))
+    .printed("face_width_over_diameter", "b/d", 2, |(.., one)| width_ratio(one))
     .number("planets", "p", |(.., one)| one.planets)
     .quantity("centre_distance", "a", Dimension::Length, |(.., one)| one.centre_distance_m)
-    .words("bearing", "bearing", |(.., one)| one.bearing.as_ref()?.designation.clone())
+    .words("bearing", "bearing", |(.., one)| bearings(one))
     .quantity("ring_diameter", "ring", Dimension::Length, |(.., one)| one.ring_diameter_m)
     .quantity("mass", "", Dimension::Mass, |(.., one)| one.mass_kg)
     .words("governing", "governs", |(.., one)| governing(one))
     .printed("flank_safety", "S_H", 3, |(.., one)| least(one, |gear| gear.flank.safety))
     .printed("root_safety", "S_F", 3, |(.., one)| least(one, |gear| gear.root.safety))
-    .quantity("bearing_life", "", Dimension::Time, |(.., one)| life(one))
-    .number("bearing_hours", "L_10, h", |(.., one)| life(one).map(hours))
+    .quantity("bearing_life", "", Dimension::Time, |(.., one)| lives(one))
+    .number("bearing_hours", "L_10, h", |(.., one)| lives(one).map(hours))
     .for_people()
-    .printed("sun_shift", "x_s", 4, |(.., one)| one.profile_shifts[0])
-    .printed("planet_shift", "x_p", 4, |(.., one)| one.profile_shifts[1])
-    .printed("ring_shift", "x_r", 4, |(.., one)| one.profile_shifts[2])
     .view(
         title,
-        "set place module face_width face_width_over_sun planets centre_distance bearing ring_diameter mass",
+        "set place module face_width face_width_over_diameter planets centre_distance bearing ring_diameter mass",
     )
-    .note("b/d_s: face width over the sun's reference diameter, which --width-ratio bounds.")
+    .note("b/d: face width over the reference diameter of the smallest sun that it meshes with, of a pair the smaller gear; --width-ratio bounds it. Lists: one value for gears that mesh with one another.")
     .view(
-        format!("{title}: what governs, least safeties, bearing life, shifts"),
-        "set place governing flank_safety root_safety bearing_hours sun_shift planet_shift ring_shift",
+        format!("{title}: what governs, least safeties, bearing life"),
+        "set place governing flank_safety root_safety bearing_hours",
     )
     .the_answer_if(name == "designs")
     .records()
+}
+
+/// Teeth of the best design of each set.
+pub(crate) fn gears(sets: &[SizedSet]) -> Records {
+    let rows = sets.iter().filter_map(|set| Some((set, set.found.first()?)));
+    let rows = rows.flat_map(|(set, best)| best.gears.iter().map(move |gear| (set, best, gear)));
+    let family = |design: &SizedDesign, gear: &SizedTeeth, of: fn(&SizedFamily) -> f64| {
+        design.families.iter().find(|family| family.toothed_gears.contains(&gear.toothed_gear)).map(of)
+    };
+    Table::new("gears", rows)
+        .text("set", "set", |(set, ..)| &set.set)
+        .text("gear", "gear", |(.., gear)| &gear.toothed_gear)
+        .number("teeth", "z", |(.., gear)| gear.teeth)
+        .quantity("module", "m", Dimension::Length, |(_, best, gear)| family(best, gear, |of| of.module_m))
+        .quantity("face_width", "b", Dimension::Length, |(_, best, gear)| {
+            family(best, gear, |of| of.face_width_m)
+        })
+        .printed("profile_shift", "x", 4, |(.., gear)| gear.profile_shift)
+        .printed("tip_alteration", "k", 4, |(.., gear)| gear.tip_alteration)
+        .quantity("rim", "rim", Dimension::Length, |(.., gear)| gear.rim_m)
+        .view(
+            "Gears of the best designs",
+            "set gear teeth module face_width profile_shift tip_alteration rim",
+        )
+        .note("x, k: profile shift and tip alteration in modules.")
+        .records()
 }
 
 pub(crate) fn left_out(sets: &[SizedSet]) -> Records {

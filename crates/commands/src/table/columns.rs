@@ -109,9 +109,9 @@ impl<Row> Table<Row> {
         key: &'static str,
         heading: &str,
         dimension: Dimension,
-        of: impl Fn(&Row) -> &[f64],
+        of: impl Fn(&Row) -> Vec<f64>,
     ) -> Self {
-        let cell = |row: &Row| Figure::List { si: of(row).to_vec(), dimension };
+        let cell = |row: &Row| Figure::List { si: of(row), dimension };
         self.column(Column::headed(key, with_unit(heading, dimension), dimension), cell)
     }
 

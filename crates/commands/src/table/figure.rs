@@ -105,6 +105,11 @@ fn word(choice: impl Serialize) -> String {
     Word(choice).to_string()
 }
 
+/// Values of a list in the usual unit, without it.
+fn listed(si: &[f64], dimension: Dimension) -> String {
+    si.iter().map(|si| trimmed(in_usual(*si, dimension), DIGITS)).collect::<Vec<_>>().join(" ")
+}
+
 impl Figure {
     /// Answer from a short list: its name, and its words.
     pub fn answer(name: impl Into<Cow<'static, str>>, words: impl Into<Cow<'static, str>>) -> Self {
@@ -130,9 +135,7 @@ impl Figure {
             Self::Column { si, dimension } => trimmed(in_usual(*si, *dimension), DIGITS),
             Self::Measured { si, dimension, decimals } => printed(in_usual(*si, *dimension), *decimals),
             Self::List { si, dimension } => {
-                let values: Vec<String> =
-                    si.iter().map(|si| trimmed(in_usual(*si, *dimension), DIGITS)).collect();
-                format!("{} {}", values.join(" "), dimension.usual_unit().symbol)
+                format!("{} {}", listed(si, *dimension), dimension.usual_unit().symbol)
             }
             Self::Numbers(values) => {
                 values.iter().map(|value| shown_multiple(*value)).collect::<Vec<_>>().join(" ")
@@ -151,6 +154,8 @@ impl Figure {
     pub fn in_column(&self, decimals: usize) -> String {
         match self {
             Self::Column { si, dimension } => printed(in_usual(*si, *dimension), decimals),
+            // The unit stands in the heading.
+            Self::List { si, dimension } => listed(si, *dimension),
             other => other.table(),
         }
     }

@@ -120,7 +120,7 @@ fn sets(teeth: &Teeth) -> Records {
         .words("spacing", "spacing", |set| spacing(set.equal_spacing).to_owned())
         .for_people()
         .printed("planet_gap_in_modules", "gap", 3, |set| set.planet_gap_in_modules)
-        .list("planet_angles", "", Dimension::Angle, |set| &set.planet_angles_rad)
+        .list("planet_angles", "", Dimension::Angle, |set| set.planet_angles_rad.clone())
         .number("imbalance", "imbalance", |set| set.imbalance)
         .views(views)
         .the_answer()

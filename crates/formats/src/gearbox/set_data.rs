@@ -8,11 +8,12 @@ use super::{
 };
 use crate::Path;
 use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::life::Rolling;
 use epicyclic_train::PlanetSet;
 use epicyclic_train::planet_set::{GearOf, Planet};
 use epicyclic_units::{Physical, Quantity};
 use std::collections::BTreeMap;
-use uom::si::f64::{Length, Mass};
+use uom::si::f64::{Force, Length, Mass};
 
 /// Data of a file for the gears of a set beyond their teeth. Lists of gears are in the order of
 /// [`PlanetSet::gears`].
@@ -57,6 +58,8 @@ pub struct PlanetData {
     pub bore: Option<Length>,
     /// Radius of its centre.
     pub carrier_radius: Option<Length>,
+    /// Basic dynamic load rating of its bearings together, and the kind of their rolling elements.
+    pub bearing: Option<(Force, Rolling)>,
 }
 
 impl SetData<'_> {
@@ -115,6 +118,7 @@ impl GearboxFile {
                         mass: entry.planet_mass.map(|mass| mass.0),
                         bore: entry.planet_bore.map(|bore| bore.0),
                         carrier_radius: entry.carrier_radius.map(|radius| radius.0),
+                        bearing: entry.load_rating.map(|rating| (rating.0, entry.bearing_rolling.into())),
                     };
                     set.planets().len()
                 ],
@@ -144,6 +148,7 @@ impl GearboxFile {
                 mass: size.mass.map(|mass| mass.0),
                 bore: size.bore.map(|bore| bore.0),
                 carrier_radius: size.carrier_radius.map(|radius| radius.0),
+                bearing: size.size().bearing,
             })
         };
         let stated = widths(entry.face_width, entry.face_widths.as_ref(), &gears);

@@ -9,7 +9,7 @@ use epicyclic_train::planet_bearings::{MeshSize, PlanetBearing, PlanetSize, SetS
 use epicyclic_train::planet_set::GearOf;
 use epicyclic_train::{Gearbox, PlanetSet};
 use epicyclic_units::{Number, Physical};
-use uom::si::f64::{Angle, Length, MassDensity};
+use uom::si::f64::{Length, MassDensity};
 
 /// Part of a radius by which a stated one is not that of the teeth.
 const OTHER_RADIUS: f64 = 1e-3;
@@ -127,18 +127,19 @@ impl GearboxFile {
         let toothed = self.rack().ok().filter(|_| set.tooth_shape().has_shape());
         let Some(Ok(toothed)) = toothed.map(|rack| set.toothed(&rack, &modules)) else { return size };
         let has_modules = modules.iter().any(Option::is_some);
+        for planet in 0..size.planets.len() {
+            let own = &size.planets[planet];
+            let is_open = has_modules && own.mass.is_none() && size.planet_mass.is_none();
+            let mass = is_open.then(|| set.mass_of_planet(planet, &toothed, &size)).flatten();
+            size.planets[planet].mass = own.mass.or(mass);
+        }
         size.meshes.resize_with(set.meshes().len(), MeshSize::default);
         for (planet, radius) in size.planets.iter_mut().zip(&toothed.radii).filter(|_| has_modules) {
             let radius = radius.map(Length::from_si).filter(|_| size.carrier_radius.is_none());
             planet.carrier_radius = planet.carrier_radius.or(radius);
         }
-        for (place, (own, mesh)) in size.meshes.iter_mut().zip(&toothed.meshes).enumerate() {
-            // Centre distances, and diameters but for addenda, are as with spur teeth of the transverse
-            // module.
-            let transverse = set.tooth_shape().transverse_module(place, Length::from_si(mesh.module));
-            own.module = has_modules.then_some(transverse);
-            own.pressure_angle = Some(Angle::from_si(mesh.pair.working_angle_rad()));
-            own.centre_distance = Some(mesh.pair.centre_distance() * mesh.module / transverse.si());
+        for (own, mesh) in size.meshes.iter_mut().zip(set.mesh_sizes(&toothed, has_modules)) {
+            *own = MeshSize { is_behind: own.is_behind, ..mesh };
         }
         size
     }

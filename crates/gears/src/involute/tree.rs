@@ -143,9 +143,9 @@ impl MeshTree {
 
     /// The gears that an aim picks among those without faults.
     ///
-    /// Sliding is balanced in the first external mesh. Without an external mesh, and for the least tip
-    /// alteration, the sum of the tip alterations is least among 64 equal steps of the range; of equal ones
-    /// the shifts that are smallest together.
+    /// Sliding is balanced in the first external mesh. Without an external mesh the shifts are smallest
+    /// together among 64 equal steps of the range. For the least tip alteration its sum is, and of equal ones
+    /// that of the shifts.
     ///
     /// # Errors
     /// [`NoShifts`].
@@ -161,7 +161,7 @@ impl MeshTree {
             .position(|mesh| mesh.gears.iter().all(|gear| self.gears[*gear].kind() == GearKind::External));
         let wanted = match balanced.filter(|_| aim == Aim::BalancedSliding) {
             Some(mesh) => self.balanced(mesh, &range),
-            None => self.least_altered(&range, &checked),
+            None => self.least_altered(aim, &range, &checked),
         };
         let (chosen, limited_by) = nearest(wanted, &range, checked, |_| true)?;
         Ok(Chosen { is_aim_met: limited_by.is_none(), ..chosen })
@@ -180,6 +180,7 @@ impl MeshTree {
 
     fn least_altered(
         &self,
+        aim: Aim,
         range: &RangeInclusive<f64>,
         checked: &impl Fn(f64) -> Result<Chosen, NoShifts>,
     ) -> f64 {
@@ -191,7 +192,8 @@ impl MeshTree {
             let shift = range.start() + f64::from(part) * step;
             let gears = checked(shift).ok()?.gears;
             let by = [size(InvoluteGear::tip_alteration, &gears), size(InvoluteGear::shift, &gears)];
-            Some((shift, by))
+            // Rings without external mates have no clearance to keep, and hardly any alteration.
+            Some((shift, if aim == Aim::LeastTipAlteration { by } else { [by[1], by[0]] }))
         };
         let best = (0..=PARTS)
             .filter_map(measured)

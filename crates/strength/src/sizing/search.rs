@@ -322,24 +322,17 @@ impl Search<'_> {
             teeth.push(rated);
         }
         let widths = self.widths(&one.widths);
-        let mut planets = vec![];
-        let mut of_bearings = vec![];
-        for planet in 0..task.planets.len() {
-            match self.planet(one, planet, &widths)? {
-                Chosen::Planet(chosen, governing) => {
-                    planets.push(chosen);
-                    of_bearings.extend(governing);
-                }
-                Chosen::TooWide => {
-                    self.left_out.bearing_width += 1;
-                    return Ok(None);
-                }
-                Chosen::NotCalculable => {
-                    self.left_out.not_calculable += 1;
-                    return Ok(None);
-                }
+        let (planets, of_bearings) = match self.planets(one, &widths)? {
+            Chosen::Planets(planets, governing) => (planets, governing),
+            Chosen::TooWide => {
+                self.left_out.bearing_width += 1;
+                return Ok(None);
             }
-        }
+            Chosen::NotCalculable => {
+                self.left_out.not_calculable += 1;
+                return Ok(None);
+            }
+        };
         let bore = |planet: &DesignedPlanet| planet.bore.map_or(0.0, Physical::si);
         for (mesh, rated) in teeth.iter_mut().enumerate() {
             let bores: Vec<f64> = planets.iter().map(bore).collect();
@@ -370,58 +363,88 @@ impl Search<'_> {
         }))
     }
 
-    /// The planets of a kind with the bearing of the largest bore that lives as long as required and leaves
-    /// the teeth strong enough; if there is none, with that which misses least.
-    fn planet(&mut self, one: &Candidate, planet: usize, widths: &[f64]) -> Result<Chosen, Error> {
+    /// Each kind of planets with the bearing of the largest bore that lives as long as required and leaves the
+    /// teeth strong enough; if there is none, with that which misses least.
+    fn planets(&mut self, one: &Candidate, widths: &[f64]) -> Result<Chosen, Error> {
+        let kinds: Vec<usize> = (0..self.task.planets.len()).collect();
+        if self.task.has_one_bearing {
+            return self.alike(one, &kinds, widths);
+        }
+        let (mut planets, mut all) = (vec![], vec![]);
+        for kind in kinds {
+            match self.alike(one, &[kind], widths)? {
+                Chosen::Planets(own, governing) => {
+                    planets.extend(own);
+                    all.extend(governing);
+                }
+                none => return Ok(none),
+            }
+        }
+        Ok(Chosen::Planets(planets, all))
+    }
+
+    /// Kinds of planets with one bearing for all, or without any.
+    fn alike(&mut self, one: &Candidate, kinds: &[usize], widths: &[f64]) -> Result<Chosen, Error> {
         let (task, layouts) = (self.task, self.layouts);
         let own = &layouts[one.layout];
-        let width: f64 = task.gears_of(planet).map(|gear| widths[task.gears[gear].family]).sum();
-        let made = |bearing: Option<&Bearing>, bore: f64, life| DesignedPlanet {
+        let made = |kind: usize, bearing: Option<&Bearing>, bore: f64, life| DesignedPlanet {
             bearing: bearing.cloned(),
             bore: (bore > 0.0).then(|| Length::from_si(bore)),
             rim: (bore > 0.0).then(|| {
-                let rims = task.gears_of(planet).map(|gear| rim_of(task, own, gear, bore));
+                let rims = task.gears_of(kind).map(|gear| rim_of(task, own, gear, bore));
                 Length::from_si(rims.fold(f64::INFINITY, f64::min))
             }),
             life,
         };
-        let sized = &task.planets[planet];
+        let sized = match kinds {
+            [] => return Ok(Chosen::Planets(vec![], vec![])),
+            [first, ..] => &task.planets[*first],
+        };
         if sized.bearings.is_empty() {
-            return Ok(Chosen::Planet(made(None, sized.bore.map_or(0.0, Physical::si), None), None));
+            let bore = |kind: usize| task.planets[kind].bore.map_or(0.0, Physical::si);
+            let planets = kinds.iter().map(|kind| made(*kind, None, bore(*kind), None)).collect();
+            return Ok(Chosen::Planets(planets, vec![]));
         }
         let bore = |bearing: &Bearing| bearing.outside_diameter.si();
-        let fits =
-            |bearing: &&Bearing| bearing.width.si() <= width && leaves_rim(task, own, planet, bore(bearing));
+        let fits = |bearing: &&Bearing| {
+            kinds.iter().all(|kind| {
+                let width: f64 = task.gears_of(*kind).map(|gear| widths[task.gears[gear].family]).sum();
+                bearing.width.si() <= width && leaves_rim(task, own, *kind, bore(bearing))
+            })
+        };
         let mut bearings: Vec<&Bearing> = sized.bearings.iter().filter(fits).collect();
         // The sort is stable: of equal bores the first of the table stays first.
         bearings.sort_by(|one, other| bore(other).total_cmp(&bore(one)));
-        let mut best: Option<(f64, DesignedPlanet, Option<Governing>)> = None;
-        let mut is_calculable = bearings.is_empty();
-        for bearing in bearings {
+        let mut best: Option<(f64, Vec<DesignedPlanet>, Vec<Governing>)> = None;
+        let is_none = bearings.is_empty();
+        'bearings: for bearing in bearings {
             let bore = bore(bearing);
-            let mass = self.masses[one.layout].planet(planet, bore, widths);
-            let life = bearing_life(own, planet, bearing, mass)?;
-            let of_bearing = life.map(|life| Governing {
-                requirement: Requirement::BearingLife,
-                mesh: None,
-                gear: task.gears_of(planet).next().unwrap_or_default(),
-                value: libm::pow(life.hours() / task.life.hours(), 1.0 / bearing.rolling.exponent()),
-                required: 1.0,
-            });
-            let Some(of_teeth) = self.roots(one, planet, bore)? else { continue };
-            is_calculable = true;
-            let all = of_teeth.into_iter().chain(of_bearing);
-            let ratio = Governing::least(all).map_or(f64::INFINITY, |least| least.ratio());
+            let (mut planets, mut of_bearing, mut ratio) = (vec![], vec![], f64::INFINITY);
+            for kind in kinds {
+                let mass = self.masses[one.layout].planet(*kind, bore, widths);
+                let life = bearing_life(own, *kind, bearing, mass)?;
+                of_bearing.extend(life.map(|life| Governing {
+                    requirement: Requirement::BearingLife,
+                    mesh: None,
+                    gear: task.gears_of(*kind).next().unwrap_or_default(),
+                    value: libm::pow(life.hours() / task.life.hours(), 1.0 / bearing.rolling.exponent()),
+                    required: 1.0,
+                }));
+                planets.push(made(*kind, Some(bearing), bore, life));
+                let Some(of_teeth) = self.roots(one, *kind, bore)? else { continue 'bearings };
+                let all = of_teeth.iter().chain(&of_bearing).map(Governing::ratio);
+                ratio = all.fold(ratio, f64::min);
+            }
             if best.as_ref().is_none_or(|(least, ..)| ratio > *least) {
-                best = Some((ratio, made(Some(bearing), bore, life), of_bearing));
+                best = Some((ratio, planets, of_bearing));
             }
             if ratio >= 1.0 {
                 break;
             }
         }
         Ok(match best {
-            Some((_, planet, governing)) => Chosen::Planet(planet, governing),
-            None if is_calculable => Chosen::TooWide,
+            Some((_, planets, governing)) => Chosen::Planets(planets, governing),
+            None if is_none => Chosen::TooWide,
             None => Chosen::NotCalculable,
         })
     }
@@ -512,10 +535,10 @@ impl Search<'_> {
     }
 }
 
-/// Bearing of a kind of planets in a design, if it has one.
+/// Planets of a design with what their bearings require, if bearings fit.
 enum Chosen {
-    Planet(DesignedPlanet, Option<Governing>),
-    /// No bearing is as narrow as the planet.
+    Planets(Vec<DesignedPlanet>, Vec<Governing>),
+    /// No bearing is as narrow as the planets.
     TooWide,
     /// Rims outside what the standard holds for.
     NotCalculable,

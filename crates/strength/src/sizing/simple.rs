@@ -140,6 +140,7 @@ impl Sizing {
                 .map(|mesh| SizedMesh { gears: [mesh, mesh + 1], method: self.methods[mesh] })
                 .collect(),
             planets: vec![SizedPlanet { bearings: self.space.bearings.clone(), bore: self.planet_bore }],
+            has_one_bearing: false,
             face_widths: vec![face_widths],
             width_ratio: self.space.width_ratio,
             viscosity: self.viscosity,

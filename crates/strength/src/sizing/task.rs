@@ -124,6 +124,8 @@ pub struct Task {
     pub meshes: Vec<SizedMesh>,
     /// The kinds of planets.
     pub planets: Vec<SizedPlanet>,
+    /// Whether all kinds have the same bearing, of those of the first.
+    pub has_one_bearing: bool,
     /// Face widths of each family.
     pub face_widths: Vec<Vec<Length>>,
     /// The greatest face width over the reference diameter of the smallest central gear with external teeth

@@ -181,7 +181,7 @@ impl Tried {
 
     /// Objective to minimize; infinite if a set has no size.
     fn objective(&self) -> f64 {
-        let rings = self.size.sets.iter().filter_map(|set| Some(set.found.first()?.ring_diameter_m));
+        let rings = self.size.sets.iter().filter_map(|set| set.found.first()?.ring_diameter_m);
         let objective = match self.size.minimise {
             Objective::Mass => self.size.mass_kg,
             Objective::Ring => rings.reduce(f64::max),

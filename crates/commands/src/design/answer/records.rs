@@ -211,7 +211,7 @@ impl SizesStep {
             .sets
             .iter()
             .map(|set| {
-                let requirement = set.found.first()?.governing;
+                let requirement = set.found.first()?.governing.clone();
                 Some(GoverningSet { set: set.set.clone(), requirement })
             })
             .collect();

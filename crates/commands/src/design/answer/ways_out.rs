@@ -239,8 +239,8 @@ impl Search<'_> {
             let lifted = RelaxedLimit::lifted(Limit::WidthRatio);
             if let Some((way, design)) = self.with(&[lifted])? {
                 let sets = design.sizes.iter().flat_map(|sizes| &sizes.sets);
-                let needed =
-                    sets.filter_map(|set| Some(set.found.first()?.face_width_over_sun)).fold(0.0, f64::max);
+                let families = sets.filter_map(|set| set.found.first()).flat_map(|design| &design.families);
+                let needed = families.map(|family| family.face_width_over_diameter).fold(0.0, f64::max);
                 let needed = RelaxedLimit { greatest: Some(rounded(needed, f64::ceil)), ..lifted };
                 ways.push(self.with(&[needed])?.map_or(way, |(way, _)| way));
             }

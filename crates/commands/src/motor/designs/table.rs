@@ -69,7 +69,7 @@ pub(crate) fn with_duty<D>(table: Table<D>, of: impl Fn(&D) -> Duty<'_>) -> Tabl
         .headed("least_torque", "least", Torque, |design| of(design).least_torque_n_m)
         .quantity("flow", "", VolumeRate, |design| of(design).flow_m3_s)
         .quantity("power", "", Power, |design| of(design).power_w)
-        .list("modules", "all m", Length, |design| of(design).modules_m)
+        .list("modules", "all m", Length, |design| of(design).modules_m.to_vec())
         .words("all_modules", "all m, mm", |design| {
             of(design).modules_m.iter().map(shown).collect::<Vec<_>>().join(" ")
         })

@@ -1,19 +1,20 @@
 //! Records of sizes: designs, numbers left out, keys kept from the file.
 
+use super::layouts::Families;
+use crate::analyze::answer::records::planet_name;
 use crate::answer::Warning;
 use crate::shared::tool::CuttingTool;
 use crate::size::options::Request;
 use crate::strength::answer::names::MeshName;
 use crate::strength::answer::prepared::SetToSize;
 use crate::strength::answer::records::{NotRated, Reason, Wear};
-use epicyclic_gears::ToothCount;
+use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::InvoluteGear;
-use epicyclic_gears::involute::check::SetMesh;
 use epicyclic_gears::life::Rolling;
-use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_strength::factor::Side;
-use epicyclic_strength::sizing::{self, Design, Found, Requirement};
+use epicyclic_strength::sizing::{self, Design, DesignedPlanet, Found, Requirement};
 use epicyclic_strength::spectrum::{GearDuty, Worn};
+use epicyclic_train::planet_set::GearOf;
 use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -116,9 +117,9 @@ pub struct LeftOut {
     pub geometry: u64,
     /// Designs with face widths above the limit.
     pub width_ratio: u64,
-    /// Designs with bearings that leave too thin a rim.
+    /// Designs with planets to which no bearing leaves a rim.
     pub rim: u64,
-    /// Designs with bearings wider than the planet.
+    /// Designs with planets narrower than any bearing that leaves a rim.
     pub bearing_width: u64,
     /// Designs with teeth outside the range of the standard.
     pub not_calculable: u64,
@@ -133,15 +134,15 @@ pub struct LeftOut {
 }
 
 /// Requirement with the least margin in a design.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Governing {
     /// Name of the requirement.
     pub requirement: Requirement,
     /// Name of the mesh; null for a bearing.
-    pub mesh: Option<SetMesh>,
+    pub mesh: Option<MeshName>,
     /// Gear whose tooth or bearing governs.
-    pub toothed_gear: SimpleGear,
+    pub toothed_gear: String,
     /// Safety; for a bearing the load that it carries for the required life over its load.
     pub value: f64,
     /// Required value.
@@ -149,16 +150,26 @@ pub struct Governing {
 }
 
 impl Governing {
-    fn of(governing: sizing::Governing) -> Self {
-        let mesh = (governing.requirement != Requirement::BearingLife).then(|| SetMesh::BOTH[governing.mesh]);
+    fn of((set, families): Of<'_>, governing: &sizing::Governing) -> Self {
         Self {
             requirement: governing.requirement,
-            mesh,
-            toothed_gear: governing.gear,
+            mesh: governing.mesh.map(|mesh| mesh_name((set, families), mesh)),
+            toothed_gear: gear_name(set, governing.gear),
             value: governing.value,
             required: governing.required,
         }
     }
+}
+
+/// A set with its families.
+type Of<'a> = (&'a SetToSize<'a>, &'a Families);
+
+fn gear_name(set: &SetToSize<'_>, gear: usize) -> String {
+    set.set.gear_name(set.data.of[gear])
+}
+
+fn mesh_name((set, families): Of<'_>, mesh: usize) -> MeshName {
+    MeshName::of(set.set, families.ends[mesh].map(|gear| set.data.of[gear]))
 }
 
 /// Bearing of a planet.
@@ -198,14 +209,13 @@ pub struct SizedGear {
 }
 
 impl SizedGear {
-    fn both(mesh: SetMesh, materials: &[String; 3], rating: &[GearDuty<Worn>; 2]) -> [Self; 2] {
-        let first = usize::from(mesh == SetMesh::PlanetRing);
+    fn both((set, families): Of<'_>, mesh: usize, rating: &[GearDuty<Worn>; 2]) -> [Self; 2] {
         Side::BOTH.map(|side| {
-            let own = &rating[side as usize];
+            let (gear, own) = (families.ends[mesh][side as usize], &rating[side as usize]);
             Self {
-                mesh: mesh.into(),
-                toothed_gear: mesh.gears()[side as usize].to_string(),
-                material: materials[first + side as usize].clone(),
+                mesh: mesh_name((set, families), mesh),
+                toothed_gear: gear_name(set, gear),
+                material: set.materials[gear].clone(),
                 flank: Wear::of(&own.contact),
                 root: Wear::of(&own.root),
             }
@@ -213,39 +223,81 @@ impl SizedGear {
     }
 }
 
-/// Design of a set.
+/// Gears that mesh with one another: they have one module and one face width.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
-pub struct SizedDesign {
+pub struct SizedFamily {
+    /// Names of the gears.
+    pub toothed_gears: Vec<String>,
     /// Module in m.
     pub module_m: f64,
     /// Face width in m.
     pub face_width_m: f64,
-    /// Face width over the sun's reference diameter.
-    pub face_width_over_sun: f64,
-    /// Number of planets.
+    /// Face width over the reference diameter of the smallest sun, or of the smallest gear.
+    pub face_width_over_diameter: f64,
+}
+
+/// Teeth of a gear beyond their number.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct SizedTeeth {
+    /// Name of the gear.
+    pub toothed_gear: String,
+    /// Name by which keys of the file know it.
+    pub key: String,
+    /// Tooth number.
+    pub teeth: u32,
+    /// Profile shift coefficient.
+    pub profile_shift: f64,
+    /// Tip alteration, in modules.
+    pub tip_alteration: f64,
+    /// Rim under its teeth in m: of a ring outside its root circle, of a bored planet inside; null for others.
+    pub rim_m: Option<f64>,
+    /// Whether it is internal.
+    pub is_internal: bool,
+    /// Tool that cuts it.
+    pub tool: CuttingTool,
+}
+
+/// Planets of a kind.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct SizedPlanet {
+    /// Name of the planet.
+    pub planet: String,
+    /// Name by which keys of the file know it; empty in a set with two central gears.
+    pub key: String,
+    /// Radius of its centre, in m.
+    pub radius_m: f64,
+    /// Its bearing; null if none was searched.
+    pub bearing: Option<SizedBearing>,
+    /// Bore in m; null for a solid planet.
+    pub bore_m: Option<f64>,
+    /// Least rim between root circle and bore, in m; null for a solid planet.
+    pub rim_m: Option<f64>,
+}
+
+/// Design of a set.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct SizedDesign {
+    /// Gears that mesh with one another, with module and face width.
+    pub families: Vec<SizedFamily>,
+    /// Number of planets of each kind; 1 for a pair.
     pub planets: u32,
-    /// Centre distance in m.
+    /// Centre distance of the first mesh in m.
     pub centre_distance_m: f64,
-    /// Profile shift coefficients of sun, planets and ring.
-    pub profile_shifts: [f64; 3],
-    /// Tip alterations of sun, planets and ring, in modules.
-    pub tip_alterations: [f64; 3],
+    /// The gears.
+    pub gears: Vec<SizedTeeth>,
     /// Whether the aim of the profile shifts is met; otherwise it is met only as far as the limits allow.
     pub aim_met: bool,
-    /// Tool that cuts the ring.
-    pub ring_tool: CuttingTool,
-    /// Bearing of the planets; null if none was searched.
-    pub bearing: Option<SizedBearing>,
-    /// Rim of the planets between root circle and bore, in m; null for solid planets.
-    pub planet_rim_m: Option<f64>,
-    /// Rim of the ring outside its root circle, in m.
-    pub ring_rim_m: f64,
-    /// Outside diameter of the ring, in m.
-    pub ring_diameter_m: f64,
+    /// Planets of each kind; none for a pair.
+    pub planet_sizes: Vec<SizedPlanet>,
+    /// Outside diameter of the largest ring, in m; null for a set without one.
+    pub ring_diameter_m: Option<f64>,
     /// Mass of all gears of the set, in kg.
     pub mass_kg: f64,
-    /// Damage and safety of each gear of both meshes over the duty.
+    /// Damage and safety of each gear of each mesh that the duty loads.
     pub over_duty: Vec<SizedGear>,
     /// Requirement with the least margin against the overloads of the file; null if none loads the set.
     pub overload: Option<Governing>,
@@ -254,39 +306,78 @@ pub struct SizedDesign {
 }
 
 impl SizedDesign {
-    fn of(materials: &[String; 3], design: &Design) -> Self {
+    fn of((set, families): Of<'_>, design: &Design) -> Self {
+        let layout = &design.layout;
+        let own = |family: usize| (0..families.of.len()).filter(move |gear| families.of[*gear] == family);
+        let family = |family: usize| {
+            let (module, width) = (layout.modules[family].si(), design.face_widths[family].si());
+            let is_sun = |gear: &usize| {
+                matches!(set.data.of[*gear], GearOf::Central(_))
+                    && layout.gears[*gear].kind() == GearKind::External
+            };
+            let diameter = |gear: usize| layout.gears[gear].reference_diameter() * module;
+            let of_sun = own(family).filter(is_sun).map(diameter).reduce(f64::min);
+            let least = of_sun.or_else(|| own(family).map(diameter).reduce(f64::min));
+            SizedFamily {
+                toothed_gears: own(family).map(|gear| gear_name(set, gear)).collect(),
+                module_m: module,
+                face_width_m: width,
+                face_width_over_diameter: width / least.unwrap_or(f64::INFINITY),
+            }
+        };
+        let teeth = |(gear, own): (usize, &InvoluteGear)| SizedTeeth {
+            toothed_gear: gear_name(set, gear),
+            key: set.data.gears.names[gear].clone(),
+            teeth: own.teeth().get(),
+            profile_shift: own.shift(),
+            tip_alteration: own.tip_alteration(),
+            rim_m: match set.data.of[gear] {
+                GearOf::Central(_) => design.ring_rims[gear].map(Physical::si),
+                GearOf::Planet(planet, _) => design.planets[planet].bore.map(|bore| {
+                    let module = layout.modules[families.of[gear]].si();
+                    (own.root_diameter() * module - bore.si()) / 2.0
+                }),
+            },
+            is_internal: own.kind() == GearKind::Internal,
+            tool: CuttingTool::of(own),
+        };
         // A bearing given only by its load rating has lengths of 0 in the search, which are unknown in fact.
         let positive = |length: Length| Some(length.si()).filter(|si| *si > 0.0);
-        let bearing = design.bearing.as_ref().map(|bearing| SizedBearing {
-            designation: Some(bearing.designation.clone()).filter(|name| !name.is_empty()),
-            rollers: bearing.rolling == Rolling::Rollers,
-            bore_m: positive(bearing.bore),
-            outside_diameter_m: positive(bearing.outside_diameter),
-            width_m: positive(bearing.width),
-            load_rating_n: bearing.load_rating.si(),
-            life_s: design.bearing_life.map(Physical::si),
+        let bearing = |planet: &DesignedPlanet| {
+            planet.bearing.as_ref().map(|bearing| SizedBearing {
+                designation: Some(bearing.designation.clone()).filter(|name| !name.is_empty()),
+                rollers: bearing.rolling == Rolling::Rollers,
+                bore_m: positive(bearing.bore),
+                outside_diameter_m: positive(bearing.outside_diameter),
+                width_m: positive(bearing.width),
+                load_rating_n: bearing.load_rating.si(),
+                life_s: planet.life.map(Physical::si),
+            })
+        };
+        let planet = |(place, planet): (usize, &DesignedPlanet)| SizedPlanet {
+            planet: planet_name(set.set, place),
+            key: set.set.planets()[place].name.clone(),
+            radius_m: layout.radii[place].si(),
+            bearing: bearing(planet),
+            bore_m: planet.bore.map(Physical::si),
+            rim_m: planet.rim.map(Physical::si),
+        };
+        let over_duty = design.meshes.iter().enumerate();
+        let over_duty = over_duty.filter_map(|(mesh, rating)| {
+            rating.as_ref().map(|rating| SizedGear::both((set, families), mesh, rating))
         });
-        let gears = design.set.gears();
-        let both = SetMesh::BOTH.into_iter().zip(&design.meshes);
         Self {
-            module_m: design.module.si(),
-            face_width_m: design.face_width.si(),
-            face_width_over_sun: design.face_width.si()
-                / (design.module.si() * gears[0].reference_diameter()),
-            planets: design.set.planets(),
-            centre_distance_m: design.centre_distance.si(),
-            profile_shifts: gears.map(InvoluteGear::shift),
-            tip_alterations: gears.map(InvoluteGear::tip_alteration),
-            aim_met: design.limited_by.is_none(),
-            ring_tool: CuttingTool::of(gears[2]),
-            bearing,
-            planet_rim_m: design.planet_rim.map(Physical::si),
-            ring_rim_m: design.ring_rim.si(),
-            ring_diameter_m: design.ring_diameter.si(),
+            families: (0..families.count).map(family).collect(),
+            planets: layout.planets,
+            centre_distance_m: layout.pairs[0].centre_distance() * layout.modules[families.of_mesh(0)].si(),
+            gears: layout.gears.iter().enumerate().map(teeth).collect(),
+            aim_met: layout.is_aim_met,
+            planet_sizes: design.planets.iter().enumerate().map(planet).collect(),
+            ring_diameter_m: design.ring_diameter.map(Physical::si),
             mass_kg: design.mass.si(),
-            over_duty: both.flat_map(|(mesh, rating)| SizedGear::both(mesh, materials, rating)).collect(),
-            overload: design.overload.map(Governing::of),
-            governing: Governing::of(design.governing),
+            over_duty: over_duty.flatten().collect(),
+            overload: design.overload.as_ref().map(|one| Governing::of((set, families), one)),
+            governing: Governing::of((set, families), &design.governing),
         }
     }
 }
@@ -297,15 +388,13 @@ impl SizedDesign {
 pub struct SizedSet {
     /// Name of the set.
     pub set: String,
-    /// Tooth numbers of sun, planets and ring.
-    pub teeth: [u32; 3],
     /// Keys of the file that were kept.
     pub held: Vec<HeldKey>,
     /// Number of designs in the search space.
     pub designs: u64,
-    /// Number of centre distances, over all modules and numbers of planets, whose gears were calculated.
+    /// Number of layouts (modules, numbers of planets, centre distances) whose gears were calculated.
     pub centre_distances: u64,
-    /// Number of times that teeth were rated.
+    /// Number of meshes that were rated.
     pub rated: u64,
     /// Number of designs that each requirement left out.
     pub left_out: LeftOut,
@@ -319,13 +408,16 @@ pub struct SizedSet {
 }
 
 impl SizedSet {
-    pub(super) fn of(set: &SetToSize<'_>, held: Vec<HeldKey>, found: &Found, most: usize) -> Self {
-        let teeth = set.teeth.map(ToothCount::get);
-        let materials = &set.materials;
+    pub(super) fn of(
+        of: (&SetToSize<'_>, &Families),
+        held: Vec<HeldKey>,
+        found: &Found,
+        most: usize,
+    ) -> Self {
         let out = found.left_out;
+        let design = |design: &Design| SizedDesign::of(of, design);
         Self {
-            set: set.id.to_owned(),
-            teeth,
+            set: of.0.set.id().to_owned(),
             held,
             designs: found.space,
             centre_distances: found.geometries,
@@ -344,8 +436,8 @@ impl SizedSet {
                 bearing_life: out.bearing_life,
             },
             not_reached: found.not_reached,
-            found: found.found.iter().take(most).map(|design| SizedDesign::of(materials, design)).collect(),
-            nearest_miss: found.nearest_miss.as_ref().map(|design| SizedDesign::of(materials, design)),
+            found: found.found.iter().take(most).map(design).collect(),
+            nearest_miss: found.nearest_miss.as_ref().map(design),
         }
     }
 
@@ -358,7 +450,7 @@ impl SizedSet {
         let why = match &self.nearest_miss {
             None => "no gears of the space run together with a bearing that fits".to_owned(),
             Some(miss) => {
-                let Governing { requirement, toothed_gear, value, required, .. } = miss.governing;
+                let Governing { requirement, toothed_gear, value, required, .. } = &miss.governing;
                 match requirement {
                     Requirement::BearingLife => format!(
                         "the bearing of the nearest carries {value:.3} of its load for the required life; bearings with a larger load rating would help, such as rollers"

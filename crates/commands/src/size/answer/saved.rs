@@ -1,9 +1,9 @@
 //! Gearbox file with the sizes found for it.
 
 use super::Size;
-use super::records::{SizedBearing, SizedDesign, SizedSet};
+use super::records::{HeldKey, SizedBearing, SizedDesign, SizedSet, SizedTeeth};
 use crate::error::Error;
-use crate::shared::tool::{CuttingTool, ToolKind};
+use crate::shared::tool::ToolKind;
 use epicyclic_formats::Document;
 use epicyclic_formats::yaml::{Mapping, Value, to_string, to_value};
 use epicyclic_units::format::trimmed;
@@ -25,8 +25,13 @@ pub fn saved(document: &Document, size: &Size) -> Result<String, Error> {
     let mut comment =
         format!("# {}: the best sizes of {} designs.\n", size.gearbox.escape_default(), size.designs);
     for (set, best) in best(&size.sets) {
-        if let Some(name) = best.bearing.as_ref().and_then(|bearing| bearing.designation.as_ref()) {
-            comment += &format!("# Set {}: bearing {}.\n", set.set.escape_default(), name.escape_default());
+        let mut last = None;
+        for planet in &best.planet_sizes {
+            let name = planet.bearing.as_ref().and_then(|bearing| bearing.designation.as_ref());
+            if let Some(name) = name.filter(|name| last.replace(*name) != Some(name)) {
+                comment +=
+                    &format!("# Set {}: bearing {}.\n", set.set.escape_default(), name.escape_default());
+            }
         }
     }
     Ok(comment + &written(document, &size.sets)?)
@@ -41,10 +46,12 @@ fn best(sets: &[SizedSet]) -> impl Iterator<Item = (&SizedSet, &SizedDesign)> {
 pub(super) fn written(document: &Document, sets: &[SizedSet]) -> Result<String, Error> {
     let mut file = document.value().clone();
     for (set, best) in best(sets) {
-        let entries = file.get_mut("sets").and_then(Value::as_sequence_mut).into_iter().flatten();
-        let own = |entry: &&mut Value| entry.get("id").and_then(Value::as_str) == Some(set.set.as_str());
-        if let Some(entry) = entries.into_iter().find(own).and_then(Value::as_mapping_mut) {
-            write(entry, set.teeth[1], best)?;
+        for list in ["sets", "compound_sets"] {
+            let entries = file.get_mut(list).and_then(Value::as_sequence_mut).into_iter().flatten();
+            let own = |entry: &&mut Value| entry.get("id").and_then(Value::as_str) == Some(set.set.as_str());
+            if let Some(entry) = entries.into_iter().find(own).and_then(Value::as_mapping_mut) {
+                write(entry, list == "sets", set, best)?;
+            }
         }
     }
     to_string(&file).map_err(|error| Error::Json(error.to_string()))
@@ -54,52 +61,127 @@ fn millimetres(metres: f64) -> Value {
     Value::from(format!("{} mm", trimmed(metres * MM, DIGITS)))
 }
 
-fn write(entry: &mut Mapping, planet_teeth: u32, design: &SizedDesign) -> Result<(), Error> {
-    let list = |values: [f64; 3]| to_value(values).map_err(|error| Error::Json(error.to_string()));
+/// Values of gears: a list of a set with two central gears, by name of others.
+fn of_gears(design: &SizedDesign, is_short: bool, of: impl Fn(&SizedTeeth) -> Value) -> Value {
+    if is_short {
+        return Value::from(design.gears.iter().map(of).collect::<Vec<_>>());
+    }
+    let named = design.gears.iter().map(|gear| (Value::from(gear.key.as_str()), of(gear)));
+    Value::Mapping(named.collect())
+}
+
+fn write(entry: &mut Mapping, is_short: bool, set: &SizedSet, design: &SizedDesign) -> Result<(), Error> {
+    let number = |value: f64| to_value(value).map_err(|error| Error::Json(error.to_string()));
+    for gear in &design.gears {
+        number(gear.profile_shift)?;
+        number(gear.tip_alteration)?;
+    }
+    let plain = |value: f64| number(value).unwrap_or_default();
+    let family = |key: &str| {
+        let gear = design.gears.iter().find(|gear| gear.key == key)?;
+        design.families.iter().find(|family| family.toothed_gears.contains(&gear.toothed_gear))
+    };
     let mut keys = vec![
-        ("planet_teeth", Value::from(vec![Value::from(planet_teeth)])),
-        ("planets", Value::from(design.planets)),
-        ("profile_shifts", list(design.profile_shifts)?),
-        ("tip_alterations", list(design.tip_alterations)?),
-        ("module", millimetres(design.module_m)),
-        ("face_width", millimetres(design.face_width_m)),
+        ("profile_shifts", of_gears(design, is_short, |gear| plain(gear.profile_shift))),
+        ("tip_alterations", of_gears(design, is_short, |gear| plain(gear.tip_alteration))),
     ];
-    if let Some(SizedBearing { rollers, outside_diameter_m, load_rating_n, .. }) = &design.bearing {
-        keys.extend(outside_diameter_m.map(|bore| ("planet_bore", millimetres(bore))));
-        keys.push(("load_rating", Value::from(format!("{} N", trimmed(*load_rating_n, DIGITS)))));
-        keys.push(("bearing_rolling", Value::from(if *rollers { "rollers" } else { "balls" })));
+    if let ([_, planet, _], [_], true) = (&design.gears[..], &design.planet_sizes[..], is_short) {
+        keys.push(("planet_teeth", Value::from(vec![Value::from(planet.teeth)])));
+    }
+    if !design.planet_sizes.is_empty() {
+        keys.push(("planets", Value::from(design.planets)));
+    }
+    match &design.families[..] {
+        [only] => keys.push(("module", millimetres(only.module_m))),
+        several if is_short => {
+            entry.remove("module");
+            let modules = several.iter().map(|family| millimetres(family.module_m));
+            keys.push(("modules", Value::from(modules.collect::<Vec<_>>())));
+        }
+        _ => {
+            entry.remove("module");
+            let meshes = entry.get_mut("meshes").and_then(Value::as_sequence_mut).into_iter().flatten();
+            for mesh in meshes {
+                let gear = mesh.get("gears").and_then(|gears| gears.get(0)).and_then(Value::as_str);
+                let module = gear.and_then(family).map(|family| millimetres(family.module_m));
+                if let Some((mesh, module)) = mesh.as_mapping_mut().zip(module) {
+                    mesh.insert(Value::from("module"), module);
+                }
+            }
+        }
+    }
+    // Widths that the file states may differ between gears in mesh.
+    if !set.held.contains(&HeldKey::FaceWidth) {
+        keys.push(match &design.families[..] {
+            [only] => ("face_width", millimetres(only.face_width_m)),
+            _ => {
+                let width = |gear: &SizedTeeth| family(&gear.key).map_or(0.0, |family| family.face_width_m);
+                ("face_widths", of_gears(design, is_short, |gear| millimetres(width(gear))))
+            }
+        });
     }
     for (key, value) in keys {
         entry.insert(Value::from(key), value);
     }
-    if let Some(strength) = entry.get_mut("strength").and_then(Value::as_mapping_mut) {
-        if let Some(rim) = design.planet_rim_m {
-            strength.insert(Value::from("planet_rim"), millimetres(rim));
+    for planet in &design.planet_sizes {
+        let Some(SizedBearing { rollers, outside_diameter_m, load_rating_n, .. }) = &planet.bearing else {
+            continue;
+        };
+        let mut keys: Vec<(&str, Value)> = vec![
+            ("load_rating", Value::from(format!("{} N", trimmed(*load_rating_n, DIGITS)))),
+            ("bearing_rolling", Value::from(if *rollers { "rollers" } else { "balls" })),
+        ];
+        let bore = if is_short { "planet_bore" } else { "bore" };
+        keys.extend(outside_diameter_m.map(|outside| (bore, millimetres(outside))));
+        let of = if is_short { &mut *entry } else { inner(inner(entry, "planet_sizes"), &planet.key) };
+        for (key, value) in keys {
+            of.insert(Value::from(key), value);
         }
-        strength.insert(Value::from("ring_rim"), millimetres(design.ring_rim_m));
     }
-    write_tool(entry, &design.ring_tool);
+    if let Some(strength) = entry.get_mut("strength").and_then(Value::as_mapping_mut) {
+        let is_simple = is_short && design.gears.len() == 3 && design.planet_sizes.len() == 1;
+        for (gear, rim) in design.gears.iter().filter_map(|gear| Some((gear, gear.rim_m?))) {
+            let of = if is_simple { &mut *strength } else { inner(strength, "rims") };
+            let key = if is_simple { format!("{}_rim", gear.key) } else { gear.key.clone() };
+            of.insert(Value::from(key), millimetres(rim));
+        }
+    }
+    for gear in &design.gears {
+        write_tool(entry, gear);
+    }
     Ok(())
 }
 
-/// Writes the ring's tool as the search used it, so that the teeth remain those of the design.
-fn write_tool(entry: &mut Mapping, tool: &CuttingTool) {
-    let has_tools = entry.get("tools").and_then(|tools| tools.get("ring")).is_some();
+/// Mapping below a key, made if there is none.
+fn inner<'m>(map: &'m mut Mapping, key: &str) -> &'m mut Mapping {
+    let value = map.entry(Value::from(key)).or_insert_with(|| Value::Mapping(Mapping::new()));
+    if !value.is_mapping() {
+        *value = Value::Mapping(Mapping::new());
+    }
+    match value {
+        Value::Mapping(map) => map,
+        _ => unreachable!("a mapping was put here"),
+    }
+}
+
+/// Writes the tool of a gear as the search used it, so that the teeth remain those of the design.
+fn write_tool(entry: &mut Mapping, gear: &SizedTeeth) {
+    let tool = &gear.tool;
+    let has_tools = entry.get("tools").and_then(|tools| tools.get(gear.key.as_str())).is_some();
     let of_strength = entry.get_mut("strength").and_then(|strength| strength.get_mut("shaper"));
-    if let Some(shaper) = of_strength.and_then(Value::as_mapping_mut).filter(|_| !has_tools) {
+    let of_strength = of_strength.and_then(Value::as_mapping_mut).filter(|_| gear.is_internal && !has_tools);
+    if let Some(shaper) = of_strength {
         if let Some(addendum) = tool.shaper_addendum_in_modules {
             shaper.insert(Value::from("addendum"), Value::from(addendum));
         }
         return;
     }
-    let inner = |map: &Mapping, key| map.get(key).and_then(Value::as_mapping).cloned().unwrap_or_default();
-    let mut tools = inner(entry, "tools");
-    let mut ring = inner(&tools, "ring");
+    let mut set = |key: &str, value: Value| {
+        inner(inner(entry, "tools"), &gear.key).insert(Value::from(key), value);
+    };
     match tool.kind {
         ToolKind::Rack => {}
-        ToolKind::Form => {
-            ring.insert(Value::from("form_fillet"), Value::from(tool.corner_radius_in_modules));
-        }
+        ToolKind::Form => set("form_fillet", Value::from(tool.corner_radius_in_modules)),
         ToolKind::Shaper => {
             let mut shaper = Mapping::new();
             let numbers = [
@@ -111,9 +193,7 @@ fn write_tool(entry: &mut Mapping, tool: &CuttingTool) {
             for (key, value) in numbers {
                 shaper.extend(value.map(|value| (Value::from(key), Value::from(value))));
             }
-            ring.insert(Value::from("shaper"), Value::Mapping(shaper));
+            set("shaper", Value::Mapping(shaper));
         }
     }
-    tools.insert(Value::from("ring"), Value::Mapping(ring));
-    entry.insert(Value::from("tools"), Value::Mapping(tools));
 }

@@ -6,6 +6,7 @@ use crate::analyze::answer::Worked;
 use crate::answer::Warning;
 use crate::tolerance::{ROUNDED, rounded};
 use epicyclic_strength::mesh::Load;
+use epicyclic_train::PlanetSet;
 use epicyclic_train::mesh_loads::MeshLoad;
 use epicyclic_train::planet_set::GearOf;
 use epicyclic_units::Physical;
@@ -36,11 +37,11 @@ pub(crate) fn felt(
 }
 
 /// Load of a set without losses.
-pub(super) struct SetLoad {
+pub(crate) struct SetLoad {
     /// Torques on the central gears, N·m; each is 0 if only a rounding error is left.
     torques: Vec<f64>,
     /// Speed of the first central gear relative to the carrier.
-    pub(super) speed: AngularVelocity,
+    pub(crate) speed: AngularVelocity,
 }
 
 impl SetLoad {
@@ -50,13 +51,22 @@ impl SetLoad {
         worked: &Worked<'_>,
         speed: Option<AngularVelocity>,
     ) -> Result<Self, Reason> {
-        let torques = torques(set.place, worked).ok_or(Reason::NoTorquesFollow)?;
+        Self::at(set.place, worked, speed)
+    }
+
+    /// The same of a set by its index.
+    pub(crate) fn at(
+        place: usize,
+        worked: &Worked<'_>,
+        speed: Option<AngularVelocity>,
+    ) -> Result<Self, Reason> {
+        let torques = torques(place, worked).ok_or(Reason::NoTorquesFollow)?;
         let torques: Vec<f64> = torques.map(Physical::si).collect();
         if torques.iter().all(|torque| *torque == 0.0) {
             return Err(Reason::NoTorque);
         }
         let Some(speed) = speed else { return Ok(Self { torques, speed: AngularVelocity::from_si(0.0) }) };
-        let relative = worked.analysis.sets()[set.place].relative.ok_or(Reason::NoTorquesFollow)?;
+        let relative = worked.analysis.sets()[place].relative.ok_or(Reason::NoTorquesFollow)?;
         let turning = rounded(relative);
         if turning == 0.0 {
             return Err(Reason::NoRolling);
@@ -71,10 +81,15 @@ impl SetLoad {
 
     /// Torques of the meshes of the set, in its order; 0 where only a rounding error is left.
     pub(super) fn of_meshes(&self, set: &RatedSet<'_>) -> Vec<MeshLoad> {
+        self.of_meshes_of(set.set)
+    }
+
+    /// The same of a set with this number of planets.
+    pub(crate) fn of_meshes_of(&self, set: &PlanetSet) -> Vec<MeshLoad> {
         let largest = self.torques.iter().fold(0.0, |largest: f64, torque| largest.max(torque.abs()));
         // A mesh without load has what rounding leaves of torques that cancel.
         let clean = |torque: f64| if torque.abs() <= ROUNDED * largest { 0.0 } else { torque };
-        let loads = set.set.mesh_loads(&self.torques).unwrap_or_default().into_iter();
+        let loads = set.mesh_loads(&self.torques).unwrap_or_default().into_iter();
         loads.map(|load| MeshLoad { torques: load.torques.map(clean), ..load }).collect()
     }
 

@@ -10,8 +10,8 @@ use serde::Serialize;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Reason {
-    /// The set is not simple: it lacks a sun, planet or ring.
-    NotSimple,
+    /// A planet of the set meshes with no central gear, so that its place is not known before its size.
+    PlanetAlone,
     /// The gears are bevel gears.
     Bevel,
     /// Keys are missing in the entry of the file.
@@ -161,7 +161,7 @@ impl NotRated {
         let against = if self.against == Some(Against::Overload) { "against the overload: " } else { "" };
         let missing = self.missing.join(", ");
         let why = match (self.reason, &self.because) {
-            (Reason::NotSimple, _) => "no simple set".to_owned(),
+            (Reason::PlanetAlone, _) => "a planet meshes with no central gear".to_owned(),
             (Reason::Bevel, _) => "its gears are bevel gears, which ISO 6336 does not rate".to_owned(),
             (Reason::KeysMissing | Reason::FactorMissing, None) => format!("{missing} missing"),
             (Reason::KeysMissing | Reason::FactorMissing, Some(because)) => {

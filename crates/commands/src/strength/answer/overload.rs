@@ -21,8 +21,8 @@ use uom::si::f64::Time;
 /// Overload from the file, with the required safeties and its gear at that load.
 pub(crate) struct Peak<'g> {
     entry: &'g OverloadEntry,
-    required: Required,
-    pub(super) worked: Worked<'g>,
+    pub(crate) required: Required,
+    pub(crate) worked: Worked<'g>,
 }
 
 impl Peak<'_> {

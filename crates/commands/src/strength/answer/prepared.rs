@@ -1,4 +1,4 @@
-//! Simple sets of a file with all data that their strength needs but their size.
+//! Sets of a file with all data that their strength needs but their size.
 
 use super::materials::check_materials;
 use super::rated_set::{Of, check_factors};
@@ -6,45 +6,33 @@ use super::records::{NotRated, Reason};
 use crate::error::Error;
 use crate::shared::gearbox::Gearbox;
 use crate::shared::toothed::lacking;
-use epicyclic_formats::Path;
-use epicyclic_formats::gearbox::{GearboxFile, SetEntry};
+use epicyclic_formats::gearbox::{GearboxFile, SetData};
 use epicyclic_gears::ToothCount;
-use epicyclic_gears::involute::profile::Profiles;
-use epicyclic_gears::mesh::coaxial_planet;
+use epicyclic_gears::geometry::GearKind;
 use epicyclic_strength::factor::{Side, Symbol};
 use epicyclic_strength::mesh::{Gear, Method};
+use epicyclic_train::PlanetSet;
 use epicyclic_train::planet_set::GearOf;
-use epicyclic_train::set::{Gearing, SetKind, SetSpec, Shifts};
-use uom::si::f64::{Angle, KinematicViscosity};
+use uom::si::f64::KinematicViscosity;
 
-/// Simple set with all data that its strength needs except its size.
+/// Set with all data that its strength needs except its size.
 pub(crate) struct SetToSize<'g> {
     /// Index of the set in the gearbox.
     pub(crate) place: usize,
-    /// Name of the set.
-    pub(crate) id: &'g str,
-    /// Path of the set in the file.
-    pub(crate) path: Path,
-    /// Entry of the set in the file.
-    pub(crate) entry: &'g SetEntry,
-    /// Materials of sun, planets and ring by name.
-    pub(crate) materials: [String; 3],
-    /// Tooth numbers of sun, planets and ring.
-    pub(crate) teeth: [ToothCount; 3],
-    /// Number of planets that the file gives.
-    pub(crate) planets: Option<u32>,
-    /// Least angle between neighbouring planets; `None` unless the file gives their spacing.
-    pub(crate) least_planet_angle: Option<Angle>,
-    /// Profile shifts that the file gives.
-    pub(crate) shifts: Option<Shifts>,
-    pub(crate) profiles: Profiles,
-    pub(crate) gears: [Gear; 3],
-    pub(crate) methods: [Method; 2],
+    /// The set.
+    pub(crate) set: &'g PlanetSet,
+    /// Data of the file for it.
+    pub(crate) data: SetData<'g>,
+    /// Tooth numbers of its gears, in the order of the data.
+    pub(crate) teeth: Vec<ToothCount>,
+    /// Materials of its gears by name.
+    pub(crate) materials: Vec<String>,
+    /// Its gears beyond their geometry.
+    pub(crate) gears: Vec<Gear>,
+    /// Methods of its meshes.
+    pub(crate) methods: Vec<Method>,
     pub(crate) viscosity: KinematicViscosity,
 }
-
-/// Sun, planets and ring.
-const GEARS: [GearOf; 3] = [GearOf::Central(0), GearOf::Planet(0, 0), GearOf::Central(1)];
 
 /// Sets that can be sized, and reasons why others cannot.
 pub(crate) fn sets_to_size<'g>(
@@ -55,17 +43,25 @@ pub(crate) fn sets_to_size<'g>(
     check_factors(subject, file)?;
     let (mut all, mut not_rated) = (vec![], vec![]);
     for (place, set) in subject.train.sets().iter().enumerate() {
-        let entry = file.sets.iter().find(|entry| entry.id == set.id());
-        let spec = set.short().filter(|spec| spec.kind == SetKind::Simple);
-        let (Some(entry), Some(spec), Some(data)) = (entry, spec, file.set_data(set)) else {
-            not_rated.push(NotRated::new(set.id(), Reason::NotSimple));
-            continue;
+        let Some(data) = file.set_data(set) else { continue };
+        let with_central = |planet: usize| {
+            set.meshes().iter().any(|mesh| {
+                let is_own = |gear: &GearOf| matches!(gear, GearOf::Planet(of, _) if *of == planet);
+                mesh.gears.iter().any(is_own)
+                    && mesh.gears.iter().any(|gear| matches!(gear, GearOf::Central(_)))
+            })
         };
-        let of = Of { subject, file, set, data };
-        match of.to_size(place, entry, spec)? {
-            Ok(one) => all.push(one),
-            Err(missing) => {
-                not_rated.push(NotRated { missing, ..NotRated::new(set.id(), Reason::KeysMissing) });
+        if data.of.iter().any(|gear| set.gear_kind(*gear).is_none()) {
+            not_rated.push(NotRated::new(set.id(), Reason::Bevel));
+        } else if !(0..set.planets().len()).all(with_central) {
+            not_rated.push(NotRated::new(set.id(), Reason::PlanetAlone));
+        } else {
+            let of = Of { subject, file, set, data };
+            match of.to_size(place)? {
+                Ok(one) => all.push(one),
+                Err(missing) => {
+                    not_rated.push(NotRated { missing, ..NotRated::new(set.id(), Reason::KeysMissing) });
+                }
             }
         }
     }
@@ -74,18 +70,12 @@ pub(crate) fn sets_to_size<'g>(
 
 impl<'a> Of<'a> {
     /// Data of the set without its size, or the keys that are missing.
-    fn to_size(
-        &self,
-        place: usize,
-        entry: &'a SetEntry,
-        spec: &'a SetSpec,
-    ) -> Result<Result<SetToSize<'a>, Vec<String>>, Error> {
-        let strength = self.data.strength;
+    fn to_size(self, place: usize) -> Result<Result<SetToSize<'a>, Vec<String>>, Error> {
+        let (set, strength) = (self.set, self.data.strength);
         let shaper = self.shaper();
         let viscosity = self.file.oil.as_ref().map(|oil| oil.viscosity.0);
-        let planet = spec.planet.or_else(|| coaxial(spec));
-        let methods = strength.map(|strength| {
-            [0, 1].map(|first: usize| self.method(strength, [GEARS[first], GEARS[first + 1]]))
+        let methods: Option<Vec<Method>> = strength.map(|strength| {
+            (0..set.meshes().len()).map(|mesh| self.method(strength, set.gears_of_mesh(mesh))).collect()
         });
         // Allowed tooth deviations hold for one size, so they cannot replace given factors here.
         let is_given = |symbol| {
@@ -98,60 +88,48 @@ impl<'a> Of<'a> {
             ("strength.factors.K_F_alpha", Symbol::TransverseRoot),
         ]
         .map(|(key, symbol)| (key, is_given(symbol)));
-        if let (
-            Gearing::Teeth(sun, ring),
-            Some(planet),
-            Some(strength),
-            Some(shaper),
-            Some(viscosity),
-            Some(methods),
-            true,
-        ) = (
-            spec.gearing,
-            planet,
-            strength,
-            shaper,
-            viscosity,
-            methods,
-            factors.iter().all(|(_, is_given)| *is_given),
-        ) {
-            let per_gear = self.per_gear(strength);
-            let lacks = self.lacks(&per_gear);
-            if !lacks.is_empty() {
-                return Ok(Err(lacks));
-            }
-            let gear = |place: usize| self.gear(GEARS[place], strength, &per_gear, Some(shaper));
-            return Ok(Ok(SetToSize {
-                place,
-                id: self.set.id(),
-                path: self.data.path.clone(),
-                entry,
-                teeth: [sun, planet, ring],
-                planets: spec.planet_count,
-                least_planet_angle: self.set.least_planet_angle(),
-                shifts: spec.tooth_shape.shifts.clone(),
-                profiles: spec.profiles(&self.subject.rack),
-                materials: [0, 1, 2].map(|gear| per_gear.material(gear).to_owned()),
-                gears: [gear(0)?, gear(1)?, gear(2)?],
-                methods,
-                viscosity,
-            }));
-        }
+        let whole = |gear: &GearOf| {
+            let teeth = set.teeth_or_coaxial(*gear).filter(|teeth| teeth.fract() == 0.0 && *teeth >= 1.0)?;
+            ToothCount::new(teeth as u32).ok()
+        };
+        let teeth: Vec<Option<ToothCount>> = self.data.of.iter().map(whole).collect();
+        let is_planet = |gear: &GearOf| matches!(gear, GearOf::Planet(..));
+        let has_teeth = |planets: bool| {
+            let own = self.data.of.iter().zip(&teeth).filter(|(gear, _)| is_planet(gear) == planets);
+            own.into_iter().all(|(_, teeth)| teeth.is_some())
+        };
+        let has_ring = self.data.of.iter().any(|gear| set.gear_kind(*gear) == Some(GearKind::Internal));
+        let of_planets = if set.short().is_some() { "planet_teeth" } else { "planet_gears" };
         let known = [
-            ("teeth", matches!(spec.gearing, Gearing::Teeth(..))),
-            ("planet_teeth", planet.is_some()),
+            ("teeth", has_teeth(false)),
+            (of_planets, has_teeth(true)),
             ("strength", strength.is_some()),
-            ("strength.shaper", strength.is_none() || shaper.is_some()),
+            ("strength.shaper", strength.is_none() || !has_ring || shaper.is_some()),
             ("oil", viscosity.is_some()),
         ];
-        Ok(Err(lacking(&[&known[..], &factors].concat())))
+        let missing = lacking(&[&known[..], &factors].concat());
+        let (Some(strength), Some(methods), Some(viscosity), true) =
+            (strength, methods, viscosity, missing.is_empty())
+        else {
+            return Ok(Err(missing));
+        };
+        let per_gear = self.per_gear(strength);
+        let lacks = self.lacks(&per_gear);
+        if !lacks.is_empty() {
+            return Ok(Err(lacks));
+        }
+        let gear = |gear: &GearOf| self.gear(*gear, strength, &per_gear, shaper);
+        let gears = self.data.of.iter().map(gear).collect::<Result<_, _>>()?;
+        let materials = (0..self.data.of.len()).map(|gear| per_gear.material(gear).to_owned()).collect();
+        Ok(Ok(SetToSize {
+            place,
+            set,
+            data: self.data,
+            teeth: teeth.into_iter().flatten().collect(),
+            materials,
+            gears,
+            methods,
+            viscosity,
+        }))
     }
-}
-
-/// Planet that satisfies equal centre distances without profile shift; `None` if it has no whole tooth
-/// number.
-fn coaxial(spec: &SetSpec) -> Option<ToothCount> {
-    let Gearing::Teeth(sun, ring) = spec.gearing else { return None };
-    let planet = coaxial_planet(sun, ring);
-    (planet >= 1.0 && planet.fract() == 0.0).then(|| ToothCount::new(planet as u32).ok())?
 }

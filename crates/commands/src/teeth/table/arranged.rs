@@ -66,7 +66,7 @@ fn sets(answer: &ArrangedSets) -> Records {
             set.gears.iter().map(shift).collect::<Vec<_>>().join(" ")
         })
         .words("equal_spacing", "equal", |set| set.equal_spacing)
-        .list("planet_angles", "", Dimension::Angle, |set| &set.planet_angles_rad)
+        .list("planet_angles", "", Dimension::Angle, |set| set.planet_angles_rad.clone())
         .number("imbalance", "imbalance", |set| set.imbalance)
         .view_of("Tooth numbers", &main)
         .note(note(is_pair));

@@ -63,7 +63,7 @@ fn sets(teeth: &DoublePlanetTeeth) -> Records {
         })
         .for_people()
         .words("equal_spacing", "equal", |set| set.equal_spacing)
-        .list("pair_angles", "", Dimension::Angle, |set| &set.pair_angles_rad)
+        .list("pair_angles", "", Dimension::Angle, |set| set.pair_angles_rad.clone())
         .number("imbalance", "imbalance", |set| set.imbalance)
         .views(views)
         .the_answer()

@@ -68,7 +68,7 @@ fn sets(teeth: &ShiftedTeeth) -> Records {
         .printed("planet_gap_in_modules", "gap", 3, |set| set.planet_gap_in_modules)
         .words("aim_met", "aim met", |set| set.aim_met)
         .words("equal_spacing", "equal", |set| set.equal_spacing)
-        .list("planet_angles", "", Dimension::Angle, |set| &set.planet_angles_rad)
+        .list("planet_angles", "", Dimension::Angle, |set| set.planet_angles_rad.clone())
         .number("imbalance", "imbalance", |set| set.imbalance)
         .view(
             "Tooth numbers",

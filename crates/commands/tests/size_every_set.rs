@@ -1,0 +1,275 @@
+//! Sizes of sets of every kind: files written with them, other descriptions of the same set, and the trial of
+//! every design.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+
+use epicyclic_commands::shared::gearbox::Gearbox;
+use epicyclic_commands::size::answer::records::SizedDesign;
+use epicyclic_commands::size::{self, Request, Size};
+use epicyclic_commands::strength;
+use epicyclic_commands::words::request;
+use epicyclic_formats::Document;
+use epicyclic_gears::ToothCount;
+use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::involute::profile::Cutting;
+use epicyclic_gears::involute::tool::{Shaper, Tool};
+use epicyclic_gears::involute::{InvoluteGear, Pair, Profile};
+use epicyclic_strength::material;
+use epicyclic_strength::sizing::bearing::{Bearing, listed};
+use std::ops::ControlFlow;
+use uom::si::length::millimeter;
+use uom::si::mass_density::kilogram_per_cubic_meter;
+
+const OIL: &str = "oil: { viscosity: 220 mm²/s }\nlife: 3000 h\nrequired: { flank: 1, root: 1.3 }\n";
+
+/// Strength of gears by name; rings of another steel.
+fn steels(gears: &[&str], rings: &[&str]) -> String {
+    let each = |value: &dyn Fn(&str) -> &'static str| {
+        let all: Vec<String> = gears.iter().map(|gear| format!("{gear}: {}", value(gear))).collect();
+        format!("{{ {} }}", all.join(", "))
+    };
+    let steel = |gear: &str| if rings.contains(&gear) { "34CrNiMo6" } else { "18CrNiMo7-6" };
+    let shaper = if rings.is_empty() { "" } else { "shaper: { teeth: 22 }, " };
+    format!(
+        "strength: {{ materials: {}, flank_roughness: {}, root_roughness: {}, {shaper}factors: {{ K_A: 1.25, K_v: 1.05, K_H_beta: 1.2, K_H_alpha: 1, K_F_alpha: 1, Y_delta_rel_T_stat: 1 }} }}",
+        each(&steel),
+        each(&|_| "4 µm"),
+        each(&|_| "16 µm"),
+    )
+}
+
+fn wolfrom(more: &str) -> String {
+    format!(
+        "gearbox: wolfrom\ninput: s\noutput: out\ncompound_sets:\n  - id: W\n    carrier: arm\n    suns: {{ s: 18 }}\n    \
+         rings: {{ ground: 66, out: 63 }}\n    planet_gears: {{ p: [24, 21] }}\n    planets: 3\n    \
+         meshes: [{{ gears: [s, p.1] }}, {{ gears: [p.1, ground] }}, {{ gears: [p.2, out] }}]\n    {}\n{more}\
+         gears: [{{ name: '1' }}]\nduty: [{{ gear: '1', share: 1, torque: 10 N·m, speed: 1500 rpm }}]\n{OIL}",
+        steels(&["s", "ground", "out", "p.1", "p.2"], &["ground", "out"])
+    )
+}
+
+fn ravigneaux() -> String {
+    format!(
+        "gearbox: six\ninput: turbine\noutput: ring\ncompound_sets:\n  - id: W\n    carrier: carrier\n    \
+         suns: {{ small_sun: 31, large_sun: 38 }}\n    rings: {{ ring: 85 }}\n    planet_gears: {{ short: [20], long: [23] }}\n    \
+         planets: 3\n    meshes: [{{ gears: [small_sun, short] }}, {{ gears: [short, long] }}, {{ gears: [large_sun, long] }}, \
+         {{ gears: [long, ring] }}]\n    {}\nclutches: [{{ id: A, links: [turbine, small_sun] }}, {{ id: B, links: [turbine, carrier] }}]\n\
+         brakes: [{{ id: C, link: large_sun }}, {{ id: D, link: carrier }}]\n\
+         gears: [{{ name: '1', engaged: [A, D] }}, {{ name: '2', engaged: [A, C] }}, {{ name: '4', engaged: [B, C] }}]\n\
+         duty: [{{ gear: '1', share: 0.2, torque: 200 N·m, speed: 1500 rpm }}, {{ gear: '2', share: 0.3, torque: 150 N·m, speed: 1500 rpm }}, \
+         {{ gear: '4', share: 0.5, torque: 100 N·m, speed: 1500 rpm }}]\n{OIL}",
+        steels(&["small_sun", "large_sun", "ring", "short", "long"], &["ring"])
+    )
+}
+
+/// A set with two central gears; the gears in the order of their names.
+fn short(keys: &str, gears: &[&str], rings: &[&str], torque: f64) -> String {
+    let carrier = if keys.contains("pair") { "" } else { "carrier: h, " };
+    let output = if carrier.is_empty() { "b" } else { "h" };
+    let ring = if carrier.is_empty() { "b" } else { "ground" };
+    format!(
+        "gearbox: one\ninput: a\noutput: {output}\nsets:\n  - {{ id: W, sun: a, ring: {ring}, {carrier}{keys}, {} }}\n\
+         gears: [{{ name: '1' }}]\nduty: [{{ gear: '1', share: 1, torque: {torque} N·m, speed: 1500 rpm }}]\n{OIL}",
+        steels(gears, rings)
+    )
+}
+
+fn every_kind() -> Vec<String> {
+    let double = ["sun", "planet 1", "planet 2", "ring"];
+    vec![
+        wolfrom(""),
+        ravigneaux(),
+        short("kind: external_pair, teeth: [24, 95], helix_angle: 10 deg", &["gear 1", "gear 2"], &[], 100.0),
+        short("kind: internal_pair, teeth: [20, 71]", &["gear 1", "gear 2"], &["gear 2"], 60.0),
+        short(
+            "kind: double_planet, teeth: [30, 72], planet_teeth: [18, 20], planets: 3",
+            &double,
+            &["ring"],
+            60.0,
+        ),
+        short(
+            "kind: stepped_sun_ring, teeth: [18, 117], planet_teeth: [66, 33], planets: 3",
+            &double,
+            &["ring"],
+            40.0,
+        ),
+        short("teeth: [24, 84]", &["sun", "planet", "ring"], &["ring"], 90.0),
+    ]
+}
+
+fn small() -> Request {
+    let words = "--modules=2mm, 3mm, 4mm|--face-widths=15mm, 20mm, 30mm, 40mm|--planet-rim=2|--bearing-type=any|\
+                 --centre-distance-step=1mm";
+    request(words.split('|')).unwrap()
+}
+
+fn sized(text: &str, request: &Request) -> Size {
+    let gearbox =
+        Gearbox::parse("box.yaml", text.as_bytes()).unwrap_or_else(|error| panic!("{error}: {text}"));
+    request.answer(&gearbox, &|| ControlFlow::Continue(())).unwrap_or_else(|error| panic!("{error}: {text}"))
+}
+
+/// Least safeties of flank and root of each gear in each mesh over the duty, and lives of the bearings.
+fn rated(text: &str) -> (Vec<[f64; 2]>, Vec<f64>) {
+    let gearbox =
+        Gearbox::parse("box.yaml", text.as_bytes()).unwrap_or_else(|error| panic!("{error}: {text}"));
+    let told =
+        strength::Request::default().answer(&gearbox).unwrap_or_else(|error| panic!("{error}: {text}"));
+    let safeties = told
+        .over_duty
+        .iter()
+        .map(|one| [one.flank.as_ref().unwrap().safety, one.root.as_ref().unwrap().safety])
+        .collect();
+    (safeties, told.bearings.iter().map(|one| one.basic_life_s.unwrap()).collect())
+}
+
+fn safeties(design: &SizedDesign) -> Vec<[f64; 2]> {
+    design.over_duty.iter().map(|one| [one.flank.safety, one.root.safety]).collect()
+}
+
+/// `strength` rates the saved file of every kind of set, in which the safeties and lives are those found.
+#[test]
+fn the_saved_file_of_every_kind_has_what_was_found() {
+    for text in every_kind() {
+        let size = sized(&text, &small());
+        assert_eq!((size.sets.len(), size.not_sized.len()), (1, 0), "{text}");
+        let Some(best) = size.sets[0].found.first() else { panic!("{:?}", size.warnings) };
+        let saved = size::saved(&Document::parse_one("box.yaml", text.as_bytes()).unwrap(), &size).unwrap();
+        let (told, lives) = rated(&saved);
+        let found = safeties(best);
+        assert_eq!(found.len(), told.len(), "{saved}");
+        for (one, other) in found.iter().flatten().zip(told.iter().flatten()) {
+            assert!((one / other - 1.0).abs() < 1e-9, "{found:?} {told:?} {saved}");
+        }
+        assert!(told.iter().all(|[flank, root]| *flank >= 1.0 && *root >= 1.3));
+        // Masses of planets differ by the density of material and file.
+        let bearings =
+            best.planet_sizes.iter().map(|planet| planet.bearing.as_ref().unwrap().life_s.unwrap());
+        for (found, life) in bearings.zip(&lives) {
+            assert!(
+                (found / life - 1.0).abs() < 5e-3 && *life > 0.99 * 3000.0 * 3600.0,
+                "{found} {life} {saved}"
+            );
+        }
+    }
+}
+
+/// A simple set gear by gear has the same sizes.
+#[test]
+fn a_simple_set_gear_by_gear_has_the_same_sizes() {
+    let shifts = [0.3, 0.2, -0.7];
+    let simple = short(
+        "teeth: [24, 84], planet_teeth: [30], planets: 3, profile_shifts: [0.3, 0.2, -0.7], tip_alterations: [0, 0, -0.4]",
+        &["sun", "planet", "ring"],
+        &["ring"],
+        90.0,
+    );
+    let compound = format!(
+        "gearbox: one\ninput: a\noutput: h\ncompound_sets:\n  - {{ id: W, suns: {{ a: 24 }}, rings: {{ ground: 84 }}, carrier: h, planets: 3, \
+         planet_gears: {{ p: [30] }}, meshes: [{{ gears: [a, p] }}, {{ gears: [p, ground] }}], \
+         profile_shifts: {{ a: {}, p: {}, ground: {} }}, tip_alterations: {{ ground: -0.4 }}, {} }}\n\
+         gears: [{{ name: '1' }}]\nduty: [{{ gear: '1', share: 1, torque: 90 N·m, speed: 1500 rpm }}]\n{OIL}",
+        shifts[0],
+        shifts[1],
+        shifts[2],
+        steels(&["a", "p", "ground"], &["ground"])
+    );
+    let [one, other] = [&simple, &compound].map(|text| sized(text, &small()));
+    assert!(!one.sets[0].found.is_empty(), "{:?} {:?}", one.warnings, one.sets[0].left_out);
+    assert_eq!(one.sets[0].left_out, other.sets[0].left_out);
+    assert_eq!(one.sets[0].found.len(), other.sets[0].found.len());
+    for (one, other) in one.sets[0].found.iter().zip(&other.sets[0].found) {
+        assert!((one.mass_kg / other.mass_kg - 1.0).abs() < 1e-12);
+        assert_eq!(one.families[0].module_m, other.families[0].module_m);
+        for (one, other) in safeties(one).iter().flatten().zip(safeties(other).iter().flatten()) {
+            assert!((one / other - 1.0).abs() < 1e-12, "{one} {other}");
+        }
+    }
+}
+
+/// Every module, pair of widths and bearing of a Wolfrom set, each as a file of its own under `strength`.
+#[test]
+fn the_best_of_a_wolfrom_set_is_that_of_every_trial() {
+    let mm = |length: uom::si::f64::Length| length.get::<millimeter>();
+    let bearings: Vec<Bearing> = listed()
+        .iter()
+        .filter(|bearing| ["6000", "6201", "6203", "6302", "6305"].contains(&bearing.designation.as_str()))
+        .cloned()
+        .collect();
+    let request = Request {
+        bearings: Some(bearings.clone()),
+        bearing_rows: 1,
+        most: 1,
+        modules: Some("2mm, 2.5mm, 3mm".parse().unwrap()),
+        face_widths: Some("10mm, 15mm, 20mm, 25mm".parse().unwrap()),
+        ..small()
+    };
+    let shifts = "    profile_shifts: { s: 0 }\n    tip_alterations: { ground: -0.25, out: -0.3 }\n";
+    let size = sized(&wolfrom(shifts), &request);
+    let shaper = Tool::Shaper(Shaper::of_teeth(ToothCount::new(22).unwrap()));
+    let gear = |kind, teeth, tip: f64| {
+        let cutting = if kind == GearKind::Internal {
+            Cutting { tool: Some(shaper), ..Cutting::default() }
+        } else {
+            Cutting::default()
+        };
+        let gear =
+            InvoluteGear::new(kind, ToothCount::new(teeth).unwrap(), cutting.of(Profile::default()), 0.0);
+        gear.unwrap().with_tip_alteration(tip).unwrap()
+    };
+    let gears = [
+        gear(GearKind::External, 18, 0.0),
+        gear(GearKind::Internal, 66, -0.25),
+        gear(GearKind::Internal, 63, -0.3),
+        gear(GearKind::External, 24, 0.0),
+        gear(GearKind::External, 21, 0.0),
+    ];
+    assert!(Pair::without_backlash(gears[0], gears[3]).unwrap().centre_distance() - 21.0 < 1e-12);
+    let density =
+        |steel: &str| material::listed(steel).unwrap().material.density.get::<kilogram_per_cubic_meter>();
+    let (steel, ring_steel) = (density("18CrNiMo7-6"), density("34CrNiMo6"));
+    let mut best: Option<(f64, String)> = None;
+    for module in [2.0, 2.5, 3.0_f64] {
+        for widths in (0..16).map(|place| [place % 4, place / 4].map(|one| 10.0 + 5.0 * f64::from(one))) {
+            for bearing in &bearings {
+                let bore = mm(bearing.outside_diameter);
+                let rims = [3, 4].map(|place: usize| (gears[place].root_diameter() * module - bore) / 2.0);
+                if rims.iter().any(|rim| *rim < 2.0 * module) || mm(bearing.width) > widths[0] + widths[1] {
+                    continue;
+                }
+                let text = wolfrom(&format!(
+                    "{shifts}    module: {module} mm\n    face_widths: {{ s: {0} mm, ground: {0} mm, p.1: {0} mm, p.2: {1} mm, out: {1} mm }}\n    \
+                     planet_sizes: {{ p: {{ bore: {bore} mm, load_rating: {2} N }} }}\n",
+                    widths[0],
+                    widths[1],
+                    bearing.load_rating.value,
+                ))
+                .replace("factors:", &format!("rims: {{ p.1: {} mm, p.2: {} mm, ground: {2} mm, out: {2} mm }}, factors:", rims[0], rims[1], 3.5 * module));
+                let (safe, lives) = rated(&text);
+                let holds = safe.iter().all(|[flank, root]| *flank >= 1.0 && *root >= 1.3);
+                if !holds || lives[0] < 3000.0 * 3600.0 {
+                    continue;
+                }
+                let square = |diameter: f64| (diameter * module / 1e3).powi(2);
+                let filled =
+                    |gear: &InvoluteGear| (square(gear.tip_diameter()) + square(gear.root_diameter())) / 2.0;
+                let ring = |gear: &InvoluteGear| square(gear.root_diameter() + 7.0) - filled(gear);
+                let planet = |gear: &InvoluteGear| 3.0 * (filled(gear) - (bore / 1e3).powi(2));
+                let first = steel * (filled(&gears[0]) + planet(&gears[3])) + ring_steel * ring(&gears[1]);
+                let second = steel * planet(&gears[4]) + ring_steel * ring(&gears[2]);
+                let mass = std::f64::consts::FRAC_PI_4 * (first * widths[0] + second * widths[1]) / 1e3;
+                if best.as_ref().is_none_or(|(least, _)| mass < *least) {
+                    best = Some((mass, format!("{module} {widths:?} {}", bearing.designation)));
+                }
+            }
+        }
+    }
+    let (mass, what) = best.unwrap();
+    let found = &size.sets[0].found[0];
+    assert!(
+        (found.mass_kg / mass - 1.0).abs() < 1e-9,
+        "{} for {mass}: {what}, {:?}",
+        found.mass_kg,
+        found.families
+    );
+}
