@@ -19,7 +19,7 @@ const REACH: f64 = 1.0;
 /// Greatest module of the standard series in mm that is used unless others are requested.
 const GREATEST_MODULE_MM: f64 = 20.0;
 
-/// Request for sizes of the simple sets of a gearbox: the space of the search.
+/// Request for sizes of the sets of a gearbox: the space of the search.
 #[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "Sizes")]
 pub struct Request {
@@ -35,11 +35,13 @@ pub struct Request {
     #[arg(long, value_name = "RANGE", default_value = "3..6", value_parser = planets)]
     pub planets: RangeInclusive<u32>,
 
-    /// Step of the centre distances, which are its multiples within one module of the natural one.
+    /// Step of the centre distances, which are its multiples within one module of the natural one; planets of
+    /// several kinds on radii of their own have the natural ones.
     #[arg(long, value_name = "LENGTH", default_value = "0.5mm", allow_hyphen_values = true)]
     pub centre_distance_step: Quantity<Length>,
 
-    /// The greatest face width over the sun's reference diameter. Default: no bound.
+    /// The greatest face width over the reference diameter of the smallest sun, of a pair of the smaller gear.
+    /// Default: no bound.
     #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
     pub width_ratio: Option<Number>,
 

@@ -1,4 +1,4 @@
-//! The command `size`: module, face width, planets, centre distance and bearing of each set.
+//! The command `size`: modules, face widths, planets, centre distances and bearings of each set.
 
 use crate::desk::Call;
 use crate::error::Error;
@@ -15,10 +15,10 @@ use epicyclic_strength::sizing::bearing::{Bearing, parse};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 
-/// Sizes of the simple sets of a gearbox that hold over the duty of its file, with the least mass or ring.
+/// Sizes of the sets of a gearbox that hold over the duty of its file, with the least mass or ring.
 ///
-/// Complete over the stated modules, face widths, numbers of planets, centre distances and bearings; shifts
-/// follow from the centre distance and the aim. Each design must have faultless gears, the required safeties
+/// Complete over the stated modules, face widths, numbers of planets, centre distances and bearings; gears in
+/// mesh have one module and width, shifts follow from the centre distance and the aim. Each design must have faultless gears, the required safeties
 /// of flanks and roots by ISO 6336 and bearings that live as long as required. What the file gives of a set
 /// is held: module, face_width, planets, profile_shifts, planet_bore, load_rating, ring_rim.
 #[derive(Debug, clap::Args)]

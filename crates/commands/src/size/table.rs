@@ -82,8 +82,8 @@ fn facts(size: &Size) -> Section {
         Row::new("reach", "their reach, in modules", "", [number(*reach_in_modules)]),
         Row::new(
             "width_ratio",
-            "greatest face width over sun",
-            "b/d_s",
+            "greatest face width over diameter",
+            "b/d",
             [width_ratio.map_or(Figure::None, Figure::Number)],
         ),
         Row::new("bearings", "bearings", "", [number(*bearings as f64)]),
@@ -210,7 +210,7 @@ pub(crate) fn left_out(sets: &[SizedSet]) -> Records {
         .number("spacing", "spacing", |set| set.left_out.spacing as f64)
         .number("planets_touch", "touch", |set| set.left_out.planets_touch as f64)
         .number("geometry", "shifts", |set| set.left_out.geometry as f64)
-        .number("width_ratio", "b/d_s", |set| set.left_out.width_ratio as f64)
+        .number("width_ratio", "b/d", |set| set.left_out.width_ratio as f64)
         .number("rim", "rim", |set| set.left_out.rim as f64)
         .number("bearing_width", "B > b", |set| set.left_out.bearing_width as f64)
         .number("not_calculable", "outside", |set| set.left_out.not_calculable as f64)
@@ -227,7 +227,7 @@ pub(crate) fn left_out(sets: &[SizedSet]) -> Records {
             "Designs left out by strength and life",
             "set held not_calculable flank root overload bearing_life not_reached",
         )
-        .note("spacing: planets not at equal angles. shifts: none without fault. b/d_s: wider than allowed. outside: beyond the standard. A design that misses several of S_H, S_F, overload and life counts where it misses most. not reached: no better than the last one found.")
+        .note("spacing: planets not at equal angles. shifts: none without fault. b/d: wider than allowed. outside: beyond the standard. A design that misses several of S_H, S_F, overload and life counts where it misses most. not reached: no better than the last one found.")
         .records()
 }
 

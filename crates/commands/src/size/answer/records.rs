@@ -34,7 +34,7 @@ pub struct Sought {
     pub centre_distance_step_m: f64,
     /// Maximum distance of centre distances from the natural one, in modules.
     pub reach_in_modules: f64,
-    /// Maximum face width over the sun's reference diameter; null without limit.
+    /// Maximum face width over the reference diameter of the smallest sun or gear; null without limit.
     pub width_ratio: Option<f64>,
     /// Minimum normal tip thickness, in modules.
     pub least_tip_thickness_in_modules: f64,
@@ -498,7 +498,7 @@ impl NotSized {
         NotRated { missing, because, ..NotRated::new(&set, reason) }.why()
     }
 
-    /// Set and reason in words: `set 1: no simple set`.
+    /// Set and reason in words: `set 1: oil missing`.
     pub(super) fn told(&self) -> String {
         format!("set {}: {}", self.set, self.why())
     }
