@@ -452,6 +452,7 @@ fn keys_of_planets_are_refused_in_a_pair() {
         ("planet_bore", "9 mm"),
         ("planet_mass", "9 kg"),
         ("load_rating", "9 kN"),
+        ("bearing_rolling", "balls"),
         ("static_load_rating", "9 kN"),
         ("fatigue_limit", "9 kN"),
         ("bearing_diameter", "9 mm"),
