@@ -82,7 +82,7 @@ fn described(subject: &Gearbox, wanted: Option<&str>) -> Result<DataSheets, Erro
     let file: GearboxFile = subject.document.read()?;
     subject.check_set(wanted)?;
     let is_wanted = |id: &str| wanted.is_none_or(|wanted| wanted == id);
-    let (mut sets, mut left_out, mut known) = (vec![], vec![], vec![]);
+    let (mut sets, mut left_out, mut known, mut unstated) = (vec![], vec![], vec![], vec![]);
     for (place, set) in subject.train.sets().iter().enumerate().filter(|(_, set)| is_wanted(set.id())) {
         let Some(data) = file.set_data(set) else { continue };
         let toothed = toothed(subject, &data, set)?;
@@ -91,6 +91,7 @@ fn described(subject: &Gearbox, wanted: Option<&str>) -> Result<DataSheets, Erro
             Ok(toothed) if has_module => {
                 let (sheet, allowed) =
                     Of { document: &subject.document, set, data: &data, toothed: &toothed }.sheet()?;
+                unstated.extend(assumed_allowances(set.id(), &data));
                 sets.push(sheet);
                 let gears =
                     toothed.meshes.iter().map(|mesh| mesh.gears.map(|gear| data.place(gear))).collect();
@@ -107,7 +108,8 @@ fn described(subject: &Gearbox, wanted: Option<&str>) -> Result<DataSheets, Erro
     }
     let tooth_checks =
         ToothChecks::of(subject.tooth_checks(), |of| sets.iter().any(|set: &SetSheet| set.set == of));
-    let warnings = tooth_checks.warnings().chain(sets.iter().flat_map(SetSheet::warnings)).collect();
+    let of_sets = sets.iter().flat_map(SetSheet::warnings);
+    let warnings = tooth_checks.warnings().chain(of_sets).chain(unstated).collect();
     let at_output =
         if wanted.is_none() && !sets.is_empty() { output::of_gears(subject, &known)? } else { vec![] };
     Ok(DataSheets {
@@ -117,6 +119,21 @@ fn described(subject: &Gearbox, wanted: Option<&str>) -> Result<DataSheets, Erro
         left_out,
         tooth_checks,
         warnings,
+    })
+}
+
+/// Warns of gears without allowances in a set where others have some: their limits are those of 0.
+fn assumed_allowances(set: &str, data: &SetData<'_>) -> Option<Warning> {
+    let given = data.of_gears(data.data_sheet?.thickness_allowances.as_ref()?);
+    let unstated = data.gears.names.iter().zip(&given).filter(|(_, own)| own.is_none());
+    let unstated: Vec<&str> = unstated.map(|(name, _)| name.as_str()).collect();
+    (!unstated.is_empty()).then(|| Warning {
+        name: "allowances-assumed",
+        message: format!(
+            "set `{}`: `thickness_allowances` has nothing of {}; both limits are taken as 0: state them, `[0 um, 0 um]` if they are 0",
+            set,
+            unstated.join(" and "),
+        ),
     })
 }
 
