@@ -24,8 +24,9 @@ use epicyclic_gears::involute::play::Deviation;
 use epicyclic_gears::{Error as GearError, Quantity};
 use epicyclic_train::PlanetSet;
 use epicyclic_train::toothed::{ToothedMesh, ToothedSet};
+use epicyclic_units::Dimension::Length;
 use epicyclic_units::Physical;
-use epicyclic_units::format::significant;
+use epicyclic_units::format::{in_unit, significant};
 use output::Known;
 use records::{Allowed, AtOutput, GearSheet, LeftOut, Limits, MeshSheet, SetSheet, Toothed, same};
 use schemars::JsonSchema;
@@ -179,7 +180,7 @@ impl<'a> Of<'a> {
                 .collect(),
             centre_distance_m: centre.unwrap_or_default(),
         });
-        let fault = |error: GearError| {
+        let fault = |(error, module_m): (GearError, f64)| {
             let key = match error {
                 GearError::NotAbove { .. }
                 | GearError::Deviation { quantity: Quantity::CentreDistanceDeviation, .. } => {
@@ -187,13 +188,14 @@ impl<'a> Of<'a> {
                 }
                 _ => "thickness_allowances",
             };
-            self.refused(&["data_sheet", key], &error)
+            let name = error.name();
+            self.refused(&["data_sheet", key], &Named(name, in_millimetres(error, module_m)))
         };
         let materials = self.data.strength.map(|strength| self.data.of_gears(&strength.materials));
         let material = |place: usize| materials.as_ref().and_then(|all| all[place].cloned());
         let sheets = gears.iter().zip(&balls).enumerate().map(|(place, (gear, ball))| {
             let allowance = allowed.as_ref().map(|allowed| allowed.thickness[place]);
-            let sheet = GearSheet::of(gear, *ball, allowance)?;
+            let sheet = GearSheet::of(gear, *ball, allowance).map_err(|error| (error, gear.module_m))?;
             let face_width_m = self.data.face_widths[place].map(Physical::si);
             Ok(GearSheet { face_width_m, material: material(place), ..sheet })
         });
@@ -206,7 +208,8 @@ impl<'a> Of<'a> {
                     deviation(allowed.centre_distance_m, mesh.module),
                 )
             });
-            MeshSheet::of(MeshName::of(self.set, mesh.gears), mesh, width, allowed)
+            let sheet = MeshSheet::of(MeshName::of(self.set, mesh.gears), mesh, width, allowed);
+            sheet.map_err(|error| (error, mesh.module))
         };
         let meshes = self.toothed.meshes.iter().map(mesh);
         let sheet = SetSheet {
@@ -255,6 +258,22 @@ impl<'a> Of<'a> {
     /// Error at the longest part of a path that exists in the file.
     fn refused(&self, keys: &[&str], why: &dyn Fault) -> Error {
         refused(self.document, &self.data.path, keys, why)
+    }
+}
+
+/// Message of an error with lengths in the unit of files, since gears have them in modules.
+fn in_millimetres(error: GearError, module_m: f64) -> String {
+    let mm = |modules: f64| in_unit(modules * module_m, Length.usual_unit(), 6);
+    match error {
+        GearError::Deviation { quantity, lower, upper } => format!(
+            "{quantity} from {} to {}: two finite numbers are needed, the smaller first",
+            mm(lower),
+            mm(upper)
+        ),
+        GearError::NotAbove { quantity, value, low, unit: "modules" } => {
+            format!("{quantity} is {}; it must be above {}", mm(value), mm(low))
+        }
+        error => error.to_string(),
     }
 }
 
