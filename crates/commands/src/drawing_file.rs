@@ -66,7 +66,9 @@ pub(crate) fn content(scene: &Scene, format: FileFormat, dpi: Option<Number>) ->
         }
     };
     content.map_err(|error| match error {
-        epicyclic_drawing::Error::Pixels { .. } => Failure::invalid("--dpi", error.to_string()),
+        epicyclic_drawing::Error::Pixels { .. } | epicyclic_drawing::Error::Resolution { .. } => {
+            Failure::invalid("--dpi", error.to_string())
+        }
         error => error.into(),
     })
 }

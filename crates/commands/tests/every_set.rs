@@ -357,6 +357,35 @@ fn keys_for_kinds_of_gears_that_there_are_not_are_refused() {
     }
 }
 
+/// Gears without allowances beside gears that have some are named, and their limits are those of 0 as written.
+#[test]
+fn allowances_of_gears_that_are_left_out_are_warned_of() {
+    let of = |given: &[&str]| {
+        let given: Vec<String> = given.iter().map(|gear| format!("{gear}: [-60 um, -40 um]")).collect();
+        let sheet =
+            format!("data_sheet: {{ thickness_allowances: {{ {} }} }}, face_width:", given.join(", "));
+        let text = simple("0 deg").replace("face_width:", &sheet);
+        sheet::Request::default().answer(&read(&text)).unwrap()
+    };
+    let gears = ["sun", "planet", "ring"];
+    for given in [&["sun"][..], &["planet", "ring"], &gears] {
+        let found = of(given);
+        let warned: Vec<_> = found.warnings.iter().filter(|one| one.name == "allowances-assumed").collect();
+        let missing: Vec<&str> = gears.into_iter().filter(|gear| !given.contains(gear)).collect();
+        assert_eq!(warned.len(), usize::from(!missing.is_empty()), "{given:?}");
+        if let [warning] = warned[..] {
+            let named = format!("has nothing of {};", missing.join(" and "));
+            assert!(warning.message.contains(&named), "{}", warning.message);
+        }
+        let limits = found.sets[0].thickness_allowances_m.clone().unwrap();
+        for (gear, limits) in gears.iter().zip(limits) {
+            assert_eq!(limits.upper < 0.0, given.contains(gear), "{gear}");
+        }
+    }
+    let plain = sheet::Request::default().answer(&read(&simple("0 deg"))).unwrap();
+    assert!(plain.warnings.iter().all(|one| one.name != "allowances-assumed"));
+}
+
 /// Allowances that leave flanks no room are warned of, in `sheet` and in its chapter of a report.
 #[test]
 fn flanks_that_overlap_within_their_allowances_are_warned_of() {
@@ -452,6 +481,7 @@ fn keys_of_planets_are_refused_in_a_pair() {
         ("planet_bore", "9 mm"),
         ("planet_mass", "9 kg"),
         ("load_rating", "9 kN"),
+        ("bearing_rolling", "balls"),
         ("static_load_rating", "9 kN"),
         ("fatigue_limit", "9 kN"),
         ("bearing_diameter", "9 mm"),

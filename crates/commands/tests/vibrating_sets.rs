@@ -371,6 +371,95 @@ fn meshes_are_named_from_either_gear() {
     assert!(wrong.contains("`mesh_stiffness` has a value of `ring-sun`"), "{wrong}");
 }
 
+/// The whole gearbox vibrates only if every set has its data: each set without is named with the keys that it
+/// lacks, for each model of the whole that is asked for.
+#[test]
+fn sets_that_the_whole_gearbox_lacks_are_named() {
+    let set = |id: &str, [sun, carrier]: [&str; 2], vibration: &str| {
+        format!(
+            "  - {{ id: {id}, sun: {sun}, ring: ground, carrier: {carrier}, teeth: [20, 64], planet_teeth: [22], planets: 4, module: 3 mm, face_width: 30 mm{vibration} }}\n"
+        )
+    };
+    let whole = format!(", vibration: {{ {CARRIER}, ring: {{ outside_diameter: 240 mm }} }}");
+    let no_bearing = whole.replace("planet_bearing: 300 N/um, ", "");
+    let states =
+        [(whole.as_str(), None), ("", Some("vibration")), (&no_bearing, Some("vibration.planet_bearing"))];
+    for (first, lacks_first) in states {
+        for (second, lacks_second) in states {
+            let text = format!(
+                "gearbox: two\ninput: a\noutput: h\nsets:\n{}{}gears: [{{ name: only }}]\n",
+                set("P", ["a", "b"], first),
+                set("Q", ["b", "h"], second),
+            );
+            let request = |coupled| Request {
+                exciting: Exciting { coupled, ..Exciting::default() },
+                ..Request::default()
+            };
+            let gearbox = Gearbox::parse("box.yaml", text.as_bytes()).unwrap();
+            let lacks: Vec<(&str, &str)> = [("P", lacks_first), ("Q", lacks_second)]
+                .into_iter()
+                .filter_map(|(set, key)| Some((set, key?)))
+                .collect();
+            if lacks.len() == 2 {
+                assert!(request(false).answer(&gearbox, &|| ControlFlow::Continue(())).is_err());
+                continue;
+            }
+            for coupled in [false, true] {
+                let found = answered(&text, &request(coupled));
+                assert_eq!(found.torsional.is_empty(), !lacks.is_empty());
+                for (what, is_asked) in [(What::Torsional, true), (What::Coupled, coupled)] {
+                    let named: Vec<(&str, &str)> = found
+                        .not_calculated
+                        .iter()
+                        .filter(|one| one.what == what && one.reason == Reason::KeysMissing)
+                        .map(|one| (one.set.as_str(), one.missing[0].as_str()))
+                        .collect();
+                    assert_eq!(named, if is_asked { lacks.clone() } else { vec![] }, "{what:?} {coupled}");
+                }
+            }
+            // One set alone misses nothing of the others.
+            let name = if lacks_first.is_none() { "P" } else { "Q" };
+            let one = answered(&text, &Request { set: Some(name.to_owned()), ..Request::default() });
+            assert!(one.not_calculated.is_empty(), "{:?}", one.not_calculated);
+        }
+    }
+}
+
+/// Values that are refused are shown in the units of files.
+#[test]
+fn refused_values_have_the_units_of_files() {
+    let error = |vibration: &str| {
+        let set = format!(
+            "sun: a, ring: ground, carrier: h, teeth: [20, 64], planet_teeth: [22], planets: 4, module: 3 mm, face_width: 30 mm, vibration: {{ {vibration} }}"
+        );
+        let gearbox = Gearbox::parse("box.yaml", file("sets", &set, "h").as_bytes()).unwrap();
+        let request = Request::default();
+        request.answer(&gearbox, &|| ControlFlow::Continue(())).unwrap_err().to_string()
+    };
+    let rest = "ring: { outside_diameter: 240 mm }";
+    for (vibration, shown) in [
+        (
+            format!("{CARRIER}, {rest}, mesh_stiffness: [-400 N/um, 400 N/um]"),
+            "is -400 N/µm; it must be finite and above 0",
+        ),
+        (
+            format!("{CARRIER}, {rest}, pressure_angles: [120 deg, 25 deg]"),
+            "is 120 deg; it must lie between 0 deg and 90 deg",
+        ),
+        (
+            format!("{CARRIER}, {rest}, base_radii: [28.1 mm, -31 mm, 90.2 mm]"),
+            "is -31 mm; it must be finite and above 0",
+        ),
+        (
+            format!("{}, {rest}", CARRIER.replace("300 N/um", "-300 N/um")),
+            "is -300 N/µm; it must be finite and above 0",
+        ),
+    ] {
+        let error = error(&vibration);
+        assert!(error.contains(shown), "{vibration}: {error}");
+    }
+}
+
 /// The inertia at the input by the energy of each body: `ω_H = ω/i`, a planet turns with `ω_H·(1 − z_r/z_p)`.
 #[test]
 fn the_inertia_of_the_gearbox_is_by_the_energy_of_its_bodies() {

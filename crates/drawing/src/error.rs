@@ -48,9 +48,33 @@ pub enum Error {
         /// Largest width and height of a page.
         most_mm: f64,
     },
-    /// A resolution outside its range, or too many pixels.
+    /// A resolution that no image has.
+    #[error("{dpi} pixels an inch; {} are allowed", if *is_below { format!("at least {limit}") } else { format!("at most {limit}") })]
+    Resolution {
+        /// Pixels to an inch.
+        dpi: f64,
+        /// The limit that it exceeds.
+        limit: f64,
+        /// Whether it is below the least resolution.
+        is_below: bool,
+    },
+    /// A scene that has too many pixels even at the least resolution.
     #[error(
-        "{dpi} pixels an inch make an image of {width:.0} × {height:.0} pixels; at most {most:.0} in all are allowed, for this picture from {least_dpi} to {most_dpi} an inch"
+        "the drawing makes an image of {width:.0} × {height:.0} pixels at {least_dpi} pixels an inch, the least resolution; at most {most:.0} pixels in all are allowed: write it as SVG or DXF"
+    )]
+    TooLarge {
+        /// Pixels across at the least resolution.
+        width: f64,
+        /// Pixels down at the least resolution.
+        height: f64,
+        /// The least resolution.
+        least_dpi: f64,
+        /// The most pixels.
+        most: f64,
+    },
+    /// Too many pixels.
+    #[error(
+        "{dpi} pixels an inch make an image of {width:.0} × {height:.0} pixels; at most {most:.0} in all are allowed, for this picture at most {most_dpi} an inch"
     )]
     Pixels {
         /// Pixels to an inch.
@@ -59,9 +83,7 @@ pub enum Error {
         width: f64,
         /// Pixels down.
         height: f64,
-        /// The least resolution.
-        least_dpi: f64,
-        /// The greatest resolution.
+        /// The greatest resolution of the picture.
         most_dpi: f64,
         /// The most pixels.
         most: f64,

@@ -41,14 +41,25 @@ pub fn most_dpi(scene: &Scene) -> f64 {
 /// The scene as a PNG image of `dpi` pixels an inch.
 ///
 /// # Errors
-/// As [`Scene::check`]; [`Error::Pixels`].
+/// As [`Scene::check`]; [`Error::Resolution`], [`Error::Pixels`], [`Error::TooLarge`].
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // sizes are checked
 pub fn write(scene: &Scene, dpi: f64) -> Result<Vec<u8>, Error> {
     let image = outlined(scene)?;
     let [width, height] = size(scene, dpi);
     let most_dpi = most_dpi(scene);
-    let refused = Error::Pixels { dpi, width, height, least_dpi: DPI[0], most_dpi, most: MOST_PIXELS };
-    if !(DPI[0]..=DPI[1]).contains(&dpi) || width * height > MOST_PIXELS {
+    if most_dpi < DPI[0] {
+        let [width, height] = size(scene, DPI[0]);
+        return Err(Error::TooLarge { width, height, least_dpi: DPI[0], most: MOST_PIXELS });
+    }
+    let refused = Error::Pixels { dpi, width, height, most_dpi, most: MOST_PIXELS };
+    // The limit told is the one that the next try has to keep.
+    if !(dpi >= DPI[0]) {
+        return Err(Error::Resolution { dpi, limit: DPI[0], is_below: true });
+    }
+    if dpi > DPI[1] && most_dpi == DPI[1] {
+        return Err(Error::Resolution { dpi, limit: DPI[1], is_below: false });
+    }
+    if dpi > DPI[1] || width * height > MOST_PIXELS {
         return Err(refused);
     }
     let (Ok(tree), Some(mut drawn)) =
@@ -109,13 +120,32 @@ mod tests {
     #[test]
     fn too_many_pixels_are_refused() {
         for dpi in [f64::NAN, 0.0, 19.9, 2400.1, f64::INFINITY] {
-            assert!(matches!(write(&scene(), dpi), Err(Error::Pixels { .. })), "{dpi}");
+            let Err(Error::Resolution { limit, is_below, .. }) = write(&scene(), dpi) else {
+                panic!("{dpi}")
+            };
+            let allowed = write(&scene(), limit).is_ok();
+            assert!(allowed && is_below == (limit == DPI[0]), "{dpi}: {limit}");
         }
+        assert_eq!(
+            write(&scene(), 19.0).unwrap_err().to_string(),
+            "19 pixels an inch; at least 20 are allowed"
+        );
         let mut large = scene();
         let layer = large.layer("far", Style::line(0.5)).unwrap();
         large.add(layer, Shape::line([0.0, 0.0], [900.0, 900.0]));
         let Err(Error::Pixels { most_dpi: fits, .. }) = write(&large, 600.0) else { panic!() };
         let pixels = |dpi| size(&large, dpi).iter().product::<f64>();
         assert!(pixels(fits) <= MOST_PIXELS && pixels(fits + 1.0) > MOST_PIXELS, "{fits}");
+        let of = |dpi| write(&large, dpi).unwrap_err().to_string();
+        for dpi in [600.0, 3000.0] {
+            assert!(of(dpi).ends_with(&format!("for this picture at most {fits} an inch")), "{}", of(dpi));
+        }
+        assert_eq!(of(19.0), "19 pixels an inch; at least 20 are allowed");
+
+        let layer = large.layer("very far", Style::line(0.5)).unwrap();
+        large.add(layer, Shape::line([0.0, 0.0], [20_000.0, 20_000.0]));
+        for dpi in [10.0, 20.0, 300.0] {
+            assert!(matches!(write(&large, dpi), Err(Error::TooLarge { .. })), "{dpi}");
+        }
     }
 }

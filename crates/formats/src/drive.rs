@@ -19,7 +19,7 @@ use uom::si::f64::{
 };
 
 use crate::{Document, Error, FileKind, Path, Span};
-use epicyclic_units::{Number, Quantity};
+use epicyclic_units::{Module, Number, Quantity};
 
 mod fields;
 mod meaning;
@@ -148,6 +148,8 @@ pub struct PartFile {
 #[serde(deny_unknown_fields)]
 pub struct GearSetFile {
     /// Module.
+    #[serde(deserialize_with = "crate::module::one")]
+    #[schemars(with = "Quantity<Module>")]
     pub module: Quantity<Length>,
     /// Face width.
     pub face_width: Quantity<Length>,

@@ -49,7 +49,7 @@
 //! ```
 
 use crate::drive::Spacing;
-use epicyclic_units::{Number, Quantity};
+use epicyclic_units::{Module, Number, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -246,10 +246,12 @@ pub struct SetEntry {
     #[serde(default)]
     pub friction: Option<Vec<Number>>,
     /// Module of the mesh with the sun, for forces on planets.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "crate::module::optional")]
+    #[schemars(with = "Option<Quantity<Module>>")]
     pub module: Option<Quantity<Length>>,
     /// Module of each mesh from sun to ring, in place of `module`: of stepped planets.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "crate::module::list")]
+    #[schemars(with = "Option<Vec<Quantity<Module>>>")]
     pub modules: Option<Vec<Quantity<Length>>>,
     /// Centre distance of its meshes with sun and ring, or of the pair, from which open profile shifts
     /// follow: `profile_shifts` then state those of some gears by name, and each mesh gives that of another.

@@ -45,6 +45,7 @@ mod error;
 mod faults;
 mod file_kind;
 pub mod gearbox;
+mod module;
 pub mod motor;
 pub mod range;
 pub mod scenario;

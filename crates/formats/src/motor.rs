@@ -30,7 +30,7 @@ use uom::si::f64::{Angle, AngularVelocity, Length, Pressure};
 
 use crate::faults::Faults;
 use crate::{Document, Error, FileKind, Path, Problem, Span};
-use epicyclic_units::{Number, Quantity};
+use epicyclic_units::{Module, Number, Quantity};
 
 /// A hydromotor: a ring with arches, a sun with lobes, floating satellites.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -47,6 +47,8 @@ pub struct MotorFile {
     /// `Z_s`: teeth of a satellite.
     pub zs: u32,
     /// Module.
+    #[serde(deserialize_with = "crate::module::one")]
+    #[schemars(with = "Quantity<Module>")]
     pub module: Quantity<Length>,
     /// How the wheels are shaped. Default `arcs`.
     pub law: Option<Law>,

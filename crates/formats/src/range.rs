@@ -33,7 +33,7 @@ pub trait End: Copy + PartialOrd + fmt::Display + sealed::Sealed {
     /// Shown where one is due.
     const EXAMPLE: &'static str;
 
-    /// From its text.
+    /// Value of a text.
     ///
     /// # Errors
     /// A reason, with what to write instead where that can be told.
@@ -85,6 +85,14 @@ pub enum RangeError {
         reason: String,
         /// Text to write instead.
         example: &'static str,
+    },
+    /// A share at the second end alone.
+    #[error("{text}: the first end has no unit; write {corrected}", text = one_line(text))]
+    Share {
+        /// The text.
+        text: String,
+        /// The unit at both ends.
+        corrected: String,
     },
     /// The greater number first.
     #[error("{text}: write the smaller number first: {corrected}", text = one_line(text))]
@@ -168,6 +176,19 @@ impl<T: End> FromStr for Span<T> {
                 example: T::EXAMPLE,
             }),
         };
+        // Of `5..10 %` the first end could mean 5 or 5 %.
+        if let Some((from, to)) = ends
+            && let Some(sign) = to.trim().chars().last().filter(|sign| matches!(sign, '%' | '‰'))
+            && !from.trim().is_empty()
+            && !from.trim().ends_with(['%', '‰'])
+            && T::read(to.trim()).is_ok()
+        {
+            let (from, to) = (from.trim(), to.trim());
+            return Err(RangeError::Share {
+                text: text.to_owned(),
+                corrected: format!("{from} {sign}..{to}"),
+            });
+        }
         let span = match ends {
             Some((from, to)) => Self { from: read(from)?, to: read(to)? },
             None => {
@@ -268,6 +289,19 @@ mod tests {
             assert_eq!(teeth(text).as_deref(), Ok(range), "{text}");
         }
         assert_eq!("1.3..10".parse::<Span<f64>>().unwrap().closed(1.1..=9.0), Ok(1.3..=10.0));
+    }
+
+    #[test]
+    fn ends_may_be_shares() {
+        let read = |text: &str| text.parse::<Span<f64>>().map(|span| (span.from, span.to));
+        assert_eq!(read("5 %"), Ok((Some(0.05), Some(0.05))));
+        assert_eq!(read("5 %..10%"), Ok((Some(0.05), Some(0.1))));
+        assert_eq!(
+            read("0.05..10 ‰").unwrap_err().to_string(),
+            "0.05..10 ‰: the first end has no unit; write 0.05 ‰..10 ‰"
+        );
+        assert_eq!(read("..10 %"), Ok((None, Some(0.1))));
+        assert!(teeth("5..10 %").unwrap_err().contains("not a whole number"));
     }
 
     #[test]

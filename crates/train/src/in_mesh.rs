@@ -18,9 +18,12 @@
 //!
 //! Planets whose spacing is not stated are at the assembly positions nearest to equal angles. Planets of an
 //! unknown number are as many as asked for, or as have room.
+//!
+//! A planet that meshes with other planets alone is free to stand at several radii. Where none is stated, it
+//! stands between those of its neighbours ([`InMesh::assumed`]).
 
 use crate::PlanetSet;
-use crate::planet_places::planet_of;
+use crate::planet_places::{assume_radii, planet_of};
 use crate::planet_set::GearOf;
 use crate::spacing::Spacing;
 use crate::toothed::{ToothedSet, Untoothed};
@@ -45,8 +48,8 @@ pub enum Unplaced {
     /// A gear that its tool does not cut.
     #[error(transparent)]
     Uncut(#[from] Error),
-    /// A planet that meshes with other planets alone.
-    #[error("planet {planet} meshes with no central gear, so its radius is not known")]
+    /// A planet that no mesh ties to a central gear.
+    #[error("no mesh ties planet {planet} to a central gear, so its radius is not known")]
     Free {
         /// Name of the planet.
         planet: String,
@@ -133,6 +136,8 @@ pub struct InMesh {
     pub planets: Vec<PlacedPlanet>,
     /// The meshes, in the order of [`PlanetSet::meshes`].
     pub meshes: Vec<Mesh>,
+    /// Planets whose radius is assumed, by their index, with the radius in the unit of the modules.
+    pub assumed: Vec<(usize, f64)>,
 }
 
 impl InMesh {
@@ -213,6 +218,7 @@ struct Placing<'s> {
     gears: Vec<GearInMesh>,
     meshes: Vec<Mesh>,
     planets: Vec<[f64; 2]>,
+    assumed: Vec<(usize, f64)>,
 }
 
 impl<'s> Placing<'s> {
@@ -235,15 +241,21 @@ impl<'s> Placing<'s> {
         let meshes =
             meshes.map(|mesh| Mesh { gears: mesh.gears.map(index), pair: mesh.pair, module: mesh.module });
         let meshes = meshes.collect();
-        let angles = set.angles_between(toothed, is_behind);
-        let mut planets = vec![];
-        for (planet, radius) in toothed.radii.iter().enumerate() {
-            let free = || Unplaced::Free { planet: set.gear_name(GearOf::Planet(planet, 0)) };
-            let radius = radius.ok_or_else(free)?;
-            let (_, angle) = angles.as_ref().ok_or(Unplaced::Apart)?[planet];
-            planets.push([radius, angle.si()]);
-        }
-        Ok(Self { set, gears, meshes, planets })
+        let mut toothed = toothed.clone();
+        let distances = toothed.meshes.iter().map(|mesh| Some(mesh.module * mesh.pair.centre_distance()));
+        let assumed = assume_radii(set, &distances.collect::<Vec<_>>(), &mut toothed.radii);
+        let free = |planet| Unplaced::Free { planet: set.gear_name(GearOf::Planet(planet, 0)) };
+        let radii: Result<Vec<f64>, Unplaced> = toothed
+            .radii
+            .iter()
+            .enumerate()
+            .map(|(planet, radius)| radius.ok_or_else(|| free(planet)))
+            .collect();
+        let radii = radii?;
+        let angles = set.angles_between(&toothed, is_behind).ok_or(Unplaced::Apart)?;
+        let planets = radii.iter().zip(angles).map(|(radius, (_, angle))| [*radius, angle.si()]).collect();
+        let assumed = assumed.into_iter().map(|planet| (planet, radii[planet])).collect();
+        Ok(Self { set, gears, meshes, planets, assumed })
     }
 
     /// Whether planets at these angles do not overlap; those of one angle may mesh.
@@ -284,7 +296,7 @@ impl<'s> Placing<'s> {
 
     /// Every gear turned so that it meshes; the planets at each of the angles.
     fn in_mesh(self, angles: &[f64]) -> InMesh {
-        let Self { set, gears, meshes, planets: places } = &self;
+        let Self { set, gears, meshes, planets: places, .. } = &self;
         let of_pair = self.pair_centres();
         let is_central = |gear: usize| planet_of(gears[gear].of).is_none();
         let teeth = |gear: usize| gears[gear].curve.gear().teeth().as_f64();
@@ -366,6 +378,6 @@ impl<'s> Placing<'s> {
             turn_rad: central_turns[gear].unwrap_or_default(),
         });
         let centrals = centrals.collect();
-        InMesh { centrals, planets, gears: self.gears, meshes: self.meshes }
+        InMesh { centrals, planets, gears: self.gears, meshes: self.meshes, assumed: self.assumed }
     }
 }

@@ -178,6 +178,32 @@ impl Physical for TorsionalStiffness {
     }
 }
 
+/// Module of teeth: a length that is also written as a diametral pitch.
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+pub struct Module(si::Length);
+
+impl Module {
+    /// Length of the module.
+    #[must_use]
+    pub fn length(self) -> si::Length {
+        self.0
+    }
+}
+
+impl sealed::Sealed for Module {}
+
+impl Physical for Module {
+    const DIMENSION: Dimension = Dimension::Module;
+
+    fn from_si(value: f64) -> Self {
+        Self(Physical::from_si(value))
+    }
+
+    fn si(self) -> f64 {
+        self.0.si()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use uom::si::{

@@ -13,6 +13,8 @@ pub enum Dimension {
     Dimensionless,
     /// SI unit: m.
     Length,
+    /// Module of teeth: a length, or a diametral pitch. SI unit: m.
+    Module,
     /// SI unit: m².
     Area,
     /// SI unit: m³.
@@ -71,9 +73,10 @@ pub enum Dimension {
 
 impl Dimension {
     /// Every dimension, in the order of the enum.
-    pub const ALL: [Self; 29] = [
+    pub const ALL: [Self; 30] = [
         Self::Dimensionless,
         Self::Length,
+        Self::Module,
         Self::Area,
         Self::Volume,
         Self::VolumeRate,
@@ -109,6 +112,7 @@ impl Dimension {
         match self {
             Self::Dimensionless => "plain number",
             Self::Length => "length",
+            Self::Module => "module",
             Self::Area => "area",
             Self::Volume => "volume",
             Self::VolumeRate => "volume rate",
@@ -146,6 +150,7 @@ impl Dimension {
     pub const fn largest(self) -> f64 {
         match self {
             Self::Length
+            | Self::Module
             | Self::AngularSpeed
             | Self::Speed
             | Self::Angle

@@ -17,7 +17,7 @@ mod unit;
 #[cfg(feature = "text")]
 pub mod visible;
 
-pub use conversion::{Physical, TorsionalStiffness};
+pub use conversion::{Module, Physical, TorsionalStiffness};
 pub use dimension::Dimension;
 #[cfg(feature = "text")]
 pub use error::{QuantityError, with_article};

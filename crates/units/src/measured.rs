@@ -61,7 +61,7 @@ pub fn parse_as(text: &str, expected: Dimension) -> Result<Measured, QuantityErr
 fn parse_once_as(text: &str, expected: Dimension) -> Result<Measured, QuantityError> {
     let measured = parse_in(text, Some(expected))?;
     let text = text.trim();
-    if measured.dimension() == expected {
+    if expected.is_read_in(measured.dimension()) {
         return Ok(measured);
     }
     // A bare number has the unit `1`. The usual unit of the dimension is the most likely one that was left
@@ -214,7 +214,7 @@ mod tests {
                 "12",
                 Length,
                 "missing-unit",
-                "12: no unit; write 12 mm, or another unit of length (mm, µm, cm, dm, m, km, in, ft, DP)",
+                "12: no unit; write 12 mm, or another unit of length (mm, µm, cm, dm, m, km, in, ft)",
             ),
             (
                 "12 KW",
@@ -259,7 +259,7 @@ mod tests {
                 "1.1 Gm\u{1b}\n",
                 Length,
                 "unknown-unit",
-                "1.1 Gm\\u001b: unknown unit Gm\\u001b (units of length: mm, µm, cm, dm, m, km, in, ft, DP)",
+                "1.1 Gm\\u001b: unknown unit Gm\\u001b (units of length: mm, µm, cm, dm, m, km, in, ft)",
             ),
             (
                 "5 mm",
@@ -271,6 +271,29 @@ mod tests {
             let error = parse_as(text, expected).unwrap_err();
             assert_eq!((error.name(), error.to_string().as_str()), (name, message));
         }
+    }
+
+    #[test]
+    fn a_diametral_pitch_is_read_of_modules_alone() {
+        for unit in Dimension::Length.units() {
+            let text = format!("3 {}", unit.symbol);
+            assert_eq!(parse_as(&text, Dimension::Module).unwrap().si(), parse(&text).unwrap().si());
+        }
+        assert!((parse_as("8 DP", Dimension::Module).unwrap().si() - 0.003_175).abs() < 1e-15);
+        for dimension in Dimension::ALL.into_iter().filter(|one| *one != Dimension::Module) {
+            assert!(parse_as("8 DP", dimension).is_err(), "{dimension}");
+        }
+        assert_eq!(
+            parse_as("8 DP", Dimension::Length).unwrap_err().to_string(),
+            "8 DP: DP is a unit of module, and a length is due; its units are mm, µm, cm, dm, m, km, in, ft"
+        );
+        let missing = parse_as("8", Dimension::Module).unwrap_err();
+        assert_eq!(
+            missing.to_string(),
+            "8: no unit; write 8 mm, or another unit of module (mm, µm, cm, dm, m, km, in, ft, DP)"
+        );
+        assert_eq!(parse_as("8 dp", Dimension::Module).unwrap_err().corrected(), Some("8 DP"));
+        assert_eq!(parse_as("0 DP", Dimension::Module).unwrap_err().name(), "not-finite");
     }
 
     proptest! {

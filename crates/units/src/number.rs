@@ -8,7 +8,7 @@ use super::{dimension::Dimension, error::QuantityError};
 
 /// A finite plain number.
 ///
-/// Reads integers and floats, and refuses NaN, infinity, and the text `3,94`, each with its reason.
+/// Reads integers, floats, fractions and percents, and refuses NaN, infinity, and the text `3,94`, each with its reason.
 ///
 /// ```
 /// use epicyclic_units::Number;
@@ -111,19 +111,25 @@ impl schemars::JsonSchema for Number {
     }
 
     fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-        let fraction = "^ *[-+−]?[0-9.]+ *[/:] *[0-9.]+ *$";
-        schemars::json_schema!({ "anyOf": [{ "type": "number" }, { "type": "string", "pattern": fraction }] })
+        let text = "^ *[-+−]?[0-9.]+ *([/:] *[0-9.]+ *[%‰]?|[%‰]) *$";
+        schemars::json_schema!({ "anyOf": [{ "type": "number" }, { "type": "string", "pattern": text }] })
     }
 }
 
-/// The value of a text that is a plain number and nothing else, or a fraction of two: `17/3`, `6:1`.
+/// The value of a text that is a plain number and nothing else, a fraction of two such as `17/3` and `6:1`, or
+/// a share such as `5 %` and `5 ‰`.
+///
+/// ```
+/// assert_eq!(epicyclic_units::parse_number("5 %"), Ok(0.05));
+/// ```
 ///
 /// # Errors
 /// [`QuantityError::UnexpectedUnit`] for `520 N·m`, and those of a number.
 pub fn parse_number(text: &str) -> Result<f64, QuantityError> {
     let lexed = lex(text)?;
-    if lexed.unit.is_empty() {
-        return within(lexed.value, || text.trim().to_owned());
+    if lexed.unit.is_empty() || is_share(lexed.unit) {
+        let one = super::unit::find_unit(lexed.unit).map_or(1.0, |unit| unit.factor);
+        return within(lexed.value * one, || text.trim().to_owned());
     }
     let corrected = lexed.number.to_owned();
     // `3.94 kW` is a quantity; `3.94abc` is no number at all.
@@ -131,6 +137,11 @@ pub fn parse_number(text: &str) -> Result<f64, QuantityError> {
         Some(_) => Err(QuantityError::UnexpectedUnit { text: text.to_owned(), corrected }),
         None => Err(QuantityError::NotANumber { text: text.to_owned(), expected: None }),
     }
+}
+
+/// Whether the sign parts of a hundred or a thousand stand in for a unit.
+fn is_share(unit: &str) -> bool {
+    matches!(unit, "%" | "‰")
 }
 
 /// The value, unless it is larger than any plain number may be.
@@ -328,6 +339,28 @@ mod tests {
         ] {
             assert_eq!(parse_number(text).unwrap_err().to_string(), message);
         }
+    }
+
+    #[test]
+    fn shares_are_numbers_wherever_a_number_is_read() {
+        for (text, value) in [
+            ("5 %", 0.05),
+            ("5%", 0.05),
+            (" -0.5 % ", -0.005),
+            ("5 ‰", 0.005),
+            ("1/4 %", 0.0025),
+            ("100 %", 1.0),
+        ] {
+            let read = parse_number(text).unwrap();
+            assert!((read - value).abs() <= 1e-15, "{text}: {read}");
+            assert_eq!(text.parse::<Number>().unwrap().get(), read);
+            assert_eq!(crate::parse_as(text, Dimension::Dimensionless).unwrap().si(), read, "{text}");
+        }
+        for text in ["%", "5 % %", "5 1", "5 %/2", "5 1 %"] {
+            assert!(parse_number(text).is_err(), "{text}");
+        }
+        assert_eq!(parse_number("0,5 %").unwrap_err().corrected(), Some("0.5 %"));
+        assert_eq!(parse_number("1e15 %").unwrap_err().name(), "too-large");
     }
 
     #[test]

@@ -99,7 +99,7 @@ const fn token(dimension: Dimension) -> &'static str {
         };
     }
     tokens!(
-        Dimensionless Length Area Volume VolumeRate Mass Density Inertia Speed AngularSpeed AngularAcceleration Angle
+        Dimensionless Length Module Area Volume VolumeRate Mass Density Inertia Speed AngularSpeed AngularAcceleration Angle
         Frequency Force Stiffness Torque TorsionalStiffness Power Pressure Viscosity DynamicViscosity Energy Time
         TemperatureDifference ThermalExpansion HeatCapacity ThermalConductance PowerPerArea EnergyPerArea
     )

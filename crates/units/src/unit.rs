@@ -71,9 +71,12 @@ const LENGTH: &[Unit] = &[
     unit(Length, "km", 1e3, &["km"]),
     unit(Length, "in", INCH, &["in", "inch"]),
     unit(Length, "ft", FOOT, &["ft"]),
-    // The diametral pitch counts teeth on an inch of diameter: a module of 25.4 mm over it.
-    Unit { dimension: Length, symbol: "DP", factor: INCH, is_reciprocal: true, keys: &["DP"] },
 ];
+
+// Besides those of a length. The diametral pitch counts teeth on an inch of diameter: a module of 25.4 mm over
+// it.
+const MODULE: &[Unit] =
+    &[Unit { dimension: Module, symbol: "DP", factor: INCH, is_reciprocal: true, keys: &["DP"] }];
 
 const AREA: &[Unit] = &[
     unit(Area, "mm²", 1e-6, &["mm2"]),
@@ -279,12 +282,13 @@ const AMBIGUOUS: &[(&str, &str)] = &[
 ];
 
 impl Dimension {
-    /// Units of the dimension; the usual one first.
+    /// Units of this dimension alone; the usual one first. A module is also read in those of a length.
     #[must_use]
     pub const fn units(self) -> &'static [Unit] {
         match self {
             Dimensionless => DIMENSIONLESS,
             Length => LENGTH,
+            Module => MODULE,
             Area => AREA,
             Volume => VOLUME,
             VolumeRate => VOLUME_RATE,
@@ -318,20 +322,39 @@ impl Dimension {
     /// The unit an engineer would expect: `kW` for a power, `mm` for a length.
     #[must_use]
     pub const fn usual_unit(self) -> &'static Unit {
-        &self.units()[0]
+        &self.written_as().units()[0]
+    }
+
+    /// The dimension whose units are written: of a module, those of a length.
+    pub(super) const fn written_as(self) -> Self {
+        match self {
+            Module => Length,
+            own => own,
+        }
+    }
+
+    /// Whether a quantity of the dimension may have a unit of `other`.
+    pub(super) fn is_read_in(self, other: Self) -> bool {
+        other == self || other == self.written_as()
+    }
+
+    /// Units in which a quantity of the dimension is read; the usual one first.
+    fn read_units(self) -> impl Iterator<Item = &'static Unit> {
+        let own: &[Unit] = if self.written_as() == self { &[] } else { self.units() };
+        self.written_as().units().iter().chain(own)
     }
 
     /// SI unit: `W` for a power, `m` for a length.
     #[must_use]
     pub fn si_unit(self) -> &'static Unit {
         // Each has one; a test holds it.
-        self.units().iter().find(|unit| unit.factor == 1.0).unwrap_or(self.usual_unit())
+        self.read_units().find(|unit| unit.factor == 1.0).unwrap_or(self.usual_unit())
     }
 
     /// The names of its units, for a message: `kW, mW, W, MW, PS, hp(I)`.
     #[must_use]
     pub fn unit_list(self) -> String {
-        self.units().iter().map(|unit| unit.symbol).collect::<Vec<_>>().join(", ")
+        self.read_units().map(|unit| unit.symbol).collect::<Vec<_>>().join(", ")
     }
 }
 
@@ -428,8 +451,7 @@ pub(super) fn nearest_unit(text: &str, dimension: Option<Dimension>) -> Option<&
         };
         unit.keys.iter().map(of_spelling).fold(0.0, f64::max)
     };
-    let candidates =
-        dimension.map_or_else(|| all_units().collect::<Vec<_>>(), |d| d.units().iter().collect());
+    let candidates = dimension.map_or_else(|| all_units().collect::<Vec<_>>(), |d| d.read_units().collect());
     // `max_by` takes the last of equals; reversed, the usual unit wins.
     let best = candidates.into_iter().rev().max_by(|a, b| likeness(a).total_cmp(&likeness(b)))?;
     (likeness(best) >= 0.6).then_some(best)

@@ -105,7 +105,7 @@ proptest! {
 
     #[test]
     fn every_set_has_an_answer_or_a_reason(
-        kind in 0..10_usize, z1 in 15..40_u32, z2 in 14..40_u32, z3 in 14..40_u32, more in 0..30_u32, close: bool,
+        kind in 0..11_usize, z1 in 15..40_u32, z2 in 14..40_u32, z3 in 14..40_u32, more in 0..30_u32, close: bool,
         x in proptest::array::uniform5(-0.3..0.6_f64), shifted: bool, helix in prop_oneof![Just(0_u32), 1..20_u32], planets in 1..5_u32,
     ) {
         let ring = if close { z1 + 2 * z2 } else { z1 + z2 + z3 + more };
@@ -139,6 +139,14 @@ proptest! {
                     z1 + more, shifts(&gears),
                 );
                 file("compound_sets", &set, &gears, false).replace("output: h", "output: ring") + "brakes: [{ id: B, link: h }]\n"
+            }
+            9 => {
+                let gears = ["a", "ground", "p", "q", "r"];
+                let set = format!(
+                    "carrier: h, suns: {{ a: {z1} }}, rings: {{ ground: {} }}, planet_gears: {{ p: [{z2}], q: [{z3}], r: [{z2}] }}, planets: {planets}, {usual}{}, meshes: [{{ gears: [a, p] }}, {{ gears: [p, q] }}, {{ gears: [q, r] }}, {{ gears: [r, ground] }}]",
+                    z1 + 2 * z2 + z3 + more, shifts(&gears),
+                );
+                file("compound_sets", &set, &["a", "ground", "p", "q", "r"], false)
             }
             _ => {
                 let gears = ["a", "ground", "ring", "p.1", "p.2"];

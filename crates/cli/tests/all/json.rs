@@ -123,6 +123,22 @@ fn members_held() -> String {
     drive.replace("ties:", other)
 }
 
+/// A planet meshes with other planets alone.
+const CHAIN: &str = "gearbox: chain
+input: sun
+output: arm
+compound_sets:
+  - id: P
+    carrier: arm
+    suns: { sun: 20 }
+    rings: { ground: 120 }
+    planet_gears: { inner: [18], middle: [17], outer: [19] }
+    planets: 3
+    module: 3 mm
+    meshes: [{ gears: [sun, inner] }, { gears: [inner, middle] }, { gears: [middle, outer] }, { gears: [outer, ground] }]
+gears: [{ name: only }]
+";
+
 fn wind_stage() -> String {
     std::fs::read_to_string(examples().join("wind-stage.yaml")).unwrap()
 }
@@ -171,6 +187,7 @@ fn folder() -> tempfile::TempDir {
     std::fs::write(folder.path().join("short.yaml"), short).unwrap();
     std::fs::write(folder.path().join("tips.yaml"), TIPS).unwrap();
     std::fs::write(folder.path().join("ported.yaml"), PORTED).unwrap();
+    std::fs::write(folder.path().join("chain.yaml"), CHAIN).unwrap();
     folder
 }
 

@@ -7,7 +7,7 @@ use crate::motor::answer::Numbers;
 use crate::shared::drawability::answer::Conflict;
 use crate::shared::gearbox::{Gearbox, Origin};
 use crate::shared::tooth_checks::answer::ToothChecks;
-use crate::shared::toothed::WithoutTeeth;
+use crate::shared::toothed::{AssumedRadius, WithoutTeeth};
 use epicyclic_units::Physical as _;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -41,6 +41,8 @@ pub struct Drawing {
     pub tooth_checks: Option<ToothChecks>,
     /// Sets that a view of teeth leaves out; empty in other views.
     pub left_out: Vec<WithoutTeeth>,
+    /// Planets whose radius a view of teeth assumes; empty in other views.
+    pub assumed_radii: Vec<AssumedRadius>,
 }
 
 /// Gearbox or motor that is drawn.

@@ -15,11 +15,13 @@ use crate::shared::gearbox::{Gearbox, Origin};
 use crate::shared::gearbox_choice::{Choice, subject};
 use crate::shared::places::Grid;
 use crate::shared::tooth_checks::answer::ToothChecks;
-use crate::shared::toothed::WithoutTeeth;
+use crate::shared::toothed::{AssumedRadius, WithoutTeeth};
 use epicyclic_drawing::{Scene, svg};
 use epicyclic_formats as formats;
 use epicyclic_formats::FileKind;
+use epicyclic_units::Dimension::Length;
 use epicyclic_units::Number;
+use epicyclic_units::format::in_unit;
 pub(crate) use scenes::to_scale;
 use std::path::{Path, PathBuf};
 
@@ -173,6 +175,16 @@ fn write(
         for WithoutTeeth { set, why } in &drawing.left_out {
             call.complain(&format!("warning: set `{set}` is not drawn: {why}"));
         }
+        for AssumedRadius { set, planet, radius_m } in &drawing.assumed_radii {
+            let radius = radius_m.map(|radius| in_unit(radius, Length.usual_unit(), 4));
+            let (at, stated) = match radius {
+                Some(radius) => (format!(" at the radius {radius}"), radius),
+                None => (String::new(), "…".to_owned()),
+            };
+            call.complain(&format!(
+                "warning: set `{set}`: the planet {planet} meshes with other planets alone and is drawn{at} between them; state `planet_sizes: {{ {planet}: {{ carrier_radius: {stated} }} }}`"
+            ));
+        }
         for warning in drawing.tooth_checks.iter().flat_map(ToothChecks::warnings) {
             call.complain(&format!("warning: {}", warning.message));
         }
@@ -212,7 +224,7 @@ impl Request {
         if self.view() == View::Teeth {
             drawing.tooth_checks = Some(ToothChecks::of(gearbox.tooth_checks(), |_| true));
         }
-        let scene = scenes::of_gearbox(self, gearbox, &mut drawing.left_out)?;
+        let scene = scenes::of_gearbox(self, gearbox, &mut drawing)?;
         Ok(Picture { drawing, scene })
     }
 
@@ -263,6 +275,7 @@ impl Request {
             files: vec![],
             tooth_checks: None,
             left_out: vec![],
+            assumed_radii: vec![],
         }
     }
 

@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::motor::forms::answer::Crest;
 use crate::motor::table::View;
 use epicyclic_hydromotor::profile::ToothForm;
-use epicyclic_units::{Number, Physical as _, Quantity};
+use epicyclic_units::{Module, Number, Physical as _, Quantity};
 use made::Made;
 use std::path::PathBuf;
 use uom::si::f64::{Angle, AngularVelocity, Length, Pressure, Ratio};
@@ -41,7 +41,7 @@ pub struct Request {
 
     /// Module of the teeth.
     #[arg(long, requires = "stator", allow_hyphen_values = true)]
-    pub module: Option<Quantity<Length>>,
+    pub module: Option<Quantity<Module>>,
 
     /// Distance l of the centres of the stator's arcs at the troughs from the axis. Default: the middle of
     /// the family.

@@ -25,7 +25,7 @@ use crate::teeth::answer::IN_A_SECOND;
 use epicyclic_formats::Span;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_selection::{Objective, Order, Rating, Requirements};
-use epicyclic_units::{Number, Quantity};
+use epicyclic_units::{Module, Number, Quantity};
 use nothing::{nothing_found, with_teeth_more};
 use refused::refuse;
 use std::path::PathBuf;
@@ -149,11 +149,11 @@ pub struct Size {
 
     /// Least module that a set may need; with --teeth.
     #[arg(long, requires = "load_factor", requires = "teeth", allow_hyphen_values = true)]
-    pub least_module: Option<Quantity<Length>>,
+    pub least_module: Option<Quantity<Module>>,
 
     /// Greatest module that a set may need; with --teeth.
     #[arg(long, requires = "load_factor", requires = "teeth", allow_hyphen_values = true)]
-    pub greatest_module: Option<Quantity<Length>>,
+    pub greatest_module: Option<Quantity<Module>>,
 }
 
 /// Speed and load of the input.
@@ -243,6 +243,7 @@ impl Request {
     fn wanted_teeth(&self, most: usize) -> Result<teeth::Wanted, Failure> {
         let (requirements, order, duty) = self.required()?;
         let length = |option: Option<Quantity<Length>>| option.map(|length| length.0);
+        let module = |option: Option<Quantity<Module>>| option.map(|module| module.0.length());
         Ok(teeth::Wanted {
             requirements,
             order,
@@ -251,8 +252,8 @@ impl Request {
             shifts: self.teeth_bounds.shifts.wanted(),
             limits: SizeLimits {
                 ring_diameter: length(self.size.ring_diameter),
-                least_module: length(self.size.least_module),
-                greatest_module: length(self.size.greatest_module),
+                least_module: module(self.size.least_module),
+                greatest_module: module(self.size.greatest_module),
             },
             most,
             nth: self.nth,

@@ -3,7 +3,7 @@
 use crate::shared::fault::refused;
 use crate::shared::gearbox::Gearbox;
 use epicyclic_formats::Path;
-use epicyclic_formats::gearbox::{SetData, keys_of};
+use epicyclic_formats::gearbox::{GearboxFile, SetData, keys_of};
 use epicyclic_train as train;
 use epicyclic_train::in_mesh::{InMesh, Unplaced};
 use epicyclic_train::toothed::{ToothedSet, Untoothed};
@@ -24,6 +24,18 @@ pub struct WithoutTeeth {
     pub why: String,
 }
 
+/// A planet whose centre is drawn at an assumed radius, since it meshes with other planets alone.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct AssumedRadius {
+    /// Name of the set.
+    pub set: String,
+    /// Name of the planet.
+    pub planet: String,
+    /// Radius of its centre, in m; null if the file states no module.
+    pub radius_m: Option<f64>,
+}
+
 impl WithoutTeeth {
     pub(crate) fn new(set: &train::PlanetSet, why: &Unplaced) -> Self {
         Self { set: set.id().to_owned(), why: why.to_string() }
@@ -36,7 +48,18 @@ impl WithoutTeeth {
 /// # Errors
 /// [`Unplaced`].
 pub(crate) fn in_mesh(subject: &Gearbox, set: &train::PlanetSet) -> Result<InMesh, Unplaced> {
-    set.in_mesh(&set.toothed(&subject.rack, subject.modules(set))?, subject.is_behind(set), SHOWN)
+    let mut toothed = set.toothed(&subject.rack, subject.modules(set))?;
+    // Lengths of a file and of gears have one unit only if a module is stated.
+    if toothed.radii.contains(&None)
+        && subject.modules(set).iter().any(Option::is_some)
+        && let Ok(file) = subject.document.read::<GearboxFile>()
+        && let Some(data) = file.set_data(set)
+    {
+        for (radius, planet) in toothed.radii.iter_mut().zip(&data.planets) {
+            *radius = radius.or(planet.carrier_radius.map(Physical::si));
+        }
+    }
+    set.in_mesh(&toothed, subject.is_behind(set), SHOWN)
 }
 
 /// Error of teeth, at the key of the set that may hold its cause.

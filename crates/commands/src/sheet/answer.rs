@@ -24,8 +24,9 @@ use epicyclic_gears::involute::play::Deviation;
 use epicyclic_gears::{Error as GearError, Quantity};
 use epicyclic_train::PlanetSet;
 use epicyclic_train::toothed::{ToothedMesh, ToothedSet};
+use epicyclic_units::Dimension::Length;
 use epicyclic_units::Physical;
-use epicyclic_units::format::significant;
+use epicyclic_units::format::{in_unit, significant};
 use output::Known;
 use records::{Allowed, AtOutput, GearSheet, LeftOut, Limits, MeshSheet, SetSheet, Toothed, same};
 use schemars::JsonSchema;
@@ -82,7 +83,7 @@ fn described(subject: &Gearbox, wanted: Option<&str>) -> Result<DataSheets, Erro
     let file: GearboxFile = subject.document.read()?;
     subject.check_set(wanted)?;
     let is_wanted = |id: &str| wanted.is_none_or(|wanted| wanted == id);
-    let (mut sets, mut left_out, mut known) = (vec![], vec![], vec![]);
+    let (mut sets, mut left_out, mut known, mut unstated) = (vec![], vec![], vec![], vec![]);
     for (place, set) in subject.train.sets().iter().enumerate().filter(|(_, set)| is_wanted(set.id())) {
         let Some(data) = file.set_data(set) else { continue };
         let toothed = toothed(subject, &data, set)?;
@@ -91,6 +92,7 @@ fn described(subject: &Gearbox, wanted: Option<&str>) -> Result<DataSheets, Erro
             Ok(toothed) if has_module => {
                 let (sheet, allowed) =
                     Of { document: &subject.document, set, data: &data, toothed: &toothed }.sheet()?;
+                unstated.extend(assumed_allowances(set.id(), &data));
                 sets.push(sheet);
                 let gears =
                     toothed.meshes.iter().map(|mesh| mesh.gears.map(|gear| data.place(gear))).collect();
@@ -107,7 +109,8 @@ fn described(subject: &Gearbox, wanted: Option<&str>) -> Result<DataSheets, Erro
     }
     let tooth_checks =
         ToothChecks::of(subject.tooth_checks(), |of| sets.iter().any(|set: &SetSheet| set.set == of));
-    let warnings = tooth_checks.warnings().chain(sets.iter().flat_map(SetSheet::warnings)).collect();
+    let of_sets = sets.iter().flat_map(SetSheet::warnings);
+    let warnings = tooth_checks.warnings().chain(of_sets).chain(unstated).collect();
     let at_output =
         if wanted.is_none() && !sets.is_empty() { output::of_gears(subject, &known)? } else { vec![] };
     Ok(DataSheets {
@@ -117,6 +120,21 @@ fn described(subject: &Gearbox, wanted: Option<&str>) -> Result<DataSheets, Erro
         left_out,
         tooth_checks,
         warnings,
+    })
+}
+
+/// Warns of gears without allowances in a set where others have some: their limits are those of 0.
+fn assumed_allowances(set: &str, data: &SetData<'_>) -> Option<Warning> {
+    let given = data.of_gears(data.data_sheet?.thickness_allowances.as_ref()?);
+    let unstated = data.gears.names.iter().zip(&given).filter(|(_, own)| own.is_none());
+    let unstated: Vec<&str> = unstated.map(|(name, _)| name.as_str()).collect();
+    (!unstated.is_empty()).then(|| Warning {
+        name: "allowances-assumed",
+        message: format!(
+            "set `{}`: `thickness_allowances` has nothing of {}; both limits are taken as 0: state them, `[0 um, 0 um]` if they are 0",
+            set,
+            unstated.join(" and "),
+        ),
     })
 }
 
@@ -162,7 +180,7 @@ impl<'a> Of<'a> {
                 .collect(),
             centre_distance_m: centre.unwrap_or_default(),
         });
-        let fault = |error: GearError| {
+        let fault = |(error, module_m): (GearError, f64)| {
             let key = match error {
                 GearError::NotAbove { .. }
                 | GearError::Deviation { quantity: Quantity::CentreDistanceDeviation, .. } => {
@@ -170,13 +188,14 @@ impl<'a> Of<'a> {
                 }
                 _ => "thickness_allowances",
             };
-            self.refused(&["data_sheet", key], &error)
+            let name = error.name();
+            self.refused(&["data_sheet", key], &Named(name, in_millimetres(error, module_m)))
         };
         let materials = self.data.strength.map(|strength| self.data.of_gears(&strength.materials));
         let material = |place: usize| materials.as_ref().and_then(|all| all[place].cloned());
         let sheets = gears.iter().zip(&balls).enumerate().map(|(place, (gear, ball))| {
             let allowance = allowed.as_ref().map(|allowed| allowed.thickness[place]);
-            let sheet = GearSheet::of(gear, *ball, allowance)?;
+            let sheet = GearSheet::of(gear, *ball, allowance).map_err(|error| (error, gear.module_m))?;
             let face_width_m = self.data.face_widths[place].map(Physical::si);
             Ok(GearSheet { face_width_m, material: material(place), ..sheet })
         });
@@ -189,7 +208,8 @@ impl<'a> Of<'a> {
                     deviation(allowed.centre_distance_m, mesh.module),
                 )
             });
-            MeshSheet::of(MeshName::of(self.set, mesh.gears), mesh, width, allowed)
+            let sheet = MeshSheet::of(MeshName::of(self.set, mesh.gears), mesh, width, allowed);
+            sheet.map_err(|error| (error, mesh.module))
         };
         let meshes = self.toothed.meshes.iter().map(mesh);
         let sheet = SetSheet {
@@ -238,6 +258,22 @@ impl<'a> Of<'a> {
     /// Error at the longest part of a path that exists in the file.
     fn refused(&self, keys: &[&str], why: &dyn Fault) -> Error {
         refused(self.document, &self.data.path, keys, why)
+    }
+}
+
+/// Message of an error with lengths in the unit of files, since gears have them in modules.
+fn in_millimetres(error: GearError, module_m: f64) -> String {
+    let mm = |modules: f64| in_unit(modules * module_m, Length.usual_unit(), 6);
+    match error {
+        GearError::Deviation { quantity, lower, upper } => format!(
+            "{quantity} from {} to {}: two finite numbers are needed, the smaller first",
+            mm(lower),
+            mm(upper)
+        ),
+        GearError::NotAbove { quantity, value, low, unit: "modules" } => {
+            format!("{quantity} is {}; it must be above {}", mm(value), mm(low))
+        }
+        error => error.to_string(),
     }
 }
 

@@ -11,6 +11,7 @@
 //! | `rated_set` | the meshes of a file's sets |
 //! | `prepared` | simple sets of a file without their size |
 //! | [`factors`] | factors by their symbols, each once |
+//! | `idlers` | wheels that two pairs may share |
 //! | `axial` | axial forces of helical teeth |
 //! | `load` | the load of a set in a gear |
 //! | `duty` | the steps of a duty, and a set over them |
@@ -28,6 +29,7 @@ mod bearing_records;
 pub(crate) mod bearings;
 pub(crate) mod duty;
 pub mod factors;
+mod idlers;
 pub(crate) mod load;
 pub(crate) mod materials;
 pub(crate) mod names;
@@ -301,11 +303,13 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
     let is_asked =
         |of: &str| sets.iter().any(|set| set.id == of) || not_rated.iter().any(|row| row.set == of);
     let tooth_checks = ToothChecks::of(subject.tooth_checks(), is_asked);
+    let idlers = idlers::warnings(subject, &file, &sets)?;
     let warnings = safeties
         .below(required)
         .into_iter()
         .chain(short_lived)
         .chain(uneven)
+        .chain(idlers)
         .chain(pins::warning(subject, &turning))
         .chain(shared.warnings())
         .chain(shared_flanks.iter().filter_map(SharedFlank::warning))

@@ -81,7 +81,7 @@ pub struct Vibration {
     /// Forces caused by transmission errors over the speeds; empty without transmission errors.
     pub responses: Vec<Response>,
     /// Torsional modes of the whole gearbox in each gear; empty if a single set is requested, or a set lacks
-    /// data.
+    /// data, which `not_calculated` names.
     pub torsional: Vec<TorsionalModes>,
     /// Modes of the whole gearbox in the plane in each gear; empty unless requested.
     pub coupled: Vec<CoupledModes>,
@@ -211,6 +211,17 @@ fn vibrating(
             all.sets.push(found.told(&of, &prepared, names)?);
         }
         in_train.push(TrainSet { of, place, prepared });
+    }
+    if request.set.is_none() && !in_train.is_empty() {
+        let lacks = |one: &&NotCalculated| one.what == What::Modes && one.gear.is_none();
+        let is_left_out = |one: &&NotCalculated| in_train.iter().all(|own| own.of.set.id() != one.set);
+        let lacking: Vec<NotCalculated> =
+            all.not_calculated.iter().filter(lacks).filter(is_left_out).cloned().collect();
+        // The whole gearbox needs every set.
+        let models = [Some(What::Torsional), request.exciting.coupled.then_some(What::Coupled)];
+        for what in models.into_iter().flatten() {
+            all.not_calculated.extend(lacking.iter().map(|one| NotCalculated { what, ..one.clone() }));
+        }
     }
     if in_train.len() == gearbox.sets().len() {
         for gear in gears {

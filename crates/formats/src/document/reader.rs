@@ -309,7 +309,7 @@ fn number<'de, V: Visitor<'de>>(scalar: Scalar, text: &'de str, visitor: V) -> R
     match scalar {
         Scalar::Whole(_) | Scalar::Negative(_) | Scalar::Number(_) => visit(scalar, text, visitor),
         Scalar::Text => match quantity::parse_number(text) {
-            Ok(value) if text.contains(['/', ':']) => visitor.visit_f64(value),
+            Ok(value) if text.contains(['/', ':', '%', '‰']) => visitor.visit_f64(value),
             // In quotes, or with leading zeros.
             Ok(value) => Err(wrong_type(found(), &visitor, Some(value.to_string()))),
             Err(QuantityError::Empty { .. } | QuantityError::NotANumber { .. }) => {

@@ -231,6 +231,29 @@ fn keys_and_names_are_checked() {
 }
 
 #[test]
+fn a_share_is_read_wherever_a_number_is() {
+    for (share, value) in [("5 %", 0.05), ("5%", 0.05), ("'97.5 %'", 0.975), ("-2 ‰", -0.002)] {
+        let text = format!(
+            "given: {{ power: 1 kW, ratio: {share}, arms: [{share}, 1], shafts: [{{ torque: 1 N·m, inertia_kg_m2: {share} }}] }}"
+        );
+        let given = read(&text).unwrap().given;
+        let read =
+            [given.ratio.unwrap().get(), given.arms.unwrap()[0], given.shafts[0].inertia_kg_m2.unwrap()];
+        assert!(read.iter().all(|read| (read - value).abs() < 1e-15), "{share}: {read:?}");
+    }
+    check(&[
+        (
+            "given: { power: 1 kW, teeth: 50 % }",
+            "wrong-type | c.yaml:1:30: given.teeth: the number 0.5 where a whole number from 0 to 4294967295 is due",
+        ),
+        (
+            "given: { power: 1 kW, ratio: '0,5 %' }",
+            "decimal-comma | c.yaml:1:30: given.ratio: 0,5 %: decimal comma; write 0.5 %",
+        ),
+    ]);
+}
+
+#[test]
 fn wrong_types_are_told_in_plain_words() {
     check(&[
         ("given: 3", "wrong-type | c.yaml:1:8: given: the number 3 where a map is due"),

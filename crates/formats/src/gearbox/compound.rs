@@ -19,7 +19,7 @@ use epicyclic_train::compound::{CentralKind, CentralSpec, CompoundSpec, MeshSpec
 use epicyclic_train::planet_bearings::{MeshSize, PlanetSize, SetSize};
 use epicyclic_train::planet_set::Planet;
 use epicyclic_train::{PlanetSet, SetPart};
-use epicyclic_units::{Number, Physical, Quantity};
+use epicyclic_units::{Module, Number, Physical, Quantity};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use std::borrow::Cow;
@@ -73,7 +73,8 @@ pub struct CompoundEntry<P = PlanetSizeEntry> {
     #[serde(default)]
     pub planet_angles: Option<Vec<Quantity<Angle>>>,
     /// Module of its meshes, of helical teeth the normal one.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "crate::module::optional")]
+    #[schemars(with = "Option<Quantity<Module>>")]
     pub module: Option<Quantity<Length>>,
     /// Helix angle of its teeth, at the reference cylinders and without its hand. Default 0 deg, spur teeth.
     #[serde(default)]
@@ -127,7 +128,8 @@ pub struct MeshEntry {
     #[serde(default)]
     pub friction: Option<Number>,
     /// Module of the mesh, if not that of the set.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "crate::module::optional")]
+    #[schemars(with = "Option<Quantity<Module>>")]
     pub module: Option<Quantity<Length>>,
     /// Helix angle of the mesh, if not that of the set.
     #[serde(default)]

@@ -9,8 +9,11 @@ use serde::Deserialize;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum RollingEntry {
-    /// Balls.
+    /// Not stated: balls. A pair, which has no planets, must not state it.
     #[default]
+    #[serde(skip)]
+    Unstated,
+    /// Balls.
     Balls,
     /// Rollers in a cage.
     Rollers,
@@ -23,7 +26,7 @@ pub enum RollingEntry {
 impl From<RollingEntry> for Rolling {
     fn from(rolling: RollingEntry) -> Self {
         match rolling {
-            RollingEntry::Balls => Self::Balls,
+            RollingEntry::Unstated | RollingEntry::Balls => Self::Balls,
             RollingEntry::Rollers | RollingEntry::Needles | RollingEntry::FullComplement => Self::Rollers,
         }
     }

@@ -4,7 +4,7 @@ use super::checks::{NO_LINK, counts};
 use super::losses::losses;
 use super::shape::{Shape, Stated, missing, one_module};
 use super::spacing::spaced;
-use super::{DescriptionError, Gears, SetEntry, Vibrating};
+use super::{DescriptionError, Gears, RollingEntry, SetEntry, Vibrating};
 use crate::Path;
 use crate::faults::Faults;
 use epicyclic_gears::rack::BasicRack;
@@ -143,6 +143,7 @@ impl SetEntry {
             ("planet_bore", self.planet_bore.is_some()),
             ("planet_mass", self.planet_mass.is_some()),
             ("load_rating", self.load_rating.is_some()),
+            ("bearing_rolling", self.bearing_rolling != RollingEntry::Unstated),
             ("static_load_rating", self.static_load_rating.is_some()),
             ("fatigue_limit", self.fatigue_limit.is_some()),
             ("bearing_diameter", self.bearing_diameter.is_some()),

@@ -309,6 +309,57 @@ proptest! {
     }
 }
 
+proptest! {
+    #![proptest_config(ProptestConfig { cases: ProptestConfig::default().cases / 32, ..ProptestConfig::default() })]
+    /// A chain of planets, of which those in the middle mesh with planets alone.
+    #[test]
+    fn planets_between_planets_are_drawn_in_mesh(
+        sun in 17..40_u32, teeth in prop::collection::vec(17..30_u32, 3..6), more in -20..20_i32, at: bool,
+    ) {
+        // Sun and chain reach a ring of this size with the planets at any angles that are not too steep.
+        let across = sun + teeth[0] + teeth[1..].iter().sum::<u32>();
+        let ring = across.checked_add_signed(more).unwrap();
+        let names: Vec<String> = (0..teeth.len()).map(|place| format!("p{place}")).collect();
+        let mut set = CompoundSpec::new("P", "H").planet_count(1).sun("a", sun).ring("c", ring);
+        for (name, teeth) in names.iter().zip(&teeth) {
+            set = set.planet(name, &[*teeth]);
+        }
+        set = set.mesh("a", &names[0], MeshEfficiency::IDEAL);
+        for pair in names.windows(2) {
+            set = set.mesh(&pair[0], &pair[1], MeshEfficiency::IDEAL);
+        }
+        set = set.mesh(&names[teeth.len() - 1], "c", MeshEfficiency::IDEAL);
+        let gearbox = alone(set);
+        let set = &gearbox.sets()[0];
+        let Ok(mut toothed) = set.toothed(&BasicRack::default(), &[]) else { return Ok(()) };
+        let open: Vec<usize> = (0..teeth.len()).filter(|planet| toothed.radii[*planet].is_none()).collect();
+        prop_assert_eq!(open.len(), teeth.len() - 2);
+        let free = set.in_mesh(&toothed, &[], 1);
+        let radius = |planet: usize| toothed.radii[planet].unwrap();
+        let steps: f64 = toothed.meshes[1..teeth.len()].iter().map(|mesh| mesh.pair.centre_distance()).sum();
+        if (radius(0) - radius(teeth.len() - 1)).abs() > steps {
+            prop_assert!(free.is_err());
+            return Ok(());
+        }
+        let in_mesh = free.unwrap();
+        let assumed: Vec<usize> = in_mesh.assumed.iter().map(|one| one.0).collect();
+        prop_assert_eq!(&assumed, &open);
+        // Each gear of the set is there.
+        prop_assert_eq!(in_mesh.placed().count(), set.gears().len());
+        check(&in_mesh, teeth.len())?;
+        // A radius that is stated is that of the picture.
+        let (planet, radius) = in_mesh.assumed[0];
+        let stated = if at { radius } else { 1.0005 * radius };
+        toothed.radii[planet] = Some(stated);
+        if let Ok(in_mesh) = set.in_mesh(&toothed, &[], 1) {
+            prop_assert_eq!(in_mesh.planets[planet].centre_distance, stated);
+            prop_assert!(in_mesh.assumed.iter().all(|one| one.0 != planet));
+        } else {
+            prop_assert!(!at);
+        }
+    }
+}
+
 /// A set as it is written in two ways.
 fn both_ways(dice: &Dice) -> Option<[Gearbox; 2]> {
     let short = dice.set(2)?;

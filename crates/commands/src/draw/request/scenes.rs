@@ -1,13 +1,14 @@
 //! Scenes of the views of a gearbox.
 
 use super::{Request, View};
+use crate::draw::answer::Drawing;
 use crate::failure::Failure;
 use crate::losses::answer::map as losses_map;
 use crate::losses::table::efficiency_map;
 use crate::shared::drawability::answer::Conflict;
 use crate::shared::gearbox::{Gearbox, Origin};
 use crate::shared::gearbox_choice::{analysis, refuse};
-use crate::shared::toothed::{WithoutTeeth, in_mesh};
+use crate::shared::toothed::{AssumedRadius, WithoutTeeth, in_mesh};
 use epicyclic_drawing::Scene;
 use epicyclic_formats::Path;
 use epicyclic_layout::{Layout, Options, Verdict, draw};
@@ -24,7 +25,7 @@ use uom::si::f64::Length;
 pub(super) fn of_gearbox(
     request: &Request,
     gearbox: &Gearbox,
-    left_out: &mut Vec<WithoutTeeth>,
+    drawing: &mut Drawing,
 ) -> Result<Scene, Failure> {
     let title = request.title.as_deref();
     let train = &gearbox.train;
@@ -33,7 +34,7 @@ pub(super) fn of_gearbox(
         (View::Map, _) => map(request, gearbox)?,
         (View::Scheme, gear) => kinematic(request, gearbox, gear.as_ref())?,
         (View::Speeds, Some(gear)) => speeds::scene(train, gear, title)?,
-        (View::Teeth, _) => toothed(gearbox, title, left_out)?,
+        (View::Teeth, _) => toothed(gearbox, title, (&mut drawing.left_out, &mut drawing.assumed_radii))?,
         (View::Levers, gear) => levers::scene(train, gear.as_ref(), title)?,
         // The check leaves the ladder alone.
         _ => ladder::scene(train, &all_gears(train)?, title)?,
@@ -59,7 +60,7 @@ fn map(request: &Request, gearbox: &Gearbox) -> Result<Scene, Failure> {
 fn toothed(
     gearbox: &Gearbox,
     title: Option<&str>,
-    left_out: &mut Vec<WithoutTeeth>,
+    (left_out, assumed): (&mut Vec<WithoutTeeth>, &mut Vec<AssumedRadius>),
 ) -> Result<Scene, Failure> {
     let mut sets = vec![];
     for set in gearbox.train.sets() {
@@ -67,6 +68,11 @@ fn toothed(
             Ok(in_mesh) => {
                 let has_module = gearbox.modules(set).iter().any(Option::is_some);
                 let unit = has_module.then(|| Length::from_si(1.0));
+                assumed.extend(in_mesh.assumed.iter().map(|(planet, radius)| AssumedRadius {
+                    set: set.id().to_owned(),
+                    planet: set.planets()[*planet].name.clone(),
+                    radius_m: has_module.then_some(*radius),
+                }));
                 sets.push(ToothedSet { set, in_mesh, unit });
             }
             Err(Unplaced::Uncut(error) | Unplaced::Untoothed(Untoothed::Refused(error))) => {

@@ -14,7 +14,7 @@ use crate::table::report::AsReport;
 use epicyclic_formats::Span;
 use epicyclic_hydromotor::numbers::Bounds;
 use epicyclic_hydromotor::search::{Limits, LobeDivisor, Requirements, Size, SizeLimits};
-use epicyclic_units::{Number, Physical, Quantity};
+use epicyclic_units::{Module, Number, Physical, Quantity};
 use std::path::PathBuf;
 use std::str::FromStr;
 use uom::si::f64::{Angle, AngularVelocity, Length, Pressure, Ratio, Torque, Volume};
@@ -45,7 +45,7 @@ pub struct Goal {
     /// Modules to choose from: '2 mm, 2.5 mm'. Default: the first series of ISO 54, unless the width is
     /// given.
     #[arg(long, value_name = "MODULES", allow_hyphen_values = true)]
-    pub module: Option<Quantities<Length>>,
+    pub module: Option<Quantities<Module>>,
 
     /// Width; alone it gives the module, with --module the displacement.
     #[arg(long, allow_hyphen_values = true)]
@@ -167,13 +167,15 @@ impl Goal {
         };
         // A displacement fixes the product of squared module and width, so modules with a width need a
         // tolerance.
+        let lengths =
+            |modules: &Quantities<Module>| modules.values().into_iter().map(Module::length).collect();
         let size = match (&self.module, self.width, self.width_over_diameter) {
             (Some(modules), Some(width), _) => Size::ModulesAndWidth {
-                modules: modules.values(),
+                modules: lengths(modules),
                 width: width.0,
                 tolerance: self.tolerance.0.si(),
             },
-            (Some(modules), ..) => Size::Modules(modules.values()),
+            (Some(modules), ..) => Size::Modules(lengths(modules)),
             (_, Some(width), _) => Size::Width(width.0),
             (.., Some(part)) => Size::WidthOverDiameter(part.get()),
             _ => Size::default(),

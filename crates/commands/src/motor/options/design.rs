@@ -52,7 +52,7 @@ impl Request {
             Some(z1) => MotorNumbers::with_rotor_teeth(stator, rotor, z3, z1, zs),
             None => MotorNumbers::new(stator, rotor, z3, zs),
         };
-        Ok((numbers.map_err(|error| refuse(error.into()))?, module.0))
+        Ok((numbers.map_err(|error| refuse(error.into()))?, module.0.length()))
     }
 
     pub(crate) fn place(&self) -> Place {

@@ -8,7 +8,7 @@ use super::assembly::Case;
 use super::records::{NotCalculated, Reason, What};
 use super::{Of, Prepared, joined};
 use crate::error::Error;
-use crate::shared::fault::{Named, refused};
+use crate::shared::fault::{Named, in_usual_units, refused};
 use crate::shared::gearbox::Gearbox;
 use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::{GearboxFile, ShaftEntry, VibrationOfGearbox};
@@ -160,7 +160,7 @@ impl<'a> Train<'a> {
 
     /// Error of the model in a gear.
     pub(super) fn refused(&self, gear: &Gear, error: &epicyclic_vibration::Error) -> Error {
-        let message = format!("gear {}: {error}", gear.name());
+        let message = format!("gear {}: {}", gear.name(), in_usual_units(error));
         refused(&self.subject.document, &Path::root(), &["vibration"], &Named(error.name(), message))
     }
 }
