@@ -4,7 +4,7 @@
 
 use epicyclic_commands::failure::Failure;
 use epicyclic_commands::shared::gearbox::Gearbox;
-use epicyclic_commands::strength::answer::records::{BearingOverDuty, SharingBasis};
+use epicyclic_commands::strength::answer::records::{BearingOverDuty, SharingBasis, Thrusts};
 use epicyclic_commands::strength::{Request, Strength};
 use std::f64::consts::PI;
 
@@ -328,4 +328,60 @@ fn a_span_changes_no_life_of_spur_teeth() {
     assert_eq!((warned("").unwrap(), warned("bearing_span: 8 cm, ").unwrap()), (true, false));
     let error = warned("bearing_span: 0 mm, ").unwrap_err().to_string();
     assert!(error.contains("sets[0].bearing_span: bearing_span must be above 0"), "{error}");
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// Stepped planets with hands of every kind as rigid bodies in space: the load of a row follows from the moments
+/// of all forces about the other row. Equal hands act against each other on the pin, opposite ones together.
+#[test]
+fn rows_of_stepped_planets_balance_as_rigid_bodies() {
+    let teeth = [20.0, 40.0, 20.0, 80.0];
+    for (first, second) in [(10.0_f64, 17.0_f64), (10.0, -17.0), (-21.0, 6.0), (-14.0, -3.0)] {
+        for torque in [700.0, -450.0] {
+            let text = format!(
+                "gearbox: one\ninput: S\noutput: H\nlife: 10000 h\noil: {{ viscosity: 220 mm²/s }}\nsets:\n  - {{ id: A, kind: stepped_sun_ring, sun: S, ring: ground, carrier: H, \
+                 teeth: [20, 80], planet_teeth: [40, 20], planets: 3, module: 3 mm, helix_angles: [{first} deg, {second} deg], planet_mass: 3 kg, load_rating: 60 kN, \
+                 bearing_span: 70 mm, face_width: 30 mm, strength: {{ materials: [18CrNiMo7-6, 18CrNiMo7-6, 18CrNiMo7-6, 18CrNiMo7-6], flank_roughness: [4 µm, 4 µm, 4 µm, 4 µm], \
+                 root_roughness: [16 µm, 16 µm, 16 µm, 16 µm], shaper: {{ teeth: 30 }}, factors: {{ K_A: 1, K_gamma: 1, K_v: 1, K_H_beta: 1, K_H_alpha: 1, K_F_alpha: 1 }} }} }}\n\
+                 duty: [{{ gear: only, share: 100 %, torque: {torque} N·m, speed: 900 rpm }}]\ngears: [{{ name: only }}]\n"
+            );
+            let told = strength(&text).unwrap();
+            let betas = [first, second].map(f64::to_radians);
+            let tan = betas.map(|beta| libm::tan(beta.abs()));
+            let alpha = betas.map(|beta| libm::tan(20_f64.to_radians()) / libm::cos(beta));
+            let centre = 3e-3 / libm::cos(betas[0]) * (teeth[0] + teeth[1]) / 2.0;
+            let radii =
+                [centre * teeth[1] / (teeth[0] + teeth[1]), centre * teeth[2] / (teeth[3] - teeth[2])];
+            let of_sun = torque / 3.0 / (centre - radii[0]);
+            let of_ring = of_sun * radii[0] / radii[1];
+            let hands = [first.signum(), second.signum()];
+            let omega = 900.0 / (1.0 + 80.0 * 40.0 / (20.0 * 20.0)) * PI / 30.0;
+            // x outwards, y along the positive rotation, z along the axis; the sun is inside, the ring outside.
+            let forces = [
+                ([-radii[0], 0.0, 0.0], [of_sun.abs() * alpha[0], of_sun, hands[0] * of_sun * tan[0]]),
+                ([radii[1], 0.0, 0.0], [-of_ring.abs() * alpha[1], of_ring, -hands[1] * of_ring * tan[1]]),
+                ([0.0; 3], [3.0 * centre * omega * omega, 0.0, 0.0]),
+            ];
+            let (mut sum, mut about_second) = ([0.0; 3], [0.0; 3]);
+            for (at, force) in forces {
+                let turn = cross([at[0], at[1], at[2] + 0.035], force);
+                (0..3).for_each(|axis| sum[axis] += force[axis]);
+                (0..3).for_each(|axis| about_second[axis] += turn[axis]);
+            }
+            let row = [about_second[1] / 0.07, -about_second[0] / 0.07];
+            let rows = [libm::hypot(row[0], row[1]), libm::hypot(sum[0] - row[0], sum[1] - row[1])];
+            let step = &told.bearings[0].steps[0];
+            let own = step.row_forces_n.unwrap();
+            for (own, row) in own.iter().zip(rows) {
+                assert!((own / row - 1.0).abs() < 1e-9, "{own} {row} {first} {second} {torque}");
+            }
+            assert!((step.axial_force_n.unwrap() / sum[2] - 1.0).abs() < 1e-9, "{step:?} {sum:?}");
+            let planet = told.axial_forces.iter().find(|one| one.body == "planet").unwrap();
+            let thrusts = if hands[0] == hands[1] { Thrusts::PartlyCancel } else { Thrusts::Add };
+            assert_eq!(planet.thrusts, Some(thrusts));
+        }
+    }
 }

@@ -448,7 +448,12 @@ mod tests {
         assert!(
             of(&format!("{stepped}, helix_angles: [8 deg]")).unwrap_err().contains("has 1 values; 2 are")
         );
-        for (angle, told) in [("-8 deg", "-8"), ("61 deg", "61")] {
+        // Below 0 the hands are reversed, and the teeth are otherwise the same.
+        let [left, right] = ["-8 deg", "8 deg"]
+            .map(|angle| spec(&format!("teeth: [20, 60], helix_angle: {angle}")).unwrap().tooth_shape);
+        assert_eq!(left.helix_angle(1), right.helix_angle(1));
+        assert_eq!(left.signed_helix_angle(1), -right.signed_helix_angle(1));
+        for (angle, told) in [("-61 deg", "-61"), ("61 deg", "61")] {
             let error = of(&format!("teeth: [20, 60], helix_angle: {angle}")).unwrap_err();
             assert!(error.starts_with(&format!("set `P`: helix angle is {told}")), "{error}");
         }

@@ -43,12 +43,7 @@ pub(super) fn axial_forces(all: &[AxialForce]) -> Records {
 pub(super) fn bearings(all: &[BearingOverDuty]) -> Records {
     let modified = |one: &BearingOverDuty| one.modified.and_then(|modified| modified.life_s);
     let has_spans = all.iter().any(|one| one.span_m.is_some());
-    let of_rows = " s: distance of the two rows, which the tilting moment of helical teeth loads unequally; F of a row: the greatest. With s f_s is the static load rating over twice it.";
-    let note = format!(
-        "K_γ: of the forces of the meshes. F: the greatest of duty and overloads. f_s: static load rating over it. L_10: basic life, L_nm: modified life over the duty, of the bearings stated.{}",
-        if has_spans { of_rows } else { "" }
-    );
-    Table::new("bearings", all.iter())
+    let table = Table::new("bearings", all.iter())
         .text("set", "set", |one| &one.set)
         .text("planet", "planet", |one| &one.planet)
         .words("rolling", "of", |one| if one.rollers { "rollers" } else { "balls" })
@@ -57,7 +52,7 @@ pub(super) fn bearings(all: &[BearingOverDuty]) -> Records {
         .quantity("span", "s", Dimension::Length, |one| one.span_m)
         .only_if(has_spans)
         .quantity("greatest_force", "F", Dimension::Force, |one| one.greatest_force_n)
-        .quantity("greatest_row_force", "F of a row", Dimension::Force, |one| one.greatest_row_force_n)
+        .quantity("greatest_row_force", "F_row", Dimension::Force, |one| one.greatest_row_force_n)
         .only_if(has_spans)
         .printed("static_safety", "f_s", 3, |one| one.static_safety)
         .quantity("basic_life", "", Dimension::Time, |one| one.basic_life_s)
@@ -69,10 +64,16 @@ pub(super) fn bearings(all: &[BearingOverDuty]) -> Records {
         .for_people()
         .view(
             "Planet bearings over the duty",
-            "set planet rolling load_rating load_sharing span greatest_force greatest_row_force static_safety \
-             basic_hours reliability modified_hours",
+            "set planet rolling load_rating load_sharing greatest_force static_safety basic_hours reliability \
+             modified_hours",
         )
-        .note(note)
+        .note("K_γ: of the forces of the meshes. F: the greatest of duty and overloads. f_s: static load rating over it. L_10: basic life, L_nm: modified life over the duty, of the bearings stated.");
+    if !has_spans {
+        return table.records();
+    }
+    table
+        .view("Rows of planet bearings", "set planet span greatest_row_force")
+        .note("s: distance of the two rows, which the tilting moment of helical teeth loads unequally. F_row: the greatest of a row; with s, f_s is the static load rating over twice it, and lives contain the moment.")
         .records()
 }
 
