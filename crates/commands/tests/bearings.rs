@@ -4,7 +4,7 @@
 
 use epicyclic_commands::failure::Failure;
 use epicyclic_commands::shared::gearbox::Gearbox;
-use epicyclic_commands::strength::answer::records::{BearingOverDuty, SharingBasis};
+use epicyclic_commands::strength::answer::records::{BearingOverDuty, SharingBasis, Thrusts};
 use epicyclic_commands::strength::{Request, Strength};
 use std::f64::consts::PI;
 
@@ -258,4 +258,130 @@ fn bevel_planets_are_not_rated() {
     let told = told.iter().find(|bearing| bearing.set == "B").unwrap();
     assert_eq!((told.basic_life_s, told.static_safety), (None, None));
     assert_eq!(told.missing, ["forces on bevel planets are not calculated"]);
+}
+
+/// The stage with helical teeth of equal centre distances and a span of its bearings.
+fn helical(angle: &str, span: &str) -> BearingOverDuty {
+    let shifts = "profile_shifts: [0.389, 0.5039, 0.1171], tip_alterations: [-0.0833, -0.0833, 0], ";
+    assert!(STAGE.contains(shifts));
+    bearing(&STAGE.replace(shifts, "").replace("teeth: [18, 93]", "teeth: [18, 90]").replace(
+        "bearing_diameter: 60 mm,",
+        &format!("bearing_diameter: 60 mm, {span}helix_angle: {angle},"),
+    ))
+}
+
+/// Rows by the balance of one planet: tangential force and centrifugal force shared by halves, the axial forces
+/// of sun and ring at their pitch points turned by two forces outwards and inwards.
+#[test]
+fn two_rows_share_force_and_moment_by_hand() {
+    let span = "bearing_span: 80 mm, ";
+    let told = helical("12 deg", span);
+    let beta = 12.0_f64.to_radians();
+    let cos = libm::cos(beta);
+    let sharing = told.load_sharing.unwrap();
+    let centre = 4e-3 * 54.0 / 2.0 / cos;
+    // 900 N·m on the sun, four planets.
+    let f_t = sharing * 900.0 / 4.0 / (4e-3 * 18.0 / 2.0 / cos);
+    let moment = f_t * libm::tan(beta) * 2.0 * (4e-3 * 36.0 / 2.0 / cos);
+    let step = &told.steps[0];
+    assert!((step.tilting_moment_n_m.unwrap() / moment - 1.0).abs() < 1e-9);
+    assert_eq!(step.axial_force_n, Some(0.0));
+    let carrier = 1500.0 / (1.0 + 90.0 / 18.0) * PI / 30.0;
+    let outwards = 2.0 * centre * carrier * carrier;
+    let mut rows = [1.0, -1.0].map(|end| libm::hypot(f_t, outwards / 2.0 + end * moment / 0.08));
+    rows.sort_by(f64::total_cmp);
+    let mut own = step.row_forces_n.unwrap();
+    own.sort_by(f64::total_cmp);
+    for (own, row) in own.iter().zip(rows) {
+        assert!((own / row - 1.0).abs() < 1e-9, "{own} {row}");
+    }
+    // Rollers: P = 2·((F_1^4.5 + F_2^4.5)/2)^(1/4.5); the static load rating is that of two equal rows.
+    let mean = rows.iter().map(|row| libm::pow(*row, 4.5)).sum::<f64>() / 2.0;
+    assert!((step.equivalent_load_n / (2.0 * libm::pow(mean, 1.0 / 4.5)) - 1.0).abs() < 1e-9);
+    assert!(
+        (told.static_safety.unwrap() * 2.0 * told.greatest_row_force_n.unwrap() / 65e3 - 1.0).abs() < 1e-12
+    );
+    // The other hand exchanges the rows.
+    let other = helical("-12 deg", span);
+    let [first, second] = step.row_forces_n.unwrap();
+    let swapped = other.steps[0].row_forces_n.unwrap();
+    assert!((swapped[0] / second - 1.0).abs() < 1e-12 && (swapped[1] / first - 1.0).abs() < 1e-12);
+    let without = helical("12 deg", "");
+    assert!(told.basic_life_s < without.basic_life_s && told.static_safety < without.static_safety);
+    assert!(without.span_m.is_none() && without.steps[0].row_forces_n.is_none());
+    assert_eq!(without.steps[0].equivalent_load_n, without.steps[0].force_n);
+}
+
+/// Spur teeth tilt nothing: the two rows are the unit that they are rated as. A moment that is not part of a
+/// life is warned of, and a span must be above 0.
+#[test]
+fn a_span_changes_no_life_of_spur_teeth() {
+    let [without, with] = ["", "bearing_span: 80 mm, "].map(|span| helical("0 deg", span));
+    let near = |one: Option<f64>, other: Option<f64>| (one.unwrap() / other.unwrap() - 1.0).abs() < 1e-12;
+    assert!(near(without.basic_life_s, with.basic_life_s) && near(without.static_safety, with.static_safety));
+    assert_eq!(with.steps[0].tilting_moment_n_m, Some(0.0));
+    let warned = |span: &str| {
+        let keys = format!("bearing_diameter: 60 mm, {span}helix_angle: 12 deg,");
+        let text = STAGE.replace("bearing_diameter: 60 mm,", &keys);
+        strength(&text).map(|told| told.warnings.iter().any(|one| one.name == "tilting-moment"))
+    };
+    assert_eq!((warned("").unwrap(), warned("bearing_span: 8 cm, ").unwrap()), (true, false));
+    let error = warned("bearing_span: 0 mm, ").unwrap_err().to_string();
+    assert!(error.contains("sets[0].bearing_span: bearing_span must be above 0"), "{error}");
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// Stepped planets with hands of every kind as rigid bodies in space: the load of a row follows from the moments
+/// of all forces about the other row. Equal hands act against each other on the pin, opposite ones together.
+#[test]
+fn rows_of_stepped_planets_balance_as_rigid_bodies() {
+    let teeth = [20.0, 40.0, 20.0, 80.0];
+    for (first, second) in [(10.0_f64, 17.0_f64), (10.0, -17.0), (-21.0, 6.0), (-14.0, -3.0)] {
+        for torque in [700.0, -450.0] {
+            let text = format!(
+                "gearbox: one\ninput: S\noutput: H\nlife: 10000 h\noil: {{ viscosity: 220 mm²/s }}\nsets:\n  - {{ id: A, kind: stepped_sun_ring, sun: S, ring: ground, carrier: H, \
+                 teeth: [20, 80], planet_teeth: [40, 20], planets: 3, module: 3 mm, helix_angles: [{first} deg, {second} deg], planet_mass: 3 kg, load_rating: 60 kN, \
+                 bearing_span: 70 mm, face_width: 30 mm, strength: {{ materials: [18CrNiMo7-6, 18CrNiMo7-6, 18CrNiMo7-6, 18CrNiMo7-6], flank_roughness: [4 µm, 4 µm, 4 µm, 4 µm], \
+                 root_roughness: [16 µm, 16 µm, 16 µm, 16 µm], shaper: {{ teeth: 30 }}, factors: {{ K_A: 1, K_gamma: 1, K_v: 1, K_H_beta: 1, K_H_alpha: 1, K_F_alpha: 1 }} }} }}\n\
+                 duty: [{{ gear: only, share: 100 %, torque: {torque} N·m, speed: 900 rpm }}]\ngears: [{{ name: only }}]\n"
+            );
+            let told = strength(&text).unwrap();
+            let betas = [first, second].map(f64::to_radians);
+            let tan = betas.map(|beta| libm::tan(beta.abs()));
+            let alpha = betas.map(|beta| libm::tan(20_f64.to_radians()) / libm::cos(beta));
+            let centre = 3e-3 / libm::cos(betas[0]) * (teeth[0] + teeth[1]) / 2.0;
+            let radii =
+                [centre * teeth[1] / (teeth[0] + teeth[1]), centre * teeth[2] / (teeth[3] - teeth[2])];
+            let of_sun = torque / 3.0 / (centre - radii[0]);
+            let of_ring = of_sun * radii[0] / radii[1];
+            let hands = [first.signum(), second.signum()];
+            let omega = 900.0 / (1.0 + 80.0 * 40.0 / (20.0 * 20.0)) * PI / 30.0;
+            // x outwards, y along the positive rotation, z along the axis; the sun is inside, the ring outside.
+            let forces = [
+                ([-radii[0], 0.0, 0.0], [of_sun.abs() * alpha[0], of_sun, hands[0] * of_sun * tan[0]]),
+                ([radii[1], 0.0, 0.0], [-of_ring.abs() * alpha[1], of_ring, -hands[1] * of_ring * tan[1]]),
+                ([0.0; 3], [3.0 * centre * omega * omega, 0.0, 0.0]),
+            ];
+            let (mut sum, mut about_second) = ([0.0; 3], [0.0; 3]);
+            for (at, force) in forces {
+                let turn = cross([at[0], at[1], at[2] + 0.035], force);
+                (0..3).for_each(|axis| sum[axis] += force[axis]);
+                (0..3).for_each(|axis| about_second[axis] += turn[axis]);
+            }
+            let row = [about_second[1] / 0.07, -about_second[0] / 0.07];
+            let rows = [libm::hypot(row[0], row[1]), libm::hypot(sum[0] - row[0], sum[1] - row[1])];
+            let step = &told.bearings[0].steps[0];
+            let own = step.row_forces_n.unwrap();
+            for (own, row) in own.iter().zip(rows) {
+                assert!((own / row - 1.0).abs() < 1e-9, "{own} {row} {first} {second} {torque}");
+            }
+            assert!((step.axial_force_n.unwrap() / sum[2] - 1.0).abs() < 1e-9, "{step:?} {sum:?}");
+            let planet = told.axial_forces.iter().find(|one| one.body == "planet").unwrap();
+            let thrusts = if hands[0] == hands[1] { Thrusts::PartlyCancel } else { Thrusts::Add };
+            assert_eq!(planet.thrusts, Some(thrusts));
+        }
+    }
 }

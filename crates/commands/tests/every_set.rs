@@ -427,6 +427,19 @@ fn several_meshes_on_one_flank_are_warned_of() {
         own.len() == 2 && near(shared.flank_damage.unwrap(), own.iter().sum(), 1e-12),
         "{shared:?} {own:?}"
     );
+    // Its safety together is below that of each mesh; stresses that many times higher, by the square of the
+    // torque, bring the damage 1.
+    let own = over_duty.over_duty.iter().filter(|one| one.toothed_gear == "long");
+    let own = own.filter(|one| shared.meshes.contains(&one.mesh));
+    let least = own.map(|one| one.flank.as_ref().unwrap().safety).fold(f64::INFINITY, f64::min);
+    assert!(shared.flank_safety <= least, "{shared:?} {least}");
+    let at_limit = format!("{} N·m }}]", 100.0 * shared.flank_safety.powi(2));
+    let at_limit = format!("{text}{}", duty.replace("100 N·m }]", &at_limit));
+    let at_limit = strength::Request::default().answer(&read(&at_limit)).unwrap().shared_flanks.remove(0);
+    assert!(
+        near(at_limit.flank_damage.unwrap(), 1.0, 1e-6) && near(at_limit.flank_safety, 1.0, 1e-9),
+        "{at_limit:?}"
+    );
     // A simple set that is driven both ways loads each flank of its planets by both meshes in turn.
     let both = "duty: [{ gear: only, share: 50 %, speed: 1000 rpm, torque: 400 N·m }, { gear: only, share: 50 %, speed: 1000 rpm, torque: -400 N·m }]\n";
     let both = strength::Request::default().answer(&read(&format!("{}{both}", simple("0 deg")))).unwrap();
@@ -485,6 +498,7 @@ fn keys_of_planets_are_refused_in_a_pair() {
         ("static_load_rating", "9 kN"),
         ("fatigue_limit", "9 kN"),
         ("bearing_diameter", "9 mm"),
+        ("bearing_span", "9 mm"),
     ];
     let given: Vec<String> = keys.iter().map(|(key, value)| format!("{key}: {value}")).collect();
     let set = format!(

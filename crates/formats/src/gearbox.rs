@@ -228,11 +228,13 @@ pub struct SetEntry {
     /// Tools that cut its gears, by gear.
     #[serde(default)]
     pub tools: BTreeMap<String, ToolEntry>,
-    /// Helix angle of its teeth, at the reference cylinders and without its hand. `module` is then the normal
-    /// module, the pressure angle the normal one, as in ISO 21771. Default 0 deg, spur teeth.
+    /// Helix angle of its teeth at the reference cylinders; above 0 the planets are right-handed, of a pair
+    /// gear 1, below 0 left-handed. `module` is then the normal module, the pressure angle the normal one, as
+    /// in ISO 21771. Default 0 deg, spur teeth.
     #[serde(default)]
     pub helix_angle: Option<Quantity<Angle>>,
-    /// Helix angle of each mesh from sun to ring, in place of `helix_angle`.
+    /// Helix angle of each mesh from sun to ring, in place of `helix_angle`; each with the hand of its gear of
+    /// the planet.
     #[serde(default)]
     pub helix_angles: Option<Vec<Quantity<Angle>>>,
     /// Efficiency `η₀` under a resting carrier, 0.97 or 97 %; 1 unless given.
@@ -288,6 +290,10 @@ pub struct SetEntry {
     /// Mean diameter of these bearings, (d + D)/2, for their modified life.
     #[serde(default)]
     pub bearing_diameter: Option<Quantity<Length>>,
+    /// Distance of the middles of the two rows of these bearings, for their life under the moment of helical
+    /// teeth.
+    #[serde(default)]
+    pub bearing_span: Option<Quantity<Length>>,
     /// For the strength of its teeth: materials, roughness, tools, given factors.
     #[serde(default)]
     pub strength: Option<StrengthEntry>,
@@ -444,7 +450,12 @@ mod tests {
         assert!(
             of(&format!("{stepped}, helix_angles: [8 deg]")).unwrap_err().contains("has 1 values; 2 are")
         );
-        for (angle, told) in [("-8 deg", "-8"), ("61 deg", "61")] {
+        // Below 0 the hands are reversed, and the teeth are otherwise the same.
+        let [left, right] = ["-8 deg", "8 deg"]
+            .map(|angle| spec(&format!("teeth: [20, 60], helix_angle: {angle}")).unwrap().tooth_shape);
+        assert_eq!(left.helix_angle(1), right.helix_angle(1));
+        assert_eq!(left.signed_helix_angle(1), -right.signed_helix_angle(1));
+        for (angle, told) in [("-61 deg", "-61"), ("61 deg", "61")] {
             let error = of(&format!("teeth: [20, 60], helix_angle: {angle}")).unwrap_err();
             assert!(error.starts_with(&format!("set `P`: helix angle is {told}")), "{error}");
         }

@@ -17,6 +17,9 @@
 //! and is given as always. A stress above the static limit ends the life at once. A stress below the limit at
 //! 10¹⁰ cycles does no damage, nor does a step without torque or speed.
 //!
+//! Several meshes on one flank, each with its own stresses, limits and cycles, have one sum `U` over all of
+//! them ([`Stresses::join`]), and its safety.
+//!
 //! # Source
 //! ISO 6336-6:2006: Miner's rule, safety by iteration on the stresses.
 
@@ -90,6 +93,23 @@ struct Cycle {
     line: Line,
 }
 
+/// Stresses of a flank or root over a duty, with their cycles and limits.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Stresses(Vec<Cycle>);
+
+impl Stresses {
+    /// Adds the stresses of another mesh on the same flank or root in the same life: their damages add up.
+    pub fn join(&mut self, other: Self) {
+        self.0.extend(other.0);
+    }
+
+    /// Damage, safety and life in this required life.
+    #[must_use]
+    pub fn worn(&self, life: Time) -> Worn {
+        worn(&self.0, life.hours())
+    }
+}
+
 /// Refuses shares of a duty that are not the whole time.
 ///
 /// # Errors
@@ -116,6 +136,23 @@ pub fn rate_duty(
     contacts: [f64; 2],
     method: &Method,
 ) -> Result<DutyRating, Error> {
+    let gears = stresses(mesh, duty, life, contacts, method)?;
+    let worn = |stresses: Result<Stresses, Error>| stresses.map(|stresses| stresses.worn(life));
+    let gears = gears.map(|gear| GearDuty { contact: worn(gear.contact), root: worn(gear.root) });
+    Ok(DutyRating { edition: method.edition, gears })
+}
+
+/// Stresses of both gears over a duty, as [`rate_duty`] rates them.
+///
+/// # Errors
+/// Those of [`rate_duty`].
+pub fn stresses(
+    mesh: &Mesh,
+    duty: &[Step],
+    life: Time,
+    contacts: [f64; 2],
+    method: &Method,
+) -> Result<[GearDuty<Result<Stresses, Error>>; 2], Error> {
     let life_h = positive(Quantity::Life, life.hours(), "h")?;
     check_shares(duty.iter().map(|step| step.share))?;
     for step in duty {
@@ -137,26 +174,26 @@ pub fn rate_duty(
         return Err(Error::IdleDuty);
     }
     type StressAndLine<'a> = &'a dyn Fn(f64, f64, &LoadFactors) -> Result<(f64, Line), Error>;
-    let worn_by = |side: Side, stress_and_line: StressAndLine<'_>| {
+    let stressed_by = |side: Side, stress_and_line: StressAndLine<'_>| {
         let cycle = |(share, force, speed, factors): &(f64, f64, f64, LoadFactors)| {
             let (stress, line) = stress_and_line(*force, *speed, factors)?;
             Ok(Cycle { stress, cycles: prepared.cycles(side, *speed, life_h * share, contacts)?, line })
         };
-        part_of(steps.iter().map(cycle).collect::<Result<Vec<_>, _>>().map(|cycles| worn(&cycles, life_h)))
+        part_of(steps.iter().map(cycle).collect::<Result<_, _>>().map(Stresses))
     };
-    let gear = |side: Side| -> Result<GearDuty, Error> {
+    let gear = |side: Side| -> Result<GearDuty<Result<Stresses, Error>>, Error> {
         Ok(GearDuty {
-            contact: worn_by(side, &|force, speed, factors| {
+            contact: stressed_by(side, &|force, speed, factors| {
                 let limit = prepared.flank_limit(side, prepared.speed(speed))?;
                 Ok((prepared.contact_stress(limit.flank, force, factors), limit.line()))
             })?,
-            root: worn_by(side, &|force, _, factors| {
+            root: stressed_by(side, &|force, _, factors| {
                 let root = prepared.gears[side as usize].root.as_ref().map_err(Clone::clone)?;
                 Ok((prepared.root_stress(root, force, factors), root.limit_line()?))
             })?,
         })
     };
-    Ok(DutyRating { edition: method.edition, gears: [gear(Side::First)?, gear(Side::Second)?] })
+    Ok([gear(Side::First)?, gear(Side::Second)?])
 }
 
 /// `U` with all stresses times a factor.

@@ -12,7 +12,7 @@ use epicyclic_strength::material::{self, Class, Material};
 use epicyclic_strength::mesh::{Gear, Load, Mesh, Method};
 use epicyclic_strength::rating::{ContactRating, GearRating, MeshRating, Place, RootRating, overload, rate};
 use epicyclic_strength::root::{factors::Bending, section::Shaper};
-use epicyclic_strength::spectrum::{Step, rate_duty};
+use epicyclic_strength::spectrum::{Step, Stresses, Worn, rate_duty, stresses};
 use proptest::prelude::*;
 use uom::si::angle::degree;
 use uom::si::angular_velocity::revolution_per_minute;
@@ -260,6 +260,36 @@ proptest! {
         for (light, heavy) in duty(n_m).into_iter().zip(duty(n_m * 1.3)) {
             prop_assert!(heavy.contact.damage >= light.contact.damage && heavy.root.damage >= light.root.damage);
             prop_assert!(heavy.contact.safety < light.contact.safety && heavy.root.safety < light.root.safety);
+        }
+    }
+
+    /// Two equal meshes on one flank wear it as one with twice the contacts; one alone has its own safety.
+    #[test]
+    fn equal_meshes_on_one_flank_are_one_with_twice_the_contacts(
+        n_m in 300.0..1500.0_f64, share in 0.05..0.95_f64, ring in any::<bool>(),
+    ) {
+        let mesh = mesh(20, 50, ring, 0.0);
+        let steps = [
+            Step { share, torque: torque(n_m), speed: speed(1000.0) },
+            Step { share: 1.0 - share, torque: torque(200.0), speed: speed(1500.0) },
+        ];
+        let of = |contacts| rate_duty(&mesh, &steps, life(1e4), contacts, &method()).unwrap().whole().unwrap();
+        let (one, twice) = (of([1.0, 1.0]), of([2.0, 2.0]));
+        let own = stresses(&mesh, &steps, life(1e4), [1.0, 1.0], &method()).unwrap();
+        let joined = |own: &Stresses, count: usize| {
+            let mut all = Stresses::default();
+            (0..count).for_each(|_| all.join(own.clone()));
+            all.worn(life(1e4))
+        };
+        let alike = |one: Worn, other: Worn| {
+            (one.safety / other.safety - 1.0).abs() < 1e-9
+                && (one.damage - other.damage).abs() <= 1e-9 * other.damage
+        };
+        for (own, (one, twice)) in own.iter().zip(one.into_iter().zip(twice)) {
+            let [contact, root] = [&own.contact, &own.root].map(|own| own.as_ref().unwrap());
+            prop_assert!(alike(joined(contact, 1), one.contact) && alike(joined(root, 1), one.root));
+            prop_assert!(alike(joined(contact, 2), twice.contact) && alike(joined(root, 2), twice.root));
+            prop_assert!(twice.contact.safety <= one.contact.safety && twice.root.safety <= one.root.safety);
         }
     }
 

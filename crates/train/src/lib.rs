@@ -64,6 +64,7 @@
 //! ```
 
 pub mod analysis;
+pub mod axial_forces;
 mod branch;
 pub mod builder;
 pub mod combinations;

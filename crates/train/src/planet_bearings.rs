@@ -203,7 +203,8 @@ impl PlanetSet {
     }
 
     /// Name of a planet as its gears have it, without the gear.
-    pub(crate) fn planet_name(&self, planet: usize) -> String {
+    #[must_use]
+    pub fn planet_name(&self, planet: usize) -> String {
         match (self.planets()[planet].name.as_str(), self.planets().len()) {
             (_, 1) => "planet".to_owned(),
             ("", _) => format!("planet {}", planet + 1),

@@ -21,8 +21,8 @@ pub struct ToothShape {
     /// Profile shifts.
     pub shifts: Option<Shifts>,
     /// Helix angle `β` at the reference cylinders of each mesh, in the order of
-    /// [`PlanetSet::meshes`](crate::PlanetSet::meshes), without its hand; 0 of meshes at the end that are
-    /// left out.
+    /// [`PlanetSet::meshes`](crate::PlanetSet::meshes), with the sign of its
+    /// [hand](crate::axial_forces); 0 of meshes at the end that are left out.
     pub helix_angles: Vec<Angle>,
     /// Cutting of each gear, in the order of [`PlanetSet::gears`](crate::PlanetSet::gears); as usual of gears
     /// at the end that are left out.
@@ -42,9 +42,15 @@ impl ToothShape {
         self.shifts.is_some() || self.is_helical()
     }
 
-    /// Helix angle of a mesh.
+    /// Size of the helix angle of a mesh.
     #[must_use]
     pub fn helix_angle(&self, mesh: usize) -> Angle {
+        self.signed_helix_angle(mesh).abs()
+    }
+
+    /// Helix angle of a mesh with the sign of its [hand](crate::axial_forces).
+    #[must_use]
+    pub fn signed_helix_angle(&self, mesh: usize) -> Angle {
         self.helix_angles.get(mesh).copied().unwrap_or_default()
     }
 

@@ -201,6 +201,7 @@ impl PlanetSet {
     /// [`Pair::at_centre_distance`].
     pub fn toothed(&self, rack: &BasicRack, modules: &[Option<f64>]) -> Result<ToothedSet, Untoothed> {
         let tooth_shape = self.tooth_shape();
+        self.check_hands()?;
         let order = self.gears();
         let mut gears = vec![];
         for (place, gear) in order.iter().enumerate() {
@@ -263,6 +264,21 @@ impl PlanetSet {
         let meshes = ends.into_iter().zip(pairs).enumerate();
         let meshes = meshes.map(|(mesh, (gears, pair))| ToothedMesh { gears, pair, module: module(mesh) });
         Ok(ToothedSet { meshes: meshes.collect(), radii: places.radii })
+    }
+
+    /// Refuses helix angles of two signs in meshes that share a gear.
+    fn check_hands(&self) -> Result<(), Error> {
+        let angle = |mesh: usize| self.tooth_shape().signed_helix_angle(mesh).degrees();
+        for mesh in 0..self.meshes().len() {
+            let shares = |other: &usize| {
+                let gears = self.meshes()[*other].gears;
+                gears.iter().any(|gear| self.meshes()[mesh].gears.contains(gear))
+            };
+            if let Some(other) = (0..mesh).filter(shares).find(|other| angle(*other) * angle(mesh) < 0.0) {
+                return Err(Error::HelixAnglesDiffer { first_deg: angle(other), second_deg: angle(mesh) });
+            }
+        }
+        Ok(())
     }
 
     /// Angle of each planet about the main axis, with the first of those that meshes of planets tie together,

@@ -98,8 +98,8 @@ fn a_helix_angle_that_is_refused_has_its_place() {
     let file = fs::read_to_string(examples().join(DTU)).unwrap();
     for (to, told) in [
         (
-            "helix_angle: -8 deg",
-            "16:18: sets[0].helix_angle: set `stage`: helix angle is -8 °; it must lie between 0 and 60 °",
+            "helix_angle: -80 deg",
+            "16:18: sets[0].helix_angle: set `stage`: helix angle is -80 °; it must lie between -60 and 60 °",
         ),
         ("helix_angle: 8 mm", "16:18: sets[0].helix_angle: "),
         ("helix_angle: 8", "16:18: sets[0].helix_angle: "),
@@ -172,21 +172,38 @@ fn helical_teeth_are_rated_with_their_factors() {
     }
 }
 
+/// Axial forces on the planet, which follow those on the central gears.
+fn on_planet(told: &Value) -> &Value {
+    let all = told["axial_forces"].as_array().unwrap();
+    all.iter().find(|one| one["body"] == "planet").unwrap()
+}
+
 /// `F_a = F_t·tan β` at the reference circle, with the lever of the working circles; the values of `analyze`
 /// without losses agree.
 #[test]
 fn axial_forces_tilt_the_planets() {
     let told = json(&RATED);
-    let axial = &told["axial_forces"][0];
+    let bodies: Vec<&str> =
+        told["axial_forces"].as_array().unwrap().iter().map(|one| one["body"].as_str().unwrap()).collect();
+    assert_eq!(bodies, ["sun", "ring", "planet"]);
+    let axial = on_planet(&told);
     let force = told["at_point"][0]["tangential_force_n"].as_f64().unwrap() * libm::tan(8_f64.to_radians());
-    near(&axial["axial_force_n"], force, 1e-6);
+    let of_first = axial["meshes"][0]["axial_force_n"].as_f64().unwrap();
+    for (mesh, sign) in [(0, 1.0), (1, -1.0)] {
+        near(&axial["meshes"][mesh]["axial_force_n"], sign * force * of_first.signum(), 1e-12 * force);
+    }
+    assert_eq!((&axial["axial_force_n"], &axial["thrusts"]), (&Value::from(0.0), &Value::from("cancel")));
+    // Five planets push sun and ring apart.
+    for (body, sign) in [(0, -1.0), (1, 1.0)] {
+        near(&told["axial_forces"][body]["axial_force_n"], sign * 5.0 * of_first, 1e-11 * force);
+    }
     let meshes = &json(&["sheet", DTU])["sets"][0]["meshes"];
     let diameter =
         |mesh: usize, gear: usize| meshes[mesh]["gears"][gear]["working_diameter_m"].as_f64().unwrap();
-    near(&axial["tilting_moment_n_m"], force * (diameter(0, 1) + diameter(1, 0)) / 2.0, 1e-6);
+    near(&axial["tilting_moment_n_m"], force * (diameter(0, 1) + diameter(1, 0)) / 2.0, 1e-12 * force);
     let steps = json(&["strength", DTU]);
     let steps = steps["axial_forces"].as_array().unwrap();
-    assert_eq!(steps.iter().map(|one| one["step"].as_u64().unwrap()).collect::<Vec<_>>(), [1, 2]);
+    assert_eq!(steps.iter().map(|one| one["step"].as_u64().unwrap()).collect::<Vec<_>>(), [1, 1, 1, 2, 2, 2]);
 }
 
 /// Safeties are continuous at the helix angle 0.
@@ -226,10 +243,11 @@ fn analyze_tells_axial_forces_with_losses() {
     };
     let lossless = run(&file.replacen("    friction: [0.04, 0.04]\n", "", 1));
     let told = json(&RATED);
-    let axial = &told["axial_forces"][0];
+    let axial = on_planet(&told);
     let bearing = &lossless["planet_bearings"][0];
     for place in [0, 1] {
-        near(&bearing["axial_forces_n"][place], axial["axial_force_n"].as_f64().unwrap(), 1e-3);
+        let of_mesh = axial["meshes"][place]["axial_force_n"].as_f64().unwrap();
+        near(&bearing["axial_forces_n"][place], of_mesh.abs(), 1e-3);
     }
     near(&bearing["tilting_moment_n_m"], axial["tilting_moment_n_m"].as_f64().unwrap(), 1e-3);
     // With losses the sun, which drives out, has less of it than the ring.

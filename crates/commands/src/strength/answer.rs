@@ -273,7 +273,7 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
             for (number, WorkedStep(entry, worked)) in (1..).zip(&steps) {
                 let load = worked.as_ref().map(|worked| SetLoad::of(set, worked, Some(entry.speed.0)));
                 if let Some(Ok(load)) = load {
-                    found.axial.extend(axial::of(set, &entry.gear, Some(number), &load, life));
+                    found.axial.extend(axial::of(subject, set, &entry.gear, Some(number), &load));
                 }
             }
             shared_flanks.extend(together::of_set(set, &steps, life));
@@ -297,7 +297,10 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
     let load_sharing = sharing(subject, &file, &sets, &bearings);
     let uneven = load_sharing.iter().filter_map(LoadSharing::warning);
     let short_lived = bearings.iter().filter_map(|bearing| bearing.warning(life));
-    let helical = sets.iter().filter(|set| set.is_helical() && !set.set.is_pair());
+    let is_left_out = |set: &&RatedSet<'_>| {
+        set.is_helical() && !set.set.is_pair() && !bearings::has_spans(subject, &file, set.set)
+    };
+    let helical = sets.iter().filter(is_left_out);
     let helical: Vec<&str> = helical.map(|set| set.id).collect();
     let turning: Vec<&Worked<'_>> = steps.iter().filter_map(|step| step.1.as_ref()).collect();
     let is_asked =
@@ -312,7 +315,7 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
         .chain(idlers)
         .chain(pins::warning(subject, &turning))
         .chain(shared.warnings())
-        .chain(shared_flanks.iter().filter_map(SharedFlank::warning))
+        .chain(shared_flanks.iter().filter_map(|shared| shared.warning(required)))
         .chain(tilting(&helical))
         .chain(tooth_checks.warnings())
         .collect();
@@ -380,7 +383,7 @@ fn at_point(
             let load = SetLoad::of(set, &worked, Some(speed));
             let load = load.map_err(|reason| Fault::Row(NotRated::new(set.id, reason).into()));
             if let Ok(load) = &load {
-                found.axial.extend(axial::of(set, name, None, load, life));
+                found.axial.extend(axial::of(subject, set, name, None, load));
                 found.shared.add(set, name, load);
             }
             let meshes = load.and_then(|load| at_load(subject, set, &load, life));

@@ -324,10 +324,12 @@ fn shared_flanks(all: &[SharedFlank]) -> Records {
         .text("set", "set", |one| &one.set)
         .text("toothed_gear", "gear", |one| &one.toothed_gear)
         .words("meshes", "meshes", |one| meshes(one))
-        .number("flank_damage", "flanks", |one| damage(one.flank_damage))
-        .number("root_damage", "roots", |one| damage(one.root_damage))
-        .all("Damage of several meshes on one flank together")
-        .note("Sum of the damages of these meshes in the required life, 1 at its end. The tables above rate each mesh alone.")
+        .printed("flank_safety", "S_H", 3, |one| one.flank_safety)
+        .number("flank_damage", "damage", |one| damage(one.flank_damage))
+        .printed("root_safety", "S_F", 3, |one| one.root_safety)
+        .number("root_damage", "damage", |one| damage(one.root_damage))
+        .all("Several meshes on one flank together")
+        .note("Sum of the damages of these meshes in the required life, 1 at its end; S: factor on all their stresses at which the sum is 1. The tables above rate each mesh alone.")
         .records()
 }
 

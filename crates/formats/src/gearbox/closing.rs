@@ -24,7 +24,7 @@ impl SetEntry {
                 distance: distance.0,
                 module: modules[place].map(Length::from_si),
                 is_one,
-                helix_angle: of_mesh.map_or_else(Angle::default, |angle| angle.0),
+                helix_angle: of_mesh.map_or_else(Angle::default, |angle| angle.0.abs()),
                 at: Path::root().key("centre_distance"),
             }
         };
@@ -51,7 +51,7 @@ impl<P: PlanetSized> CompoundEntry<P> {
                 gears: &mesh.gears,
                 distance: distance.0,
                 module: mesh.module.or(self.module).map(|module| module.0),
-                helix_angle: helix_angle.map_or_else(Angle::default, |angle| angle.0),
+                helix_angle: helix_angle.map_or_else(Angle::default, |angle| angle.0.abs()),
                 is_one: true,
                 at: Path::root().key("meshes").index(place).key("centre_distance"),
             });

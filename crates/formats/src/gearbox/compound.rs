@@ -76,7 +76,8 @@ pub struct CompoundEntry<P = PlanetSizeEntry> {
     #[serde(default, deserialize_with = "crate::module::optional")]
     #[schemars(with = "Option<Quantity<Module>>")]
     pub module: Option<Quantity<Length>>,
-    /// Helix angle of its teeth, at the reference cylinders and without its hand. Default 0 deg, spur teeth.
+    /// Helix angle of its teeth at the reference cylinders; above 0 the planet of the first mesh is
+    /// right-handed, below 0 left-handed. Default 0 deg, spur teeth.
     #[serde(default)]
     pub helix_angle: Option<Quantity<Angle>>,
     /// Profile shift coefficients by gear, 0 unless given; one above 0 moves the tips of a ring inwards.
@@ -131,7 +132,8 @@ pub struct MeshEntry {
     #[serde(default, deserialize_with = "crate::module::optional")]
     #[schemars(with = "Option<Quantity<Module>>")]
     pub module: Option<Quantity<Length>>,
-    /// Helix angle of the mesh, if not that of the set.
+    /// Helix angle of the mesh, if not that of the set; one with the hand of its planet's gear. Meshes that
+    /// share a gear have one sign.
     #[serde(default)]
     pub helix_angle: Option<Quantity<Angle>>,
     /// Centre distance of the mesh, from which an open profile shift of its gears follows: `profile_shifts`
@@ -176,6 +178,10 @@ pub struct PlanetSizeEntry {
     /// Mean diameter of these bearings, (d + D)/2, for their modified life.
     #[serde(default)]
     pub bearing_diameter: Option<Quantity<Length>>,
+    /// Distance of the middles of the two rows of these bearings, for their life under the moment of helical
+    /// teeth.
+    #[serde(default)]
+    pub bearing_span: Option<Quantity<Length>>,
     /// Mesh load factor `K_γ` of its meshes, for the load of its bearings over the duty. Default: by the
     /// number of planets, a floating member assumed.
     #[serde(default)]
@@ -266,6 +272,7 @@ impl PlanetSized for ListedPlanetEntry {
             static_load_rating: None,
             fatigue_limit: None,
             bearing_diameter: None,
+            bearing_span: None,
             load_sharing: None,
         };
         entry.size()

@@ -147,6 +147,7 @@ impl SetEntry {
             ("static_load_rating", self.static_load_rating.is_some()),
             ("fatigue_limit", self.fatigue_limit.is_some()),
             ("bearing_diameter", self.bearing_diameter.is_some()),
+            ("bearing_span", self.bearing_span.is_some()),
         ];
         let refused = |key| DescriptionError::OfPlanets { set: self.id.clone(), key };
         for (key, _) in given.into_iter().filter(|one| one.1) {

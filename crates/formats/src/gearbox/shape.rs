@@ -240,8 +240,12 @@ impl Shape<'_> {
         let mut seen: Vec<&Path> = vec![];
         let mut is_whole = true;
         for (angle, at) in &self.helix_angles {
-            let profile = Profile { helix_angle: *angle, ..Profile::default() };
-            if let Err(source) = profile.check() {
+            let profile = Profile { helix_angle: angle.abs(), ..Profile::default() };
+            if let Err(mut source) = profile.check() {
+                if let Error::OutOfRange { value, low, high, .. } = &mut source {
+                    // Below 0 the hands are reversed.
+                    (*value, *low) = (angle.degrees(), -*high);
+                }
                 is_whole = false;
                 if !seen.contains(&at) {
                     seen.push(at);
@@ -294,7 +298,7 @@ impl Shape<'_> {
             all.push(made.map(|(cutting, way)| (cutting, way, kind)));
         }
         let all = all.into_iter().collect::<Result<Vec<_>, ()>>().ok()?;
-        let angle = self.helix_angles.first().map_or_else(Angle::default, |one| one.0);
+        let angle = self.helix_angles.first().map_or_else(Angle::default, |one| one.0.abs());
         let profile = Profile { helix_angle: angle, ..Profile::of_rack(*rack?) };
         let mut is_whole = true;
         for (cutting, way, kind) in &all {

@@ -182,7 +182,7 @@ fn of_set(spec: &SetSpec) -> String {
         keys.push(format!("tools: {{ {} }}", tools.join(", ")));
     }
     if spec.is_helical() {
-        let angles = (0..spec.kind.meshes()).map(|mesh| angle(spec.tooth_shape.helix_angle(mesh)));
+        let angles = (0..spec.kind.meshes()).map(|mesh| angle(spec.tooth_shape.signed_helix_angle(mesh)));
         let angles: Vec<String> = angles.collect();
         keys.push(match angles.iter().all(|one| *one == angles[0]) {
             true => format!("helix_angle: {}", angles[0]),
@@ -272,7 +272,7 @@ fn of_compound_set(spec: &CompoundSpec, size: Option<&WrittenSize>) -> Result<Ve
             1.0 => String::new(),
             eta => format!(", efficiency: {eta}"),
         };
-        let of_helix = match spec.tooth_shape.helix_angle(place) {
+        let of_helix = match spec.tooth_shape.signed_helix_angle(place) {
             none if none.si() == 0.0 => String::new(),
             of_mesh => format!(", helix_angle: {}", angle(of_mesh)),
         };

@@ -114,6 +114,11 @@ pub struct BearingForces {
     pub total: Option<Force>,
 }
 
+/// Direction in which the planets push a carrier against this torque from outside.
+fn push_direction(centrals_n_m: &[f64], carrier: Torque) -> f64 {
+    if carrier.si() > NO_TORQUE * largest_absolute(centrals_n_m) { -1.0 } else { 1.0 }
+}
+
 impl Contact {
     /// Whether it is a mesh with a planet through which the torque is not known.
     pub(super) fn is_weightless(&self) -> bool {
@@ -232,10 +237,8 @@ impl PlanetBearing {
                     let of_gears: f64 =
                         gears.filter_map(|gear| gear.weighed(&self.flows, &of_centrals)).sum();
                     let own = of_gears + self.shafts.iter().map(|&shaft| of_centrals[shaft]).sum::<f64>();
-                    let largest = largest_absolute(&of_centrals);
-                    let is_against = carrier.si() > NO_TORQUE * largest;
                     let along_n = (own / f64::from(planets) + moment_n_m) / radius.si();
-                    Force::from_si(if is_against { -along_n } else { along_n })
+                    Force::from_si(push_direction(&of_centrals, *carrier) * along_n)
                 })
             };
         }
@@ -248,6 +251,14 @@ impl PlanetBearing {
             |(tangential, (radial, centrifugal))| planet_bearing::resultant(tangential, radial + centrifugal),
         );
         Ok(forces)
+    }
+
+    /// Direction of a positive tangential force at these torques on the members of the set: 1 along the
+    /// positive rotation of the carrier, −1 against it.
+    #[must_use]
+    pub fn push_direction(torques: &[Torque]) -> f64 {
+        let Some((carrier, centrals)) = torques.split_last() else { return 1.0 };
+        push_direction(&centrals.iter().map(|torque| torque.si()).collect::<Vec<_>>(), *carrier)
     }
 
     /// Forces of other planets in mesh on this one: force outwards, N, and moment about the main axis, N·m.

@@ -28,9 +28,14 @@ pub struct BearingOverDuty {
     /// Whether the file gives `K_γ`; otherwise it follows from the number of planets and whether a member
     /// floats.
     pub load_sharing_is_given: bool,
+    /// Distance of the two rows in m; null if not given: then forces and lives leave the tilting moment out.
+    pub span_m: Option<f64>,
     /// Greatest force of the duty and the overloads, in N; null if no forces can be computed.
     pub greatest_force_n: Option<f64>,
-    /// Static safety: static load rating over the greatest force; null without that rating.
+    /// Greatest force of the duty and the overloads on one row, in N; null without a span.
+    pub greatest_row_force_n: Option<f64>,
+    /// Static safety: static load rating over the greatest force, with a span over twice that of a row; null
+    /// without that rating.
     pub static_safety: Option<f64>,
     /// Basic rating life over the duty in s, which 90 % of the bearings reach; null if the bearing never
     /// turns under load.
@@ -61,8 +66,17 @@ pub struct ModifiedLife {
 pub struct BearingStepFigures {
     /// Name of the gear.
     pub gear: String,
-    /// Force on the bearing in N.
+    /// Radial force on the bearing in N.
     pub force_n: f64,
+    /// Axial forces of all meshes on the planet together, in N; null without a span. No life contains it.
+    pub axial_force_n: Option<f64>,
+    /// Moment of the axial forces that tilts the planet, in N·m; null without a span.
+    pub tilting_moment_n_m: Option<f64>,
+    /// Radial forces on the two rows in N, that at the end of the positive direction first; null without a
+    /// span.
+    pub row_forces_n: Option<[f64; 2]>,
+    /// Equivalent load of both rows in N, from which the life follows; without a span the radial force.
+    pub equivalent_load_n: f64,
     /// Absolute planet speed relative to the carrier, in rad/s.
     pub speed_rad_s: f64,
     /// Viscosity ratio `κ`; null without a modified life, or if the bearing does not turn under load.

@@ -4,6 +4,11 @@
 //! F = √((K_γ·F_t)² + (K_γ·F_r + F_c)²)        1/L = Σ share_i/(a_1·a_ISO,i·L_10,i)        f_s = C_0/F_max
 //! ```
 //!
+//! `F` is the load of the bearings as a unit. Where the file gives the span of their two rows, the moment by
+//! which axial forces tilt the planet loads the rows unequally, and the equivalent load of
+//! [`epicyclic_strength::bearing_rows`] takes the place of `F`; `f_s` is then that of the row with more load.
+//! `K_γ` multiplies this moment, too.
+//!
 //! `F_t` and `F_r` are the mesh forces without losses, `F_c` is the centrifugal force
 //! ([`planet_bearings`](epicyclic_train::planet_bearings)). `F_max` also covers the file's overloads; `a_ISO`
 //! is that of [`epicyclic_strength::bearing`].
@@ -17,7 +22,7 @@ use crate::analyze::answer::records::planet_name;
 use crate::error::Error;
 use crate::shared::fault::{Named, refused};
 use crate::shared::gearbox::Gearbox;
-use crate::shared::toothed::lacking;
+use crate::shared::toothed::{lacking, toothed};
 use crate::tolerance::{ROUNDED, rounded};
 use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::GearboxFile;
@@ -25,8 +30,12 @@ use epicyclic_gears::life::Rolling;
 use epicyclic_strength::bearing::{
     BearingStep, Reliability, life_modification, life_over_duty, viscosity_ratio,
 };
+use epicyclic_strength::bearing_rows::{equivalent_load, row_forces};
 use epicyclic_strength::load::{Floating, load_sharing};
+use epicyclic_train::PlanetSet;
+use epicyclic_train::axial_forces::Body;
 use epicyclic_train::planet_bearings::{BearingForces, Lack, PlanetBearing};
+use epicyclic_train::toothed::ToothedSet;
 use epicyclic_units::{Physical, Quantity};
 use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length, Torque};
 
@@ -46,6 +55,7 @@ struct Given {
     static_load_rating: Option<Quantity<Force>>,
     fatigue_limit: Option<Quantity<Force>>,
     bearing_diameter: Option<Quantity<Length>>,
+    bearing_span: Option<Quantity<Length>>,
     /// Mesh load factor `K_γ` of a compound set's planet.
     load_sharing: Option<f64>,
 }
@@ -56,6 +66,32 @@ struct Conditions {
     contamination: f64,
     fatigue_limit: Force,
     diameter: Length,
+}
+
+/// Two rows of a planet's bearings.
+struct Rows {
+    span: Length,
+    /// Helical teeth of the set, in metres.
+    toothed: Option<ToothedSet>,
+}
+
+/// Load of a bearing in a step.
+#[derive(Debug, Clone, Copy, Default)]
+struct StepLoad {
+    /// Radial force.
+    force: Force,
+    speed: AngularVelocity,
+    /// Load for the life.
+    equivalent: Force,
+    tilted: Option<Tilted>,
+}
+
+/// Load of two rows with the tilting moment.
+#[derive(Debug, Clone, Copy, Default)]
+struct Tilted {
+    axial_n: f64,
+    moment_n_m: f64,
+    rows: [Force; 2],
 }
 
 /// Rates all planet bearings with a load rating.
@@ -107,6 +143,8 @@ impl File<'_> {
             None => load_sharing(bearing.planets.unwrap_or(1), floating).ok(),
         };
         let (conditions, mut missing) = self.conditions(&given)?;
+        let span = self.of(&given, "bearing_span", given.bearing_span)?;
+        let rows = span.map(|span| self.rows(set, span)).transpose()?;
         let mut row = BearingOverDuty {
             set: set.id().to_owned(),
             planet: planet_name(set, bearing.planet),
@@ -114,7 +152,9 @@ impl File<'_> {
             load_rating_n: rating.si(),
             load_sharing: sharing,
             load_sharing_is_given: stated.is_some(),
+            span_m: span.map(Physical::si),
             greatest_force_n: None,
+            greatest_row_force_n: None,
             static_safety: None,
             basic_life_s: None,
             modified: None,
@@ -126,31 +166,51 @@ impl File<'_> {
             row.missing = vec![format!("{key} (its table ends at 7 planets)")];
             return Ok(row);
         };
+        let rows = match rows.transpose() {
+            Ok(rows) => rows,
+            Err(missing) => {
+                row.missing = missing;
+                return Ok(row);
+            }
+        };
+        let load = |worked: Option<&Worked<'_>>, speed| {
+            self.step(bearing, worked, speed, (rolling, sharing, rows.as_ref()))
+        };
         let mut steps = vec![];
+        let mut all = vec![];
         for WorkedStep(entry, worked) in duty {
-            let Some((force, speed)) = self.step(bearing, worked.as_ref(), entry.speed.0, sharing)? else {
+            let Some(load) = load(worked.as_ref(), entry.speed.0)? else {
                 row.missing = missing_for_forces(bearing);
                 return Ok(row);
             };
-            steps.push(BearingStep { share: entry.share.0.si(), load: force, speed, modification: 1.0 });
+            let StepLoad { force, speed, equivalent, tilted } = load;
+            steps.push(BearingStep { share: entry.share.0.si(), load: equivalent, speed, modification: 1.0 });
             row.steps.push(BearingStepFigures {
                 gear: entry.gear.clone(),
                 force_n: force.si(),
+                axial_force_n: tilted.map(|tilted| tilted.axial_n),
+                tilting_moment_n_m: tilted.map(|tilted| tilted.moment_n_m),
+                row_forces_n: tilted.map(|tilted| tilted.rows.map(Physical::si)),
+                equivalent_load_n: equivalent.si(),
                 speed_rad_s: speed.si(),
                 viscosity_ratio: None,
                 modification: None,
             });
+            all.push(load);
         }
         let still = AngularVelocity::from_si(0.0);
-        let mut greatest = steps.iter().map(|step| step.load.si()).fold(0.0, f64::max);
         for peak in peaks {
-            let force =
-                self.step(bearing, Some(&peak.worked), still, sharing)?.map_or(0.0, |(force, _)| force.si());
-            greatest = greatest.max(force);
+            all.extend(load(Some(&peak.worked), still)?);
         }
+        let greatest = all.iter().map(|load| load.force.si()).fold(0.0, f64::max);
         row.greatest_force_n = Some(greatest);
+        let of_rows = all.iter().filter_map(|load| load.tilted).flat_map(|tilted| tilted.rows);
+        let of_row = of_rows.map(Physical::si).fold(0.0, f64::max);
+        row.greatest_row_force_n = span.map(|_| of_row);
+        // The static load rating is that of two equal rows.
+        let at_rest = span.map_or(greatest, |_| 2.0 * of_row);
         if let Some(rating) = self.of(&given, "static_load_rating", given.static_load_rating)? {
-            row.static_safety = (greatest > 0.0).then(|| rating.si() / greatest);
+            row.static_safety = (at_rest > 0.0).then(|| rating.si() / at_rest);
         }
         let life = |steps: &[BearingStep], reliability| {
             life_over_duty(rolling, rating, steps, reliability).map(|life| life.map(Physical::si))
@@ -180,6 +240,7 @@ impl File<'_> {
                 static_load_rating: entry.static_load_rating,
                 fatigue_limit: entry.fatigue_limit,
                 bearing_diameter: entry.bearing_diameter,
+                bearing_span: entry.bearing_span,
                 load_sharing: None,
             };
         }
@@ -194,6 +255,7 @@ impl File<'_> {
             static_load_rating: entry.static_load_rating,
             fatigue_limit: entry.fatigue_limit,
             bearing_diameter: entry.bearing_diameter,
+            bearing_span: entry.bearing_span,
             load_sharing: entry.load_sharing.map(epicyclic_units::Number::get),
         }
     }
@@ -250,16 +312,31 @@ impl File<'_> {
         Err(refused(&self.subject.document, path, &[key], &why))
     }
 
-    /// Force on a bearing and its speed in a step of the duty; `None` if no force can be computed.
+    /// Rows of the bearings of a planet at this distance; the keys missing for the moment on them.
+    fn rows(&self, set: &PlanetSet, span: Length) -> Result<Result<Rows, Vec<String>>, Error> {
+        if !set.tooth_shape().is_helical() {
+            return Ok(Ok(Rows { span, toothed: None }));
+        }
+        let Some(data) = self.file.set_data(set) else { return Ok(Err(vec!["teeth".to_owned()])) };
+        let has_module = data.modules.iter().any(Option::is_some);
+        Ok(match toothed(self.subject, &data, set)? {
+            Ok(toothed) if has_module => Ok(Rows { span, toothed: Some(toothed) }),
+            Ok(_) => Err(vec!["module".to_owned()]),
+            Err(key) => Err(vec![key.unwrap_or("teeth").to_owned()]),
+        })
+    }
+
+    /// Load of a bearing and its speed in a step of the duty; `None` if no force can be computed.
     fn step(
         &self,
         bearing: &PlanetBearing,
         worked: Option<&Worked<'_>>,
         speed: AngularVelocity,
-        sharing: f64,
-    ) -> Result<Option<(Force, AngularVelocity)>, Error> {
+        (rolling, sharing, rows): (Rolling, f64, Option<&Rows>),
+    ) -> Result<Option<StepLoad>, Error> {
         let Some(worked) = worked else {
-            return Ok(Some((Force::from_si(0.0), AngularVelocity::from_si(0.0))));
+            let tilted = rows.map(|_| Tilted::default());
+            return Ok(Some(StepLoad { tilted, ..StepLoad::default() }));
         };
         let case = worked.operation.as_ref().zip(worked.analysis.ideal());
         let Some((operation, case)) = case else { return Ok(None) };
@@ -272,7 +349,48 @@ impl File<'_> {
         let forces = bearing.forces(torques.as_deref(), carrier)?;
         let turning = worked.analysis.sets()[bearing.set].planets[bearing.planet]
             .map(|planet| AngularVelocity::from_si((speed * rounded(planet.relative)).si().abs()));
-        Ok(shared(&forces, sharing).zip(turning))
+        let (Some([out, along]), Some(speed), Some(torques)) = (shared(&forces, sharing), turning, torques)
+        else {
+            return Ok(None);
+        };
+        let force = Force::from_si(libm::hypot(along.si(), out.si()));
+        let Some(rows) = rows else {
+            return Ok(Some(StepLoad { force, speed, equivalent: force, tilted: None }));
+        };
+        let Some(tilted) = self.tilted(bearing, &torques, [out, along], (sharing, rows)) else {
+            return Ok(None);
+        };
+        let equivalent = equivalent_load(rolling, tilted.rows);
+        Ok(Some(StepLoad { force, speed, equivalent, tilted: Some(tilted) }))
+    }
+
+    /// Rows of a bearing under the tilting moment of these torques, and under a radial force outwards and in the
+    /// direction in which the planets push the carrier.
+    fn tilted(
+        &self,
+        bearing: &PlanetBearing,
+        torques: &[Torque],
+        [out, along]: [Force; 2],
+        (sharing, rows): (f64, &Rows),
+    ) -> Option<Tilted> {
+        let set = &self.subject.train.sets()[bearing.set];
+        let (mut axial_n, mut moment) = (0.0, [0.0; 2]);
+        if let Some(toothed) = &rows.toothed {
+            let of_centrals: Vec<f64> = torques.iter().map(|torque| torque.si()).collect();
+            let loads = set.mesh_loads(&of_centrals)?;
+            let all = set.axial_forces(toothed, self.subject.is_behind(set), &loads)?;
+            let own = all.into_iter().find(|one| one.body == Body::Planet(bearing.planet))?;
+            let sizes: f64 = own.meshes.iter().map(|(_, force)| force.abs()).sum();
+            axial_n = if own.force.abs() <= ROUNDED * sizes { 0.0 } else { sharing * own.force };
+            moment = own.moment.map(|part| sharing * part);
+        }
+        let along = PlanetBearing::push_direction(torques) * along;
+        let of_rows = row_forces([out, along], moment.map(Torque::from_si), rows.span);
+        Some(Tilted {
+            axial_n,
+            moment_n_m: libm::hypot(moment[0], moment[1]),
+            rows: of_rows.map(|[out, along]| Force::from_si(libm::hypot(out.si(), along.si()))),
+        })
     }
 
     /// Adds `a_ISO` to each step; the error gives the reason why none exists.
@@ -320,9 +438,18 @@ fn missing_for_forces(bearing: &PlanetBearing) -> Vec<String> {
     all
 }
 
-/// Resultant force on a bearing, with mesh forces increased by the uneven load sharing.
-fn shared(forces: &BearingForces, sharing: f64) -> Option<Force> {
-    let (tangential, radial) = (forces.tangential?.si(), forces.radial?.si());
-    let across = sharing * radial + forces.centrifugal?.si();
-    Some(Force::from_si(libm::hypot(sharing * tangential, across)))
+/// Whether the file gives the span of all planet bearings of a set that have a load rating, and of any.
+pub(super) fn has_spans(subject: &Gearbox, file: &GearboxFile, set: &PlanetSet) -> bool {
+    let of = File { subject, file, reliability: Reliability::default() };
+    let own = subject.planet_bearings.iter().filter(|own| subject.train.sets()[own.set].id() == set.id());
+    let mut rated = own.filter(|own| own.load_rating.is_some()).peekable();
+    rated.peek().is_some()
+        && rated.all(|own| of.given(set.id(), &set.planets()[own.planet].name).bearing_span.is_some())
+}
+
+/// Force on a bearing outwards and in the direction of the push, with mesh forces increased by the uneven load
+/// sharing.
+fn shared(forces: &BearingForces, sharing: f64) -> Option<[Force; 2]> {
+    let (tangential, radial) = (forces.tangential?, forces.radial?);
+    Some([sharing * radial + forces.centrifugal?, sharing * tangential])
 }

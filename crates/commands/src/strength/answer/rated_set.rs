@@ -32,6 +32,8 @@ pub(crate) struct RatedSet<'g> {
     pub(crate) id: &'g str,
     /// Path of the set in the file.
     pub(crate) path: Path,
+    /// The gears with their teeth, in mesh; modules in metres.
+    pub(crate) toothed: ToothedSet,
     /// The meshes, in the order of the set.
     pub(crate) meshes: Vec<RatedMesh>,
 }
@@ -70,9 +72,9 @@ pub(crate) fn sets<'g>(
         let Some(data) = file.set_data(set) else { continue };
         let of = Of { subject, file, set, data };
         match of.meshes()? {
-            Ok(meshes) => {
+            Ok((toothed, meshes)) => {
                 let path = of.data.path.clone();
-                all.push(RatedSet { place, set, id: set.id(), path, meshes });
+                all.push(RatedSet { place, set, id: set.id(), path, toothed, meshes });
             }
             Err(row) => not_rated.push(row),
         }
@@ -132,7 +134,7 @@ impl PerGearData<'_> {
 }
 
 impl<'a> Of<'a> {
-    fn meshes(&self) -> Made<Vec<RatedMesh>> {
+    fn meshes(&self) -> Made<(ToothedSet, Vec<RatedMesh>)> {
         let missing = |keys: Vec<String>| NotRated {
             missing: keys,
             ..NotRated::new(self.set.id(), Reason::KeysMissing)
@@ -160,7 +162,7 @@ impl<'a> Of<'a> {
             }
             let meshes = (0..toothed.meshes.len())
                 .map(|mesh| self.mesh(toothed, mesh, strength, &per_gear, shaper, viscosity));
-            return Ok(Ok(meshes.collect::<Result<_, _>>()?));
+            return Ok(Ok((toothed.clone(), meshes.collect::<Result<_, _>>()?)));
         }
         let key = toothed.as_ref().err().copied().unwrap_or_default();
         // Where some gears have a width of their own, those of the others are named.

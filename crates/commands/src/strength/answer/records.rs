@@ -1,5 +1,6 @@
 //! Records of the strength of teeth: meshes, gears, governing safeties, parts that are not rated.
 
+pub use super::axial::{AxialForce, AxialForceOfMesh, Thrusts};
 pub use super::bearing_records::{BearingOverDuty, BearingStepFigures, ModifiedLife};
 pub use super::names::{Against, MeshName};
 pub use super::not_rated::{NotRated, Reason};
@@ -321,23 +322,6 @@ pub struct Overloaded {
     pub root_safety: Option<f64>,
     /// Required safeties against this overload.
     pub required: Required,
-}
-
-/// Axial forces of helical teeth on each planet of a set, from the nominal torque without losses and load
-/// factors.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct AxialForce {
-    /// Name of the set.
-    pub set: String,
-    /// Name of the selected gear.
-    pub gear: String,
-    /// Number of the step of the duty, from 1; null at an operating point.
-    pub step: Option<u32>,
-    /// Axial force of one mesh `F_a`, in N; the forces of both meshes on the planet are opposite.
-    pub axial_force_n: f64,
-    /// Moment of both forces that tilts a planet, in N·m; no rating of its bearing includes it.
-    pub tilting_moment_n_m: f64,
 }
 
 /// Safeties of all gears.

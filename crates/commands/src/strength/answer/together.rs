@@ -1,14 +1,16 @@
-//! Damage of several meshes on one flank of a gear, over the duty.
+//! Damage and safety of several meshes on one flank of a gear, over the duty.
 //!
 //! Each mesh is rated alone. Where several load one flank, in the same step or in others, its damage is the
-//! sum by Miner's rule. That of the roots is a sum too: these meshes bend them the same way.
+//! sum by Miner's rule, and its safety the factor on all their stresses at which the sum is 1. The roots have
+//! a sum too: these meshes bend them the same way.
 
 use super::duty::WorkedStep;
 use super::load::SetLoad;
 use super::names::MeshName;
 use super::rated_set::RatedSet;
+use super::records::Required;
 use crate::answer::Warning;
-use epicyclic_strength::spectrum::{Step, rate_duty};
+use epicyclic_strength::spectrum::{Step, Stresses, Worn, stresses};
 use epicyclic_train::mesh_loads::MeshLoad;
 use epicyclic_units::Physical;
 use epicyclic_units::format::trimmed;
@@ -31,6 +33,10 @@ pub struct SharedFlank {
     pub flank_damage: Option<f64>,
     /// Damage of the roots in the required life by all of them; null if a stress is above the static limit.
     pub root_damage: Option<f64>,
+    /// Safety of the flank against all of them: the factor on all stresses at which the damage is 1.
+    pub flank_safety: f64,
+    /// Safety of the roots against all of them: the factor on all stresses at which the damage is 1.
+    pub root_safety: f64,
 }
 
 /// Shared flanks of a set over the duty, as far as all meshes on them are rated.
@@ -52,7 +58,7 @@ pub(super) fn of_set(set: &RatedSet<'_>, duty: &[WorkedStep<'_>], life: Time) ->
             let on =
                 ends.iter().filter(|(mesh, end)| loads.iter().any(|(load, _)| is_on(&load[*mesh], *end)));
             let on: Vec<&(usize, usize)> = on.collect();
-            let [mut at_flank, mut at_root] = [0.0; 2];
+            let [mut at_flank, mut at_root] = [Stresses::default(), Stresses::default()];
             for (mesh, end) in on.iter().copied().filter(|_| on.len() > 1) {
                 let step = |(WorkedStep(entry, _), (load, speed)): (
                     &WorkedStep<'_>,
@@ -69,34 +75,42 @@ pub(super) fn of_set(set: &RatedSet<'_>, duty: &[WorkedStep<'_>], life: Time) ->
                 };
                 let steps: Vec<Step> = duty.iter().zip(&loads).map(step).collect();
                 let (rated, contacts) = (&set.meshes[*mesh], loads.first()?.0[*mesh].contacts);
-                let rating = rate_duty(&rated.mesh, &steps, life, contacts, &rated.method).ok()?;
-                let own = &rating.gears[*end];
-                at_flank += own.contact.as_ref().ok()?.damage;
-                at_root += own.root.as_ref().ok()?.damage;
+                let [first, second] = stresses(&rated.mesh, &steps, life, contacts, &rated.method).ok()?;
+                let own = if *end == 0 { first } else { second };
+                at_flank.join(own.contact.ok()?);
+                at_root.join(own.root.ok()?);
             }
             let meshes = on.iter().map(|(mesh, _)| set.meshes[*mesh].name.clone()).collect::<Vec<_>>();
-            (meshes.len() > 1).then_some((meshes, at_flank, at_root))
+            (meshes.len() > 1).then(|| (meshes, at_flank.worn(life), at_root.worn(life)))
         };
         let both = [1.0, -1.0].into_iter().filter_map(of_flank);
-        let (meshes, flank, root) = both.max_by(|one, other| one.1.total_cmp(&other.1))?;
-        let finite = |damage: f64| Some(damage).filter(|damage| damage.is_finite());
+        // Two flanks without damage differ in their safeties alone.
+        let worse = |one: &Worn, other: &Worn| {
+            one.damage.total_cmp(&other.damage).then(other.safety.total_cmp(&one.safety))
+        };
+        let (meshes, flank, root) = both.max_by(|one, other| worse(&one.1, &other.1))?;
+        let finite = |worn: &Worn| Some(worn.damage).filter(|damage| damage.is_finite());
         Some(SharedFlank {
             set: set.id.to_owned(),
             toothed_gear: set.set.gear_name(gear),
             meshes,
-            flank_damage: finite(flank),
-            root_damage: finite(root),
+            flank_damage: finite(&flank),
+            root_damage: finite(&root),
+            flank_safety: flank.safety,
+            root_safety: root.safety,
         })
     };
     set.set.gears().into_iter().filter_map(of_gear).collect()
 }
 
 impl SharedFlank {
-    /// Warning of a flank or root whose life is shorter than required.
-    pub(super) fn warning(&self) -> Option<Warning> {
+    /// Warning of a flank or root whose life is shorter than required, or whose safety is below that required.
+    pub(super) fn warning(&self, required: Required) -> Option<Warning> {
+        let Self { set, toothed_gear, meshes, .. } = self;
+        let meshes: Vec<String> = meshes.iter().map(MeshName::to_string).collect();
         let worn = |damage: Option<f64>| damage.is_none_or(|damage| damage > 1.0);
         let place = match (worn(self.flank_damage), worn(self.root_damage)) {
-            (false, false) => return None,
+            (false, false) => return self.low_safety(&meshes.join(", "), required),
             (true, false) => ("flank", self.flank_damage),
             (false, true) => ("root", self.root_damage),
             (true, true) => {
@@ -105,11 +119,28 @@ impl SharedFlank {
         };
         let (place, damage) =
             (place.0, place.1.map_or("above static".to_owned(), |damage| trimmed(damage, 4)));
-        let Self { set, toothed_gear, meshes, .. } = self;
-        let meshes: Vec<String> = meshes.iter().map(MeshName::to_string).collect();
         let message = format!(
             "set {set}: the meshes {} together wear the {place} of the {toothed_gear} out before the required life: damage {damage}, where each is rated alone",
             meshes.join(", ")
+        );
+        Some(Warning { name: "shared-flank", message })
+    }
+
+    fn low_safety(&self, meshes: &str, required: Required) -> Option<Warning> {
+        let Self { set, toothed_gear, .. } = self;
+        let both = [("flank", self.flank_safety, required.flank), ("root", self.root_safety, required.root)];
+        let below = both.into_iter().filter(|(_, safety, required)| safety < required);
+        let below: Vec<String> = below
+            .map(|(place, safety, required)| {
+                format!("{safety:.3} of the {place}, below the {required} required")
+            })
+            .collect();
+        if below.is_empty() {
+            return None;
+        }
+        let message = format!(
+            "set {set}: the meshes {meshes} together leave the {toothed_gear} a safety of {}; each is rated alone",
+            below.join(", and ")
         );
         Some(Warning { name: "shared-flank", message })
     }

@@ -1,25 +1,39 @@
 //! Planets: axial forces of helical teeth, bearings.
 
-use crate::strength::answer::records::{AxialForce, BearingOverDuty};
+use crate::strength::answer::records::{AxialForce, BearingOverDuty, Thrusts};
 use crate::table::columns::Table;
-use crate::table::figure::hours;
+use crate::table::figure::{Figure, hours};
 use crate::table::report::Records;
 use epicyclic_units::Dimension;
 
 pub(super) fn axial_forces(all: &[AxialForce]) -> Records {
     let of_steps = all.iter().any(|one| one.step.is_some());
     let shown: &[&'static str] = if of_steps {
-        &["set", "step", "gear", "axial_force", "tilting_moment"]
+        &["set", "step", "gear", "body", "mesh_axial_force", "axial_force", "thrusts", "tilting_moment"]
     } else {
-        &["set", "gear", "axial_force", "tilting_moment"]
+        &["set", "gear", "body", "mesh_axial_force", "axial_force", "thrusts", "tilting_moment"]
     };
-    let note = "F_a: of one mesh, those with sun and ring on a planet against each other; without losses and load factors. M: by which they tilt each planet; \
-                   no rating of planet bearings has it.";
+    let largest =
+        |one: &&AxialForce| one.meshes.iter().map(|mesh| mesh.axial_force_n.abs()).fold(0.0, f64::max);
+    let note = "F_a: the largest of one mesh; ΣF_a: of all meshes of the body, above 0 along the thumb of a right hand whose fingers point along the positive rotation; \
+                without losses and load factors. M: by which they tilt a planet or a gear of a pair. Lives of planet bearings contain M where `bearing_span` is given.";
     Table::new("axial_forces", all.iter())
         .text("set", "set", |one| &one.set)
         .text("gear", "gear", |one| &one.gear)
         .number("step", "step", |one| one.step)
-        .quantity("axial_force", "F_a", Dimension::Force, |one| one.axial_force_n)
+        .text("body", "on", |one| &one.body)
+        .quantity("mesh_axial_force", "F_a", Dimension::Force, largest)
+        .quantity("axial_force", "ΣF_a", Dimension::Force, |one| one.axial_force_n)
+        .words("thrusts", "meshes", |one| {
+            one.thrusts.map(|thrusts| {
+                let words = match thrusts {
+                    Thrusts::Cancel => "cancel",
+                    Thrusts::PartlyCancel => "partly cancel",
+                    Thrusts::Add => "add",
+                };
+                Figure::choice(thrusts, words)
+            })
+        })
         .quantity("tilting_moment", "M", Dimension::Torque, |one| one.tilting_moment_n_m)
         .view_of("Axial forces of helical teeth", shown)
         .note(note)
@@ -28,13 +42,18 @@ pub(super) fn axial_forces(all: &[AxialForce]) -> Records {
 
 pub(super) fn bearings(all: &[BearingOverDuty]) -> Records {
     let modified = |one: &BearingOverDuty| one.modified.and_then(|modified| modified.life_s);
-    Table::new("bearings", all.iter())
+    let has_spans = all.iter().any(|one| one.span_m.is_some());
+    let table = Table::new("bearings", all.iter())
         .text("set", "set", |one| &one.set)
         .text("planet", "planet", |one| &one.planet)
         .words("rolling", "of", |one| if one.rollers { "rollers" } else { "balls" })
         .quantity("load_rating", "C", Dimension::Force, |one| one.load_rating_n)
         .printed("load_sharing", "K_γ", 2, |one| one.load_sharing)
+        .quantity("span", "s", Dimension::Length, |one| one.span_m)
+        .only_if(has_spans)
         .quantity("greatest_force", "F", Dimension::Force, |one| one.greatest_force_n)
+        .quantity("greatest_row_force", "F_row", Dimension::Force, |one| one.greatest_row_force_n)
+        .only_if(has_spans)
         .printed("static_safety", "f_s", 3, |one| one.static_safety)
         .quantity("basic_life", "", Dimension::Time, |one| one.basic_life_s)
         .number("basic_hours", "L_10, h", |one| one.basic_life_s.map(hours))
@@ -48,7 +67,13 @@ pub(super) fn bearings(all: &[BearingOverDuty]) -> Records {
             "set planet rolling load_rating load_sharing greatest_force static_safety basic_hours reliability \
              modified_hours",
         )
-        .note("K_γ: of the forces of the meshes. F: the greatest of duty and overloads. f_s: static load rating over it. L_10: basic life, L_nm: modified life over the duty, of the bearings stated.")
+        .note("K_γ: of the forces of the meshes. F: the greatest of duty and overloads. f_s: static load rating over it. L_10: basic life, L_nm: modified life over the duty, of the bearings stated.");
+    if !has_spans {
+        return table.records();
+    }
+    table
+        .view("Rows of planet bearings", "set planet span greatest_row_force")
+        .note("s: distance of the two rows, which the tilting moment of helical teeth loads unequally. F_row: the greatest of a row; with s, f_s is the static load rating over twice it, and lives contain the moment.")
         .records()
 }
 
