@@ -225,7 +225,27 @@ fn tried(
         .iter()
         .flatten()
         .all(|gear| gear.contact.safety >= task.required_contact && gear.root.safety >= task.required_root);
+    // On each flank of the planets the damages of both meshes add up, at stresses times the required safety:
+    // flanks at torques times its square.
+    let wears = |flank: f64, root: bool| {
+        let factor = if root { task.required_root } else { task.required_contact.powi(2) };
+        let damage = |mesh: &Mesh, place: usize, end: usize, steps: &[Step], side: f64| {
+            let step = |(step, of): (&Step, &SetStep)| {
+                let is_on = of.sun_torque.get::<newton_meter>() * side * flank > 0.0;
+                Step { torque: if is_on { step.torque * factor } else { Torque::default() }, ..*step }
+            };
+            let steps: Vec<Step> = steps.iter().zip(&task.duty).map(step).collect();
+            let contacts = if place == 0 { [p, 1.0] } else { [1.0, p] };
+            let rated = rate_duty(mesh, &steps, task.life, contacts, &method(place)).ok()?;
+            let gear = &rated.gears[end];
+            Some(if root { gear.root.as_ref() } else { gear.contact.as_ref() }.unwrap().damage)
+        };
+        let both = [damage(&outer, 0, 1, &outer_duty, 1.0), damage(&inner, 1, 0, &inner_duty, -1.0)];
+        matches!(both, [Some(one), Some(other)] if one + other > 1.0)
+    };
+    let wears_out = [1.0, -1.0].into_iter().any(|flank| wears(flank, false) || wears(flank, true));
     let teeth_hold = lasts
+        && !wears_out
         && task.overloads.iter().filter(|one| one.sun_torque.value != 0.0).all(|one| {
             let torque = one.sun_torque.abs() / p;
             let outer = overload(&outer, torque, &method(0)).unwrap();

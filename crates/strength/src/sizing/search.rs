@@ -6,7 +6,7 @@ use super::{Found, LeftOut, Objective, Requirement, Tried};
 use crate::bearing::{BearingStep, Reliability, life_over_duty};
 use crate::mesh::{Gear, Mesh, Method};
 use crate::rating::overload;
-use crate::spectrum::{GearDuty, Worn, rate_duty};
+use crate::spectrum::{GearDuty, Step, Stresses, Worn, rate_duty, stresses};
 use crate::{Error, Quantity};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::InvoluteGear;
@@ -15,7 +15,7 @@ use std::cmp::{Ordering, Reverse};
 use std::collections::{BinaryHeap, HashMap};
 use std::f64::consts::FRAC_PI_4;
 use std::ops::ControlFlow;
-use uom::si::f64::{Force, Length, Mass, Time};
+use uom::si::f64::{Force, Length, Mass, Time, Torque};
 
 /// Rim over tooth height below which a rim weakens the root
 /// ([`rim_factor_external`](crate::root::factors::rim_factor_external)).
@@ -334,8 +334,8 @@ impl Search<'_> {
             }
         };
         let bore = |planet: &DesignedPlanet| planet.bore.map_or(0.0, Physical::si);
+        let bores: Vec<f64> = planets.iter().map(bore).collect();
         for (mesh, rated) in teeth.iter_mut().enumerate() {
-            let bores: Vec<f64> = planets.iter().map(bore).collect();
             let Some(thin) = self.thin(one, mesh, |planet| bores[planet])? else { continue };
             let Some(thin) = thin else {
                 self.left_out.not_calculable += 1;
@@ -344,7 +344,10 @@ impl Search<'_> {
             *rated = thin;
         }
         let all = teeth.iter().filter_map(|rated| rated.governing).chain(of_bearings);
-        let governing = Governing::least(all).expect("a duty that loads a mesh has a safety");
+        let alone = Governing::least(all).expect("a duty that loads a mesh has a safety");
+        // Damages that add up take the longest: they are asked for last.
+        let together = if alone.ratio() < 1.0 { None } else { self.together(one, &bores)? };
+        let governing = Governing::least([alone].into_iter().chain(together)).unwrap_or(alone);
         let masses = &self.masses[one.layout];
         let rim = |gear: usize| {
             let is_ring = own.gears[gear].kind() == GearKind::Internal;
@@ -473,6 +476,65 @@ impl Search<'_> {
         Ok(Some(Governing::least(all)))
     }
 
+    /// The least safety of flanks and roots that several meshes load on one side, whose damages add up;
+    /// `None` without such gears.
+    fn together(&self, one: &Candidate, bores: &[f64]) -> Result<Option<Governing>, Error> {
+        let task = self.task;
+        let loads = &self.layouts[one.layout].loads;
+        let mut all = vec![];
+        for gear in 0..task.gears.len() {
+            let ends = task
+                .meshes
+                .iter()
+                .enumerate()
+                .filter_map(|(mesh, of)| Some((mesh, of.gears.iter().position(|end| *end == gear)?)));
+            let ends: Vec<(usize, usize)> = ends.collect();
+            for flank in [1.0, -1.0] {
+                let is_on = |signs: &[f64; 2], end: usize| signs[end] * flank > 0.0;
+                let on =
+                    ends.iter().filter(|(mesh, end)| loads[*mesh].flanks.iter().any(|of| is_on(of, *end)));
+                let on: Vec<&(usize, usize)> = on.collect();
+                if on.len() < 2 {
+                    continue;
+                }
+                let mut sum = GearDuty { contact: Stresses::default(), root: Stresses::default() };
+                for (mesh, end) in &on {
+                    let own = &loads[*mesh];
+                    let step = |(step, signs): (&Step, &[f64; 2])| Step {
+                        torque: if is_on(signs, *end) { step.torque } else { Torque::default() },
+                        ..*step
+                    };
+                    let steps: Vec<Step> = own.steps.iter().zip(&own.flanks).map(step).collect();
+                    let (rated, method) = self.mesh(one, *mesh, self.rims(one, *mesh, |kind| bores[kind]));
+                    let of = match stresses(&rated, &steps, task.life, own.contacts, &method) {
+                        Ok([first, second]) => {
+                            if *end == 0 {
+                                first
+                            } else {
+                                second
+                            }
+                        }
+                        // It loads the flank at rest alone.
+                        Err(Error::IdleDuty) => continue,
+                        Err(error) => return Err(error),
+                    };
+                    sum.contact.join(of.contact?);
+                    sum.root.join(of.root?);
+                }
+                let of = |requirement, stresses: &Stresses, required| Governing {
+                    requirement,
+                    mesh: Some(on[0].0),
+                    gear,
+                    value: stresses.worn(task.life).safety,
+                    required,
+                };
+                all.push(of(Requirement::Flank, &sum.contact, task.required_contact));
+                all.push(of(Requirement::Root, &sum.root, task.required_root));
+            }
+        }
+        Ok(Governing::least(all))
+    }
+
     /// Rating of a mesh with planets of these bores; `None` if no rim is so thin that it weakens a root.
     fn thin(
         &mut self,
@@ -480,6 +542,15 @@ impl Search<'_> {
         mesh: usize,
         bore: impl Fn(usize) -> f64,
     ) -> Result<Option<Teeth>, Error> {
+        let rims = self.rims(one, mesh, bore);
+        if rims.iter().all(Option::is_none) {
+            return Ok(None);
+        }
+        self.rate(one, mesh, rims).map(Some)
+    }
+
+    /// Rims of the gears of a mesh that are so thin that they weaken a root, with planets of these bores.
+    fn rims(&self, one: &Candidate, mesh: usize, bore: impl Fn(usize) -> f64) -> [Option<Length>; 2] {
         let task = self.task;
         let own = &self.layouts[one.layout];
         let rim = |gear: usize| {
@@ -489,11 +560,32 @@ impl Search<'_> {
             let height = height(&own.gears[gear]) * own.module(task, gear).si();
             (bore > 0.0 && rim / height < THICK_RIM).then(|| Length::from_si(rim))
         };
-        let rims = task.meshes[mesh].gears.map(rim);
-        if rims.iter().all(Option::is_none) {
-            return Ok(None);
-        }
-        self.rate(one, mesh, rims).map(Some)
+        task.meshes[mesh].gears.map(rim)
+    }
+
+    /// A mesh of a design and its method, with the rims of planets that weaken their roots.
+    fn mesh(&self, one: &Candidate, mesh: usize, rims: [Option<Length>; 2]) -> (Mesh, Method) {
+        let task = self.task;
+        let own = &self.layouts[one.layout];
+        let ends = task.meshes[mesh].gears;
+        let family = task.gears[ends[0]].family;
+        let gear = |end: usize| {
+            let sized = &task.gears[ends[end]];
+            let rim = match (sized.body, own.gears[ends[end]].kind()) {
+                (_, GearKind::Internal) => Some(task.ring_rim(ends[end], own.modules[family])),
+                (Body::Planet(_), _) => rims[end],
+                (Body::Central, _) => sized.gear.rim,
+            };
+            Gear { rim, ..sized.gear }
+        };
+        let mesh_of = Mesh {
+            pair: own.pairs[mesh],
+            module: own.modules[family],
+            face_width: task.face_widths[family][one.widths[family]],
+            gears: [gear(0), gear(1)],
+            viscosity: task.viscosity,
+        };
+        (mesh_of, Method { planets: Some(own.planets), ..task.meshes[mesh].method })
     }
 
     /// Rating of a mesh, with the rims of planets that weaken their roots; each is made once.
@@ -507,23 +599,7 @@ impl Search<'_> {
         if let Some(known) = self.ratings.get(&key) {
             return Ok(*known);
         }
-        let gear = |end: usize| {
-            let sized = &task.gears[ends[end]];
-            let rim = match (sized.body, own.gears[ends[end]].kind()) {
-                (_, GearKind::Internal) => Some(task.ring_rim(ends[end], own.modules[family])),
-                (Body::Planet(_), _) => rims[end],
-                (Body::Central, _) => sized.gear.rim,
-            };
-            Gear { rim, ..sized.gear }
-        };
-        let rated = Mesh {
-            pair: own.pairs[mesh],
-            module: own.modules[family],
-            face_width: task.face_widths[family][one.widths[family]],
-            gears: [gear(0), gear(1)],
-            viscosity: task.viscosity,
-        };
-        let method = Method { planets: Some(own.planets), ..task.meshes[mesh].method };
+        let (rated, method) = self.mesh(one, mesh, rims);
         self.rated += 1;
         let teeth = match task.rated(mesh, &rated, &own.loads[mesh], &method) {
             Ok(rated) => Some(rated),

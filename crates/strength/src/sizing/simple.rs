@@ -156,11 +156,15 @@ impl Sizing {
     /// Loads of both meshes, and `K_γ` of the bearings.
     fn loads(&self, planets: u32) -> Result<(Arc<[MeshLoads]>, f64), Error> {
         let teeth = [self.teeth[0], self.teeth[1]];
-        let none = || MeshLoads { steps: vec![], contacts: [1.0; 2], overloads: vec![] };
+        let none = || MeshLoads { steps: vec![], flanks: vec![], contacts: [1.0; 2], overloads: vec![] };
         let mut both = [none(), none()];
         for step in &self.duty {
             let felt = loads(step.sun_torque, step.sun_speed, planets, teeth, self.life)?;
+            // A planet passes the torque on, from one flank to the other.
+            let torque = step.sun_torque.si();
+            let sign = if torque == 0.0 { 0.0 } else { torque.signum() };
             for (own, load) in both.iter_mut().zip(felt) {
+                own.flanks.push([sign, -sign]);
                 own.steps.push(Step { share: step.share, torque: load.torque, speed: load.speed });
                 own.contacts = load.contacts;
             }

@@ -70,6 +70,8 @@ pub struct StaticDemand {
 pub struct MeshLoads {
     /// Steps of the duty.
     pub steps: Vec<Step>,
+    /// Sign of the torque on each gear in each step, which says which flank it loads; 0 without torque.
+    pub flanks: Vec<[f64; 2]>,
     /// Contacts of a flank per revolution, of each gear.
     pub contacts: [f64; 2],
     /// Overloads.

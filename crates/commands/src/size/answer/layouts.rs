@@ -345,7 +345,7 @@ impl Making<'_> {
         use crate::strength::answer::records::Reason;
         let idle = |mesh: usize| {
             let contacts = set.mesh_loads(&vec![0.0; set.centrals().len()])?[mesh].contacts;
-            Some(MeshLoads { steps: vec![], contacts, overloads: vec![] })
+            Some(MeshLoads { steps: vec![], flanks: vec![], contacts, overloads: vec![] })
         };
         let mut all: Vec<MeshLoads> = (0..set.meshes().len()).map(idle).collect::<Option<_>>()?;
         for WorkedStep(entry, worked) in self.steps {
@@ -359,6 +359,8 @@ impl Making<'_> {
                 let (torque, speed) = felt.as_ref().map_or((0.0, 0.0), |(loads, speed)| {
                     (loads[mesh].torques[0].abs(), (speed.si() * loads[mesh].speeds[0]).abs())
                 });
+                let torques = felt.as_ref().map_or([0.0; 2], |(loads, _)| loads[mesh].torques);
+                own.flanks.push(torques.map(|one| if one == 0.0 { 0.0 } else { one.signum() }));
                 own.steps.push(Step {
                     share: entry.share.0.si(),
                     torque: Torque::from_si(torque),
