@@ -53,7 +53,7 @@ pub fn write(scene: &Scene, dpi: f64) -> Result<Vec<u8>, Error> {
     }
     let refused = Error::Pixels { dpi, width, height, most_dpi, most: MOST_PIXELS };
     // The limit told is the one that the next try has to keep.
-    if !(dpi >= DPI[0]) {
+    if dpi.is_nan() || dpi < DPI[0] {
         return Err(Error::Resolution { dpi, limit: DPI[0], is_below: true });
     }
     if dpi > DPI[1] && most_dpi == DPI[1] {
