@@ -28,6 +28,7 @@
 //! - `RESTS`: the speed of a planet on its pin, over the input's. Rounding of a planet that does not turn.
 //! - `SHARES`: the sum of shares, less 1. Rounding of the numbers as written.
 //! - `PRESSED_M`: overlap of flanks within their tolerances, m. Half of the last digit that is printed.
+//! - `EDGE`: a radius beyond the reach of a search, over the step. Reach and multiples are rounded.
 //! - `BESIDE`: an angle beside a jump, rad. Values right beside a jump are taken at this distance: 6·10⁻⁵
 //!   degrees.
 
@@ -36,6 +37,9 @@ use uom::si::f64::Angle;
 
 /// The sum of shares may be off 1 by as much.
 pub(crate) const SHARES: f64 = 1e-6;
+
+/// A radius within this share of a step beyond the reach of a search is within it.
+pub(crate) const EDGE: f64 = 1e-6;
 
 /// A sum of balanced terms below this is zero.
 pub(crate) const ROUNDED: f64 = 1e-12;

@@ -312,7 +312,7 @@ fn two_rows_share_force_and_moment_by_hand() {
     assert_eq!(without.steps[0].equivalent_load_n, without.steps[0].force_n);
 }
 
-/// Spur teeth tilt nothing: the two rows are the unit that they are rated as. A moment that is not part of a
+/// Spur teeth tilt nothing: both rows are the unit that they are rated as. A moment that is not part of a
 /// life is warned of, and a span must be above 0.
 #[test]
 fn a_span_changes_no_life_of_spur_teeth() {

@@ -290,7 +290,7 @@ pub struct SetEntry {
     /// Mean diameter of these bearings, (d + D)/2, for their modified life.
     #[serde(default)]
     pub bearing_diameter: Option<Quantity<Length>>,
-    /// Distance of the middles of the two rows of these bearings, for their life under the moment of helical
+    /// Distance of the middles of the rows of these bearings, for their life under the moment of helical
     /// teeth.
     #[serde(default)]
     pub bearing_span: Option<Quantity<Length>>,

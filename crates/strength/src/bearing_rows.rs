@@ -1,4 +1,4 @@
-//! A planet on two rows of rolling elements, or on two bearings, under a radial force and a tilting moment.
+//! A planet on two bearing rows, or on two bearings, under a radial force and a tilting moment.
 //!
 //! ```text
 //! F⃗_1,2 = F⃗/2 ± M⃗ × z⃗/s        P = 2·((F_1^w + F_2^w)/2)^(1/w)        w = 10/3 of balls, 9/2 of rollers
@@ -8,13 +8,13 @@
 //! |---|---|---|---|
 //! | `F⃗`, `M⃗` | `force`, `moment` | radial force on the planet midway between the rows, tilting moment | N, N·m |
 //! | `z⃗` | | direction of the pin, across `F⃗` and `M⃗` | 1 |
-//! | `s` | `span` | distance of the middles of the two rows | m |
+//! | `s` | `span` | distance of the middles of both rows | m |
 //! | `F_1`, `F_2` | `rows` | radial force on either row | N |
 //! | `P` | | equivalent load of both rows, for their load rating together | N |
 //!
 //! The rows carry the force and the moment: `F⃗_1 + F⃗_2 = F⃗`, `z⃗·s/2 × (F⃗_1 − F⃗_2) = M⃗`.
 //!
-//! The exponent `w` is that of ISO 281 for two rows as a unit, rated `2^(1 − 1/w)` times one: `2^0.7` with
+//! The exponent `w` is that of ISO 281 for two bearing rows as a unit, rated `2^(1 − 1/w)` times one: `2^0.7` with
 //! balls, `2^(7/9)` with rollers. The unit fails with the first of its rows, whose lives are joined as those of
 //! two bearings: `w` is the exponent of life times the Weibull slope, 3·10/9 with balls and 4·9/8 with rollers.
 //! Without a moment `P = F`; where one row carries all, the life is that of one row by its own rating.
@@ -23,13 +23,13 @@
 //! The axial force on the planet; the change of the contact angle under it; the stiffness of pin and races.
 //!
 //! # Source
-//! ISO 281:2007, 5.1.2 and 7.1.2: load ratings of two rows as a unit. The rows by statics.
+//! ISO 281:2007, 5.1.2 and 7.1.2: load ratings of two bearing rows as a unit. The rows by statics.
 
 use epicyclic_gears::life::Rolling;
 use epicyclic_units::Physical;
 use uom::si::f64::{Force, Length, Torque};
 
-/// Radial forces of two rows as vectors, for a force and a moment in the same two directions across the pin; of
+/// Radial forces of both rows as vectors, for a force and a moment in the same two directions across the pin; of
 /// a right-handed frame with the pin as its third axis, in whose direction the first row lies.
 ///
 /// ```
@@ -50,7 +50,7 @@ pub fn row_forces(force: [Force; 2], moment: [Torque; 2], span: Length) -> [[For
     [[half[0] + second, half[1] - first], [half[0] - second, half[1] + first]]
 }
 
-/// Equivalent load `P` of two rows for their load rating together.
+/// Equivalent load `P` of both rows for their load rating together.
 #[must_use]
 pub fn equivalent_load(rolling: Rolling, rows: [Force; 2]) -> Force {
     let exponent = match rolling {
@@ -80,7 +80,7 @@ mod tests {
 
     proptest! {
         /// A planet as a rigid body in space: forces in its meshes at any points of its middle plane, a body
-        /// force at its centre, and the two rows. Neither a force nor a moment across the pin is left.
+        /// force at its centre, and both rows. Neither a force nor a moment across the pin is left.
         #[test]
         fn a_planet_on_two_rows_is_in_balance(
             forces in prop::collection::vec(prop::array::uniform3(-1e4..1e4_f64), 1..5),

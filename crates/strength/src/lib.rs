@@ -15,7 +15,7 @@
 //! | [`life`] | stress limits over the number of cycles |
 //! | [`material`] | classes of materials, a small table |
 //! | [`bearing`] | modified rating life by ISO 281 |
-//! | [`bearing_rows`] | two rows of a planet's bearings under a tilting moment |
+//! | [`bearing_rows`] | both rows of a planet's bearings under a tilting moment |
 //! | [`loss`] | loss of a mesh by sliding |
 //! | [`sizing`] | module, face width, planets, centre distance and bearing of a set that holds over a duty |
 //!

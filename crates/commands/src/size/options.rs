@@ -9,7 +9,7 @@ use epicyclic_gears::mesh::USUAL_PLANET_GAP;
 use epicyclic_strength::sizing::bearing::{Bearing, listed, listed_rollers};
 use epicyclic_strength::sizing::{Objective, STANDARD_MODULES_MM, Space};
 use epicyclic_strength::{self as strength, Quantity as Of};
-use epicyclic_units::{Number, Physical as _, Quantity};
+use epicyclic_units::{Module, Number, Physical as _, Quantity};
 use std::ops::RangeInclusive;
 use uom::si::f64::Length;
 
@@ -25,7 +25,7 @@ const GREATEST_MODULE_MM: f64 = 20.0;
 pub struct Request {
     /// Modules. Default: series I of ISO 54 to 20 mm.
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
-    pub modules: Option<Quantities<Length>>,
+    pub modules: Option<Quantities<Module>>,
 
     /// Face widths. Default: 10 to 80 mm in steps of 5 mm.
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
@@ -102,7 +102,9 @@ pub enum BearingType {
 impl Request {
     pub(crate) fn space(&self) -> Space {
         Space {
-            modules: self.modules.as_ref().map_or_else(usual_modules, Quantities::values),
+            modules: self.modules.as_ref().map_or_else(usual_modules, |modules| {
+                modules.values().into_iter().map(Module::length).collect()
+            }),
             face_widths: self.face_widths.as_ref().map_or_else(usual_face_widths, Quantities::values),
             planets: self.planets.clone().collect(),
             centre_distance_step: self.centre_distance_step.0,

@@ -99,6 +99,7 @@ impl InvoluteGear {
     }
 
     /// Gear with another shift and other tips, whether or not that leaves teeth.
+    #[inline]
     pub(super) fn altered(self, shift: f64, tip_alteration: f64) -> Self {
         let cut = if shift.to_bits() == self.shift.to_bits() {
             self.cut
@@ -108,6 +109,7 @@ impl InvoluteGear {
         Self { shift, tip_alteration, cut, ..self }
     }
 
+    #[inline]
     pub(super) fn checked(self) -> Result<Self, Error> {
         let fault = |fault: ShiftFault| Error::ShiftOutOfRange {
             teeth: self.teeth.get(),

@@ -69,6 +69,7 @@ impl Pair {
     /// # Errors
     /// Those of the gears as for [`without_backlash`](Self::without_backlash); [`Error::NotAbove`] for a
     /// centre distance at which the base circles leave no line of action.
+    #[inline]
     pub fn at_centre_distance(
         first: InvoluteGear,
         second: InvoluteGear,
@@ -315,6 +316,7 @@ fn check(first: &InvoluteGear, second: &InvoluteGear) -> Result<f64, Error> {
 }
 
 /// `cos α_wt = (z_1 + z_2)·cos α_t/(2·a·cos β)`
+#[inline]
 fn working_angle(first: &InvoluteGear, teeth: f64, centre_distance: f64) -> Result<f64, Error> {
     let least = (teeth / first.teeth().as_f64()).abs() * first.base_diameter() / 2.0;
     let cos = least / centre_distance;

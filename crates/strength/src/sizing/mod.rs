@@ -71,6 +71,7 @@
 //! by side (two: [`Bearing::pair`](bearing::Bearing::pair)).
 
 pub mod bearing;
+mod rated;
 mod search;
 mod simple;
 mod task;

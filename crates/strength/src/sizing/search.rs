@@ -1,25 +1,18 @@
 //! Designs in ascending order of the objective, until enough of them hold.
 
 use super::bearing::Bearing;
-use super::task::{Body, Design, DesignedPlanet, Governing, Layout, MeshLoads, Task};
+use super::rated::Teeth;
+use super::task::{Body, Design, DesignedPlanet, Governing, Layout, Task};
 use super::{Found, LeftOut, Objective, Requirement, Tried};
 use crate::bearing::{BearingStep, Reliability, life_over_duty};
-use crate::mesh::{Gear, Mesh, Method};
-use crate::rating::overload;
-use crate::spectrum::{GearDuty, Step, Stresses, Worn, rate_duty, stresses};
 use crate::{Error, Quantity};
 use epicyclic_gears::geometry::GearKind;
-use epicyclic_gears::involute::InvoluteGear;
 use epicyclic_units::Physical;
 use std::cmp::{Ordering, Reverse};
 use std::collections::{BinaryHeap, HashMap};
 use std::f64::consts::FRAC_PI_4;
 use std::ops::ControlFlow;
-use uom::si::f64::{Force, Length, Mass, Time, Torque};
-
-/// Rim over tooth height below which a rim weakens the root
-/// ([`rim_factor_external`](crate::root::factors::rim_factor_external)).
-const THICK_RIM: f64 = 1.2;
+use uom::si::f64::{Force, Length, Mass, Time};
 
 /// The best `most` designs of these layouts, unless `goes_on`, which is called now and then, breaks. `tried`
 /// is what was left out before.
@@ -100,11 +93,11 @@ pub fn search(
 
 /// A design in the order of the search: before it is judged with the objectives that it cannot be below.
 #[derive(Debug, Clone, PartialEq)]
-struct Candidate {
+pub(super) struct Candidate {
     objectives: [f64; 2],
-    layout: usize,
+    pub(super) layout: usize,
     /// Index of the face width of each family.
-    widths: Vec<usize>,
+    pub(super) widths: Vec<usize>,
     /// The design, if it holds.
     design: Option<Box<Design>>,
 }
@@ -196,7 +189,7 @@ impl Masses {
 }
 
 /// Rim of a planet's gear under a bore, in m.
-fn rim_of(task: &Task, layout: &Layout, gear: usize, bore: f64) -> f64 {
+pub(super) fn rim_of(task: &Task, layout: &Layout, gear: usize, bore: f64) -> f64 {
     (layout.gears[gear].root_diameter() * layout.module(task, gear).si() - bore) / 2.0
 }
 
@@ -218,26 +211,14 @@ impl Task {
     }
 }
 
-/// A mesh over the duty and against the overloads.
-#[derive(Debug, Clone, Copy)]
-struct Rated {
-    /// `None` of a mesh that the duty does not load.
-    over_duty: Option<[GearDuty<Worn>; 2]>,
-    overload: Option<Governing>,
-    governing: Option<Governing>,
-}
-
-/// Teeth that were rated; `None` outside what the standard holds for.
-type Teeth = Option<Rated>;
-
-struct Search<'a> {
-    task: &'a Task,
-    layouts: &'a [Layout],
+pub(super) struct Search<'a> {
+    pub(super) task: &'a Task,
+    pub(super) layouts: &'a [Layout],
     masses: Vec<Masses>,
     /// Ratings by layout, mesh, index of the face width and rims of planets that weaken roots, in bits.
-    ratings: HashMap<(usize, usize, usize, [u64; 2]), Teeth>,
+    pub(super) ratings: HashMap<(usize, usize, usize, [u64; 2]), Teeth>,
     left_out: LeftOut,
-    rated: u64,
+    pub(super) rated: u64,
 }
 
 impl Search<'_> {
@@ -451,164 +432,6 @@ impl Search<'_> {
             None => Chosen::NotCalculable,
         })
     }
-
-    /// What the rim under a bore leaves the teeth of a kind of planets, where it weakens them; `None` outside
-    /// what the standard holds for.
-    fn roots(
-        &mut self,
-        one: &Candidate,
-        planet: usize,
-        bore: f64,
-    ) -> Result<Option<Option<Governing>>, Error> {
-        let task = self.task;
-        let mut all = vec![];
-        for mesh in 0..task.meshes.len() {
-            let is_own = |gear: &usize| task.gears[*gear].body == Body::Planet(planet);
-            if !task.meshes[mesh].gears.iter().any(is_own) {
-                continue;
-            }
-            match self.thin(one, mesh, |of| if of == planet { bore } else { 0.0 })? {
-                None => {}
-                Some(None) => return Ok(None),
-                Some(Some(rated)) => all.extend(rated.governing),
-            }
-        }
-        Ok(Some(Governing::least(all)))
-    }
-
-    /// The least safety of flanks and roots that several meshes load on one side, whose damages add up;
-    /// `None` without such gears.
-    fn together(&self, one: &Candidate, bores: &[f64]) -> Result<Option<Governing>, Error> {
-        let task = self.task;
-        let loads = &self.layouts[one.layout].loads;
-        let mut all = vec![];
-        for gear in 0..task.gears.len() {
-            let ends = task
-                .meshes
-                .iter()
-                .enumerate()
-                .filter_map(|(mesh, of)| Some((mesh, of.gears.iter().position(|end| *end == gear)?)));
-            let ends: Vec<(usize, usize)> = ends.collect();
-            for flank in [1.0, -1.0] {
-                let is_on = |signs: &[f64; 2], end: usize| signs[end] * flank > 0.0;
-                let on =
-                    ends.iter().filter(|(mesh, end)| loads[*mesh].flanks.iter().any(|of| is_on(of, *end)));
-                let on: Vec<&(usize, usize)> = on.collect();
-                if on.len() < 2 {
-                    continue;
-                }
-                let mut sum = GearDuty { contact: Stresses::default(), root: Stresses::default() };
-                for (mesh, end) in &on {
-                    let own = &loads[*mesh];
-                    let step = |(step, signs): (&Step, &[f64; 2])| Step {
-                        torque: if is_on(signs, *end) { step.torque } else { Torque::default() },
-                        ..*step
-                    };
-                    let steps: Vec<Step> = own.steps.iter().zip(&own.flanks).map(step).collect();
-                    let (rated, method) = self.mesh(one, *mesh, self.rims(one, *mesh, |kind| bores[kind]));
-                    let of = match stresses(&rated, &steps, task.life, own.contacts, &method) {
-                        Ok([first, second]) => {
-                            if *end == 0 {
-                                first
-                            } else {
-                                second
-                            }
-                        }
-                        // It loads the flank at rest alone.
-                        Err(Error::IdleDuty) => continue,
-                        Err(error) => return Err(error),
-                    };
-                    sum.contact.join(of.contact?);
-                    sum.root.join(of.root?);
-                }
-                let of = |requirement, stresses: &Stresses, required| Governing {
-                    requirement,
-                    mesh: Some(on[0].0),
-                    gear,
-                    value: stresses.worn(task.life).safety,
-                    required,
-                };
-                all.push(of(Requirement::Flank, &sum.contact, task.required_contact));
-                all.push(of(Requirement::Root, &sum.root, task.required_root));
-            }
-        }
-        Ok(Governing::least(all))
-    }
-
-    /// Rating of a mesh with planets of these bores; `None` if no rim is so thin that it weakens a root.
-    fn thin(
-        &mut self,
-        one: &Candidate,
-        mesh: usize,
-        bore: impl Fn(usize) -> f64,
-    ) -> Result<Option<Teeth>, Error> {
-        let rims = self.rims(one, mesh, bore);
-        if rims.iter().all(Option::is_none) {
-            return Ok(None);
-        }
-        self.rate(one, mesh, rims).map(Some)
-    }
-
-    /// Rims of the gears of a mesh that are so thin that they weaken a root, with planets of these bores.
-    fn rims(&self, one: &Candidate, mesh: usize, bore: impl Fn(usize) -> f64) -> [Option<Length>; 2] {
-        let task = self.task;
-        let own = &self.layouts[one.layout];
-        let rim = |gear: usize| {
-            let Body::Planet(planet) = task.gears[gear].body else { return None };
-            let bore = bore(planet);
-            let rim = rim_of(task, own, gear, bore);
-            let height = height(&own.gears[gear]) * own.module(task, gear).si();
-            (bore > 0.0 && rim / height < THICK_RIM).then(|| Length::from_si(rim))
-        };
-        task.meshes[mesh].gears.map(rim)
-    }
-
-    /// A mesh of a design and its method, with the rims of planets that weaken their roots.
-    fn mesh(&self, one: &Candidate, mesh: usize, rims: [Option<Length>; 2]) -> (Mesh, Method) {
-        let task = self.task;
-        let own = &self.layouts[one.layout];
-        let ends = task.meshes[mesh].gears;
-        let family = task.gears[ends[0]].family;
-        let gear = |end: usize| {
-            let sized = &task.gears[ends[end]];
-            let rim = match (sized.body, own.gears[ends[end]].kind()) {
-                (_, GearKind::Internal) => Some(task.ring_rim(ends[end], own.modules[family])),
-                (Body::Planet(_), _) => rims[end],
-                (Body::Central, _) => sized.gear.rim,
-            };
-            Gear { rim, ..sized.gear }
-        };
-        let mesh_of = Mesh {
-            pair: own.pairs[mesh],
-            module: own.modules[family],
-            face_width: task.face_widths[family][one.widths[family]],
-            gears: [gear(0), gear(1)],
-            viscosity: task.viscosity,
-        };
-        (mesh_of, Method { planets: Some(own.planets), ..task.meshes[mesh].method })
-    }
-
-    /// Rating of a mesh, with the rims of planets that weaken their roots; each is made once.
-    fn rate(&mut self, one: &Candidate, mesh: usize, rims: [Option<Length>; 2]) -> Result<Teeth, Error> {
-        let task = self.task;
-        let own = &self.layouts[one.layout];
-        let ends = task.meshes[mesh].gears;
-        let family = task.gears[ends[0]].family;
-        let bits = rims.map(|rim| rim.map_or(0, |rim| rim.si().to_bits()));
-        let key = (one.layout, mesh, one.widths[family], bits);
-        if let Some(known) = self.ratings.get(&key) {
-            return Ok(*known);
-        }
-        let (rated, method) = self.mesh(one, mesh, rims);
-        self.rated += 1;
-        let teeth = match task.rated(mesh, &rated, &own.loads[mesh], &method) {
-            Ok(rated) => Some(rated),
-            Err(error) if error.is_beyond_standard() => None,
-            Err(error) => return Err(error),
-        };
-        self.ratings.insert(key, teeth);
-        Ok(teeth)
-    }
 }
 
 /// Planets of a design with what their bearings require, if bearings fit.
@@ -618,46 +441,6 @@ enum Chosen {
     TooWide,
     /// Rims outside what the standard holds for.
     NotCalculable,
-}
-
-/// Tooth height, in modules.
-fn height(gear: &InvoluteGear) -> f64 {
-    (gear.tip_diameter() - gear.root_diameter()) / 2.0
-}
-
-impl Task {
-    fn rated(&self, mesh: usize, of: &Mesh, loads: &MeshLoads, method: &Method) -> Result<Rated, Error> {
-        let over_duty = match rate_duty(of, &loads.steps, self.life, loads.contacts, method) {
-            Ok(rating) => Some(rating.whole()?),
-            Err(Error::IdleDuty) => None,
-            Err(error) => return Err(error),
-        };
-        let ends = self.meshes[mesh].gears;
-        let governing = |requirement, side: usize, value, required| Governing {
-            requirement,
-            mesh: Some(mesh),
-            gear: ends[side],
-            value,
-            required,
-        };
-        let mut all = vec![];
-        for (side, gear) in over_duty.iter().flatten().enumerate() {
-            all.push(governing(Requirement::Flank, side, gear.contact.safety, self.required_contact));
-            all.push(governing(Requirement::Root, side, gear.root.safety, self.required_root));
-        }
-        let mut overloads = vec![];
-        for against in loads.overloads.iter().filter(|one| one.torque.si() != 0.0) {
-            let rating = overload(of, against.torque, method)?;
-            for (side, gear) in rating.gears.into_iter().enumerate() {
-                let flank = Requirement::OverloadFlank;
-                overloads.push(governing(flank, side, gear.contact?, against.required_contact));
-                let root = Requirement::OverloadRoot;
-                overloads.push(governing(root, side, gear.root?, against.required_root));
-            }
-        }
-        let overload = Governing::least(overloads);
-        Ok(Rated { over_duty, overload, governing: Governing::least(all.into_iter().chain(overload)) })
-    }
 }
 
 /// `L_10` over the duty.

@@ -136,14 +136,14 @@ fn check(set: &PlanetSet, torques: &[f64]) {
                 assert!(moment[2].abs() < 1e-7 * size * lever, "{moment:?}");
                 let (sin, cos) = libm::sincos(angles[planet].1.si());
                 let turned = [moment[0] * cos + moment[1] * sin, moment[1] * cos - moment[0] * sin];
-                for axis in 0..2 {
-                    assert!((own.moment[axis] - turned[axis]).abs() < 1e-9 * size * lever, "{own:?}");
+                for (own_part, part) in own.moment.iter().zip(turned) {
+                    assert!((own_part - part).abs() < 1e-9 * size * lever, "{own:?}");
                 }
             }
             Body::Central(_) if set.is_pair() => {
                 assert!((own.force - force[2]).abs() < 1e-9 * size);
-                for axis in 0..2 {
-                    assert!((own.moment[axis] - moment[axis]).abs() < 1e-9 * size * lever, "{own:?}");
+                for (own_part, part) in own.moment.iter().zip(moment) {
+                    assert!((own_part - part).abs() < 1e-9 * size * lever, "{own:?}");
                 }
             }
             Body::Central(_) => {

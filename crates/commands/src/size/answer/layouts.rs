@@ -20,6 +20,7 @@ use crate::strength::answer::duty::WorkedStep;
 use crate::strength::answer::load::SetLoad;
 use crate::strength::answer::overload::Peak;
 use crate::strength::answer::prepared::SetToSize;
+use crate::tolerance::EDGE;
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::check::{Check, Rule, Severity};
 use epicyclic_gears::involute::checks::{Limits, gear_checks, mesh_checks};
@@ -45,9 +46,6 @@ use uom::si::f64::{Angle, AngularVelocity, Length, Torque};
 
 /// Backlash in modules that meshes of one planet may have with stated shifts: as if printed with few decimals.
 const CLOSED: f64 = 0.01;
-
-/// Part of a step of radii beyond which one is out of reach.
-const EDGE: f64 = 1e-6;
 
 /// Layouts that a search holds at most; it then ends within minutes.
 const MOST: u32 = 100_000;

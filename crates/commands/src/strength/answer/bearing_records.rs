@@ -28,7 +28,7 @@ pub struct BearingOverDuty {
     /// Whether the file gives `K_γ`; otherwise it follows from the number of planets and whether a member
     /// floats.
     pub load_sharing_is_given: bool,
-    /// Distance of the two rows in m; null if not given: then forces and lives leave the tilting moment out.
+    /// Distance of both rows in m; null if not given: then forces and lives leave the tilting moment out.
     pub span_m: Option<f64>,
     /// Greatest force of the duty and the overloads, in N; null if no forces can be computed.
     pub greatest_force_n: Option<f64>,
@@ -72,7 +72,7 @@ pub struct BearingStepFigures {
     pub axial_force_n: Option<f64>,
     /// Moment of the axial forces that tilts the planet, in N·m; null without a span.
     pub tilting_moment_n_m: Option<f64>,
-    /// Radial forces on the two rows in N, that at the end of the positive direction first; null without a
+    /// Radial forces on both rows in N, that at the end of the positive direction first; null without a
     /// span.
     pub row_forces_n: Option<[f64; 2]>,
     /// Equivalent load of both rows in N, from which the life follows; without a span the radial force.

@@ -4,7 +4,7 @@
 //! F = √((K_γ·F_t)² + (K_γ·F_r + F_c)²)        1/L = Σ share_i/(a_1·a_ISO,i·L_10,i)        f_s = C_0/F_max
 //! ```
 //!
-//! `F` is the load of the bearings as a unit. Where the file gives the span of their two rows, the moment by
+//! `F` is the load of the bearings as a unit. Where the file gives the span of their rows, the moment by
 //! which axial forces tilt the planet loads the rows unequally, and the equivalent load of
 //! [`epicyclic_strength::bearing_rows`] takes the place of `F`; `f_s` is then that of the row with more load.
 //! `K_γ` multiplies this moment, too.
@@ -68,7 +68,7 @@ struct Conditions {
     diameter: Length,
 }
 
-/// Two rows of a planet's bearings.
+/// Both rows of a planet's bearings.
 struct Rows {
     span: Length,
     /// Helical teeth of the set, in metres.
@@ -86,7 +86,7 @@ struct StepLoad {
     tilted: Option<Tilted>,
 }
 
-/// Load of two rows with the tilting moment.
+/// Load of both rows with the tilting moment.
 #[derive(Debug, Clone, Copy, Default)]
 struct Tilted {
     axial_n: f64,

@@ -73,7 +73,7 @@ pub(super) fn bearings(all: &[BearingOverDuty]) -> Records {
     }
     table
         .view("Rows of planet bearings", "set planet span greatest_row_force")
-        .note("s: distance of the two rows, which the tilting moment of helical teeth loads unequally. F_row: the greatest of a row; with s, f_s is the static load rating over twice it, and lives contain the moment.")
+        .note("s: distance of both rows, which the tilting moment of helical teeth loads unequally. F_row: the greatest of a row; with s, f_s is the static load rating over twice it, and lives contain the moment.")
         .records()
 }
 
