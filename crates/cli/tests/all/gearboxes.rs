@@ -375,7 +375,7 @@ fn every_command_reads_a_saved_gearbox_with_profile_shift() {
     let size = json("size whole.yaml --format json --most 1");
     for place in 0..3 {
         near(
-            &size["sets"][0]["found"][0]["profile_shifts"][place],
+            &size["sets"][0]["found"][0]["gears"][place]["profile_shift"],
             set["shifts"]["profile_shifts"][place].as_f64().unwrap(),
         );
     }

@@ -7,7 +7,7 @@ use crate::select::answer::reached::largest_deviation;
 use crate::select::answer::required::Objective;
 use crate::select::table::{percent, speeds_reached};
 use crate::size::answer::records::{SizedDesign, SizedFamily, SizedSet};
-use crate::size::table::{designs, left_out};
+use crate::size::table::{designs, gears, left_out};
 use crate::strength::table::{Worn, over_duty};
 use crate::table::columns::Table;
 use crate::table::figure::text;
@@ -54,6 +54,7 @@ pub(crate) fn parts_of_sizes(sizes: &SizesStep) -> Vec<Part> {
             is_answer: false,
             ..designs("designs", "Best sizes", sets, |set| &set.found)
         }));
+        parts.push(Part::Records(gears(sets)));
         parts.push(Part::Records(over_duty(sets.iter().flat_map(safeties))));
     }
     if sets.iter().any(|set| set.nearest_miss.is_some()) {

@@ -166,7 +166,7 @@ pub(crate) fn designs<'s>(
         title,
         "set place module face_width face_width_over_diameter planets centre_distance bearing ring_diameter mass",
     )
-    .note("b/d: face width over the reference diameter of the smallest sun that it meshes with, of a pair the smaller gear; --width-ratio bounds it. Lists: one value for gears that mesh with one another.")
+    .note("b/d: face width over the reference diameter of the smallest sun, of a pair of the smaller gear; --width-ratio bounds it. A list has a value for each family of gears in mesh.")
     .view(
         format!("{title}: what governs, least safeties, bearing life"),
         "set place governing flank_safety root_safety bearing_hours",
