@@ -1,7 +1,11 @@
 //! Sizes of sets of every kind: files written with them, other descriptions of the same set, and the trial of
 //! every design.
 
-#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests, which clippy does not know for such"
+)]
 
 use epicyclic_commands::shared::gearbox::Gearbox;
 use epicyclic_commands::size::answer::records::SizedDesign;
@@ -272,4 +276,42 @@ fn the_best_of_a_wolfrom_set_is_that_of_every_trial() {
         found.mass_kg,
         found.families
     );
+}
+
+/// Gears that a duty loads on both flanks are named, unless the file states how they are bent.
+#[test]
+fn gears_that_are_driven_both_ways_are_named() {
+    let keys = "kind: external_pair, teeth: [24, 95], module: 3 mm, face_width: 40 mm";
+    let one_way = short(keys, &["gear 1", "gear 2"], &[], 40.0);
+    let step = "{ gear: '1', share: 1, torque: 40 N·m, speed: 1500 rpm }";
+    let half = "{ gear: '1', share: 0.5, torque: 40 N·m, speed: 1500 rpm }";
+    let both = one_way.replace(step, &format!("{half}, {}", half.replace("40 N·m", "-40 N·m")));
+    let stated =
+        both.replace("factors:", "gear_factors: { gear 1: { Y_M: 0.7 }, gear 2: { Y_M: 0.7 } }, factors:");
+    let warned = |text: &str| {
+        let gearbox = Gearbox::parse("box.yaml", text.as_bytes()).unwrap();
+        let told = strength::Request::default().answer(&gearbox).unwrap();
+        told.warnings.into_iter().find(|warning| warning.name == "reversed-bending")
+    };
+    assert_eq!((warned(&one_way), warned(&stated)), (None, None));
+    assert!(warned(&both).unwrap().message.contains("gear 1, gear 2"));
+}
+
+/// What the file states of planets counts: their mass, their share of the load, the widths of some gears.
+#[test]
+fn what_the_file_states_of_planets_counts() {
+    let heavy = ravigneaux().replace(
+        "planets: 3",
+        "planets: 3\n    planet_sizes: { long: { mass: 0.6 kg, load_sharing: 1.2 } }\n    face_widths: { long: 32 mm }",
+    );
+    let size = sized(&heavy, &small());
+    let best = size.sets[0].found.first().unwrap_or_else(|| panic!("{:?}", size.warnings));
+    let saved = size::saved(&Document::parse_one("box.yaml", heavy.as_bytes()).unwrap(), &size).unwrap();
+    let (_, lives) = rated(&saved);
+    let found: Vec<f64> =
+        best.planet_sizes.iter().map(|planet| planet.bearing.as_ref().unwrap().life_s.unwrap()).collect();
+    for (found, life) in found.iter().zip(&lives) {
+        assert!((found / life - 1.0).abs() < 5e-3, "{found} {life} {saved}");
+    }
+    assert!(best.gears.iter().all(|gear| gear.face_width_m == 0.032));
 }

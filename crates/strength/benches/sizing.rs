@@ -68,6 +68,7 @@ fn set(teeth: [u32; 3], steps: [[f64; 4]; 3]) -> Sizing {
         planet_rim: 3.0,
         ring_rim: 3.5,
         planet_bore: None,
+        planet_mass: None,
         least_planet_angle: None,
         objective: Objective::Mass,
         space: Space {

@@ -96,6 +96,7 @@ fn hoist() -> Sizing {
         planet_rim: 2.0,
         ring_rim: 3.5,
         planet_bore: None,
+        planet_mass: None,
         least_planet_angle: None,
         objective: Objective::Mass,
         space: Space {

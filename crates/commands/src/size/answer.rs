@@ -126,7 +126,7 @@ pub(crate) fn answer(
         let asked = Asked { life, viscosity, required };
         let (task, held) = task(set, &families, &asked, request, &space);
         let found = match simple(set, (&task, &space), (&steps, &peaks), subject, request) {
-            Some(Ok(sizing)) => size(&sizing, request.most.max(1), goes_on).map(Some),
+            Some(Ok(sizing)) => size(&sizing, request.most.max(1), goes_on),
             Some(Err(reason)) => {
                 not_sized.push(NotSized::of(NotRated::new(id, reason)));
                 continue;
@@ -142,18 +142,18 @@ pub(crate) fn answer(
                     peaks: &peaks,
                 };
                 match making.layouts(&task, goes_on) {
-                    Ok(Some((layouts, tried))) => {
-                        search(&task, &layouts, tried, request.most.max(1), goes_on).map(Some)
+                    Ok(Ok((layouts, tried))) => search(&task, &layouts, tried, request.most.max(1), goes_on),
+                    Ok(Err(reason)) => {
+                        not_sized.push(NotSized::of(NotRated::new(id, reason)));
+                        continue;
                     }
-                    Ok(None) => Ok(None),
                     Err(Error::Sizing(error)) => Err(error),
                     Err(error) => return Err(error),
                 }
             }
         };
         match found {
-            Ok(Some(found)) => sets.push(SizedSet::of((set, &families), held, &found, request.most)),
-            Ok(None) => not_sized.push(NotSized::of(NotRated::new(id, Reason::NoTorquesFollow))),
+            Ok(found) => sets.push(SizedSet::of((set, &families), held, &found, request.most)),
             Err(
                 error @ (strength::Error::Cancelled
                 | strength::Error::NothingToSearch { .. }
@@ -171,7 +171,15 @@ pub(crate) fn answer(
     let sized = Document::parse_one(SIZED, saved::written(&subject.document, &sets)?.as_bytes())?;
     let has_size = |of: &str| sets.iter().any(|set| set.set == of && !set.found.is_empty());
     let tooth_checks = ToothChecks::of(one(&sized, &Choice::default())?.tooth_checks(), has_size);
-    let warnings = sets.iter().filter_map(SizedSet::warning).chain(tilting(&helical));
+    let spanned = to_size.iter().filter(|set| set.data.planets.iter().any(|of| of.bearing_span.is_some()));
+    let spanned = spanned.filter(|set| set.set.tooth_shape().is_helical()).map(|set| Warning {
+        name: "tilting-moment",
+        message: format!(
+            "set {}: `bearing_span` is stated, but sizes leave the tilting moment out; strength rates the planet bearings with it",
+            set.set.id()
+        ),
+    });
+    let warnings = sets.iter().filter_map(SizedSet::warning).chain(tilting(&helical)).chain(spanned);
     let warnings = warnings.chain(tooth_checks.warnings()).collect();
     Ok(Size {
         gearbox: subject.train.name().to_owned(),
@@ -249,6 +257,7 @@ fn simple(
         planet_rim: task.planet_rim,
         ring_rim: task.ring_rim,
         planet_bore: own.bore,
+        planet_mass: own.mass,
         least_planet_angle: set.set.least_planet_angle(),
         objective: task.objective,
         space: Space {
@@ -320,6 +329,8 @@ fn task(
             (None, None) => space.bearings.clone(),
         },
         bore: planet.bore,
+        mass: planet.mass,
+        sharing: planet.load_sharing,
     };
     let task = Task {
         gears: data.of.iter().enumerate().map(gear).collect(),

@@ -187,9 +187,7 @@ pub(crate) fn gears(sets: &[SizedSet]) -> Records {
         .text("gear", "gear", |(.., gear)| &gear.toothed_gear)
         .number("teeth", "z", |(.., gear)| gear.teeth)
         .quantity("module", "m", Dimension::Length, |(_, best, gear)| family(best, gear, |of| of.module_m))
-        .quantity("face_width", "b", Dimension::Length, |(_, best, gear)| {
-            family(best, gear, |of| of.face_width_m)
-        })
+        .quantity("face_width", "b", Dimension::Length, |(.., gear)| gear.face_width_m)
         .printed("profile_shift", "x", 4, |(.., gear)| gear.profile_shift)
         .printed("tip_alteration", "k", 4, |(.., gear)| gear.tip_alteration)
         .quantity("rim", "rim", Dimension::Length, |(.., gear)| gear.rim_m)

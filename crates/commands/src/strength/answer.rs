@@ -307,12 +307,14 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
         |of: &str| sets.iter().any(|set| set.id == of) || not_rated.iter().any(|row| row.set == of);
     let tooth_checks = ToothChecks::of(subject.tooth_checks(), is_asked);
     let idlers = idlers::warnings(subject, &file, &sets)?;
+    let reversed = sets.iter().filter_map(|set| together::reversed(set, &steps));
     let warnings = safeties
         .below(required)
         .into_iter()
         .chain(short_lived)
         .chain(uneven)
         .chain(idlers)
+        .chain(reversed)
         .chain(pins::warning(subject, &turning))
         .chain(shared.warnings())
         .chain(shared_flanks.iter().filter_map(|shared| shared.warning(required)))

@@ -11,7 +11,7 @@ use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::life::Rolling;
 use epicyclic_train::PlanetSet;
 use epicyclic_train::planet_set::{GearOf, Planet};
-use epicyclic_units::{Physical, Quantity};
+use epicyclic_units::{Number, Physical, Quantity};
 use std::collections::BTreeMap;
 use uom::si::f64::{Force, Length, Mass};
 
@@ -60,6 +60,10 @@ pub struct PlanetData {
     pub carrier_radius: Option<Length>,
     /// Basic dynamic load rating of its bearings together, and the kind of their rolling elements.
     pub bearing: Option<(Force, Rolling)>,
+    /// Mesh load factor `K_γ` for its bearing.
+    pub load_sharing: Option<f64>,
+    /// Distance of the rows of its bearings.
+    pub bearing_span: Option<Length>,
 }
 
 impl SetData<'_> {
@@ -119,6 +123,8 @@ impl GearboxFile {
                         bore: entry.planet_bore.map(|bore| bore.0),
                         carrier_radius: entry.carrier_radius.map(|radius| radius.0),
                         bearing: entry.load_rating.map(|rating| (rating.0, entry.bearing_rolling.into())),
+                        load_sharing: None,
+                        bearing_span: entry.bearing_span.map(|span| span.0),
                     };
                     set.planets().len()
                 ],
@@ -149,6 +155,8 @@ impl GearboxFile {
                 bore: size.bore.map(|bore| bore.0),
                 carrier_radius: size.carrier_radius.map(|radius| radius.0),
                 bearing: size.size().bearing,
+                load_sharing: size.load_sharing.map(Number::get),
+                bearing_span: size.bearing_span.map(|span| span.0),
             })
         };
         let stated = widths(entry.face_width, entry.face_widths.as_ref(), &gears);

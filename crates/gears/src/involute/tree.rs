@@ -159,10 +159,13 @@ impl MeshTree {
             .meshes
             .iter()
             .position(|mesh| mesh.gears.iter().all(|gear| self.gears[*gear].kind() == GearKind::External));
-        let wanted = match balanced.filter(|_| aim == Aim::BalancedSliding) {
-            Some(mesh) => self.balanced(mesh, &range),
-            None => self.least_altered(aim, &range, &checked),
+        let best = match balanced {
+            Some(_) if aim == Aim::BalancedSliding => None,
+            _ => self.least_altered(aim, &range, &checked),
         };
+        // No step without faults: a shorter stretch of shifts may lie about those that balance.
+        let about = || balanced.map(|mesh| self.balanced(mesh, &range));
+        let wanted = best.or_else(about).unwrap_or(range.start().midpoint(*range.end()));
         let (chosen, limited_by) = nearest(wanted, &range, checked, |_| true)?;
         Ok(Chosen { is_aim_met: limited_by.is_none(), ..chosen })
     }
@@ -183,7 +186,7 @@ impl MeshTree {
         aim: Aim,
         range: &RangeInclusive<f64>,
         checked: &impl Fn(f64) -> Result<Chosen, NoShifts>,
-    ) -> f64 {
+    ) -> Option<f64> {
         let step = (range.end() - range.start()) / f64::from(PARTS);
         let size = |of: fn(&InvoluteGear) -> f64, all: &[InvoluteGear]| -> f64 {
             all.iter().map(|gear| of(gear).abs()).sum()
@@ -198,7 +201,7 @@ impl MeshTree {
         let best = (0..=PARTS)
             .filter_map(measured)
             .min_by(|(_, one), (_, other)| one[0].total_cmp(&other[0]).then(one[1].total_cmp(&other[1])));
-        best.map_or_else(|| range.start().midpoint(*range.end()), |(shift, _)| shift)
+        best.map(|(shift, _)| shift)
     }
 
     /// Shifts of the first gear with which no external gear is undercut; the middle one alone if there are

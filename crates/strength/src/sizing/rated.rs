@@ -1,8 +1,7 @@
 //! Strength of the meshes of a design: each is rated once for the rims that weaken it.
 
 use super::Requirement;
-use super::search::{Candidate, Search, rim_of};
-use super::task::{Body, Governing, MeshLoads, Task};
+use super::task::{Body, Governing, Layout, MeshLoads, Task};
 use crate::Error;
 use crate::mesh::{Gear, Mesh, Method};
 use crate::rating::overload;
@@ -10,6 +9,7 @@ use crate::spectrum::{GearDuty, Step, Stresses, Worn, rate_duty, stresses};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::InvoluteGear;
 use epicyclic_units::Physical;
+use std::collections::HashMap;
 use uom::si::f64::{Length, Torque};
 
 /// Rim over tooth height below which a rim weakens the root
@@ -28,12 +28,39 @@ pub(super) struct Rated {
 /// Teeth that were rated; `None` outside what the standard holds for.
 pub(super) type Teeth = Option<Rated>;
 
-impl Search<'_> {
+/// Layout and face widths of a design.
+#[derive(Clone, Copy)]
+pub(super) struct Place<'a> {
+    pub(super) layout: usize,
+    /// Index of the face width of each family.
+    pub(super) widths: &'a [usize],
+}
+
+/// Ratings of the meshes of all designs.
+pub(super) struct Ratings<'a> {
+    task: &'a Task,
+    layouts: &'a [Layout],
+    /// By layout, mesh, index of the face width and rims of planets that weaken roots, in bits.
+    known: HashMap<(usize, usize, usize, [u64; 2]), Teeth>,
+    /// How many were made.
+    pub(super) made: u64,
+}
+
+/// Rim of a planet's gear under a bore, in m.
+pub(super) fn rim_of(task: &Task, layout: &Layout, gear: usize, bore: f64) -> f64 {
+    (layout.gears[gear].root_diameter() * layout.module(task, gear).si() - bore) / 2.0
+}
+
+impl<'a> Ratings<'a> {
+    pub(super) fn new(task: &'a Task, layouts: &'a [Layout]) -> Self {
+        Self { task, layouts, known: HashMap::new(), made: 0 }
+    }
+
     /// What the rim under a bore leaves the teeth of a kind of planets, where it weakens them; `None` outside
     /// what the standard holds for.
     pub(super) fn roots(
         &mut self,
-        one: &Candidate,
+        one: Place<'_>,
         planet: usize,
         bore: f64,
     ) -> Result<Option<Option<Governing>>, Error> {
@@ -55,7 +82,7 @@ impl Search<'_> {
 
     /// The least safety of flanks and roots that several meshes load on one side, whose damages add up;
     /// `None` without such gears.
-    pub(super) fn together(&self, one: &Candidate, bores: &[f64]) -> Result<Option<Governing>, Error> {
+    pub(super) fn together(&self, one: Place<'_>, bores: &[f64]) -> Result<Option<Governing>, Error> {
         let task = self.task;
         let loads = &self.layouts[one.layout].loads;
         let mut all = vec![];
@@ -115,7 +142,7 @@ impl Search<'_> {
     /// Rating of a mesh with planets of these bores; `None` if no rim is so thin that it weakens a root.
     pub(super) fn thin(
         &mut self,
-        one: &Candidate,
+        one: Place<'_>,
         mesh: usize,
         bore: impl Fn(usize) -> f64,
     ) -> Result<Option<Teeth>, Error> {
@@ -127,7 +154,7 @@ impl Search<'_> {
     }
 
     /// Rims of the gears of a mesh that are so thin that they weaken a root, with planets of these bores.
-    fn rims(&self, one: &Candidate, mesh: usize, bore: impl Fn(usize) -> f64) -> [Option<Length>; 2] {
+    fn rims(&self, one: Place<'_>, mesh: usize, bore: impl Fn(usize) -> f64) -> [Option<Length>; 2] {
         let task = self.task;
         let own = &self.layouts[one.layout];
         let rim = |gear: usize| {
@@ -141,7 +168,7 @@ impl Search<'_> {
     }
 
     /// A mesh of a design and its method, with the rims of planets that weaken their roots.
-    fn mesh(&self, one: &Candidate, mesh: usize, rims: [Option<Length>; 2]) -> (Mesh, Method) {
+    fn mesh(&self, one: Place<'_>, mesh: usize, rims: [Option<Length>; 2]) -> (Mesh, Method) {
         let task = self.task;
         let own = &self.layouts[one.layout];
         let ends = task.meshes[mesh].gears;
@@ -168,7 +195,7 @@ impl Search<'_> {
     /// Rating of a mesh, with the rims of planets that weaken their roots; each is made once.
     pub(super) fn rate(
         &mut self,
-        one: &Candidate,
+        one: Place<'_>,
         mesh: usize,
         rims: [Option<Length>; 2],
     ) -> Result<Teeth, Error> {
@@ -178,17 +205,17 @@ impl Search<'_> {
         let family = task.gears[ends[0]].family;
         let bits = rims.map(|rim| rim.map_or(0, |rim| rim.si().to_bits()));
         let key = (one.layout, mesh, one.widths[family], bits);
-        if let Some(known) = self.ratings.get(&key) {
+        if let Some(known) = self.known.get(&key) {
             return Ok(*known);
         }
         let (rated, method) = self.mesh(one, mesh, rims);
-        self.rated += 1;
+        self.made += 1;
         let teeth = match task.rated(mesh, &rated, &own.loads[mesh], &method) {
             Ok(rated) => Some(rated),
             Err(error) if error.is_beyond_standard() => None,
             Err(error) => return Err(error),
         };
-        self.ratings.insert(key, teeth);
+        self.known.insert(key, teeth);
         Ok(teeth)
     }
 }

@@ -1,7 +1,7 @@
 //! Designs in ascending order of the objective, until enough of them hold.
 
 use super::bearing::Bearing;
-use super::rated::Teeth;
+use super::rated::{Place, Ratings, rim_of};
 use super::task::{Body, Design, DesignedPlanet, Governing, Layout, Task};
 use super::{Found, LeftOut, Objective, Requirement, Tried};
 use crate::bearing::{BearingStep, Reliability, life_over_duty};
@@ -9,7 +9,7 @@ use crate::{Error, Quantity};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_units::Physical;
 use std::cmp::{Ordering, Reverse};
-use std::collections::{BinaryHeap, HashMap};
+use std::collections::BinaryHeap;
 use std::f64::consts::FRAC_PI_4;
 use std::ops::ControlFlow;
 use uom::si::f64::{Force, Length, Mass, Time};
@@ -40,9 +40,8 @@ pub fn search(
         task,
         layouts,
         masses: layouts.iter().map(|layout| Masses::new(task, layout)).collect(),
-        ratings: HashMap::new(),
+        ratings: Ratings::new(task, layouts),
         left_out: tried.left_out,
-        rated: 0,
     };
     let mut heap = BinaryHeap::new();
     for layout in 0..layouts.len() {
@@ -83,7 +82,7 @@ pub fn search(
     Ok(Found {
         space,
         geometries: tried.geometries,
-        rated: search.rated,
+        rated: search.ratings.made,
         not_reached: space - search.left_out.total() - found.len() as u64,
         left_out: search.left_out,
         nearest_miss: nearest.filter(|_| found.is_empty()),
@@ -93,13 +92,19 @@ pub fn search(
 
 /// A design in the order of the search: before it is judged with the objectives that it cannot be below.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Candidate {
+struct Candidate {
     objectives: [f64; 2],
-    pub(super) layout: usize,
+    layout: usize,
     /// Index of the face width of each family.
-    pub(super) widths: Vec<usize>,
+    widths: Vec<usize>,
     /// The design, if it holds.
     design: Option<Box<Design>>,
+}
+
+impl Candidate {
+    fn place(&self) -> Place<'_> {
+        Place { layout: self.layout, widths: &self.widths }
+    }
 }
 
 impl Eq for Candidate {}
@@ -166,7 +171,7 @@ impl Masses {
             }
         }
         let bore = |planet: usize| {
-            let bores = task.bores(planet).map(|bore| bore.si());
+            let bores = task.bores(planet).map(Physical::si);
             bores.filter(|bore| leaves_rim(task, layout, planet, *bore)).fold(f64::NEG_INFINITY, f64::max)
         };
         own.largest_bore = (0..task.planets.len()).map(bore).collect();
@@ -188,11 +193,6 @@ impl Masses {
     }
 }
 
-/// Rim of a planet's gear under a bore, in m.
-pub(super) fn rim_of(task: &Task, layout: &Layout, gear: usize, bore: f64) -> f64 {
-    (layout.gears[gear].root_diameter() * layout.module(task, gear).si() - bore) / 2.0
-}
-
 /// Whether a bore leaves each gear of the planets its rim; no bore always does.
 fn leaves_rim(task: &Task, layout: &Layout, planet: usize, bore: f64) -> bool {
     let least = |gear: usize| {
@@ -211,14 +211,12 @@ impl Task {
     }
 }
 
-pub(super) struct Search<'a> {
-    pub(super) task: &'a Task,
-    pub(super) layouts: &'a [Layout],
+struct Search<'a> {
+    task: &'a Task,
+    layouts: &'a [Layout],
     masses: Vec<Masses>,
-    /// Ratings by layout, mesh, index of the face width and rims of planets that weaken roots, in bits.
-    pub(super) ratings: HashMap<(usize, usize, usize, [u64; 2]), Teeth>,
+    ratings: Ratings<'a>,
     left_out: LeftOut,
-    pub(super) rated: u64,
 }
 
 impl Search<'_> {
@@ -296,7 +294,7 @@ impl Search<'_> {
         let own = &layouts[one.layout];
         let mut teeth = vec![];
         for mesh in 0..task.meshes.len() {
-            let Some(rated) = self.rate(one, mesh, [None; 2])? else {
+            let Some(rated) = self.ratings.rate(one.place(), mesh, [None; 2])? else {
                 self.left_out.not_calculable += 1;
                 return Ok(None);
             };
@@ -317,7 +315,7 @@ impl Search<'_> {
         let bore = |planet: &DesignedPlanet| planet.bore.map_or(0.0, Physical::si);
         let bores: Vec<f64> = planets.iter().map(bore).collect();
         for (mesh, rated) in teeth.iter_mut().enumerate() {
-            let Some(thin) = self.thin(one, mesh, |planet| bores[planet])? else { continue };
+            let Some(thin) = self.ratings.thin(one.place(), mesh, |planet| bores[planet])? else { continue };
             let Some(thin) = thin else {
                 self.left_out.not_calculable += 1;
                 return Ok(None);
@@ -327,7 +325,7 @@ impl Search<'_> {
         let all = teeth.iter().filter_map(|rated| rated.governing).chain(of_bearings);
         let alone = Governing::least(all).expect("a duty that loads a mesh has a safety");
         // Damages that add up take the longest: they are asked for last.
-        let together = if alone.ratio() < 1.0 { None } else { self.together(one, &bores)? };
+        let together = if alone.ratio() < 1.0 { None } else { self.ratings.together(one.place(), &bores)? };
         let governing = Governing::least([alone].into_iter().chain(together)).unwrap_or(alone);
         let masses = &self.masses[one.layout];
         let rim = |gear: usize| {
@@ -405,8 +403,10 @@ impl Search<'_> {
             let bore = bore(bearing);
             let (mut planets, mut of_bearing, mut ratio) = (vec![], vec![], f64::INFINITY);
             for kind in kinds {
-                let mass = self.masses[one.layout].planet(*kind, bore, widths);
-                let life = bearing_life(own, *kind, bearing, mass)?;
+                let own_mass = self.masses[one.layout].planet(*kind, bore, widths);
+                let mass = task.planets[*kind].mass.map_or(own_mass, Physical::si);
+                let sharing = task.planets[*kind].sharing.unwrap_or(own.sharing);
+                let life = bearing_life(own, *kind, bearing, (mass, sharing))?;
                 of_bearing.extend(life.map(|life| Governing {
                     requirement: Requirement::BearingLife,
                     mesh: None,
@@ -415,7 +415,9 @@ impl Search<'_> {
                     required: 1.0,
                 }));
                 planets.push(made(*kind, Some(bearing), bore, life));
-                let Some(of_teeth) = self.roots(one, *kind, bore)? else { continue 'bearings };
+                let Some(of_teeth) = self.ratings.roots(one.place(), *kind, bore)? else {
+                    continue 'bearings;
+                };
                 let all = of_teeth.iter().chain(&of_bearing).map(Governing::ratio);
                 ratio = all.fold(ratio, f64::min);
             }
@@ -448,14 +450,14 @@ fn bearing_life(
     own: &Layout,
     planet: usize,
     bearing: &Bearing,
-    planet_kg: f64,
+    (planet_kg, sharing): (f64, f64),
 ) -> Result<Option<Time>, Error> {
     let steps = own.bearing_loads[planet].iter().map(|step| {
         let centrifugal = planet_kg * own.radii[planet].si() * step.carrier_speed.si().powi(2);
-        let radial = own.sharing * step.radial.si() + centrifugal;
+        let radial = sharing * step.radial.si() + centrifugal;
         BearingStep {
             share: step.share,
-            load: Force::from_si(libm::hypot(own.sharing * step.tangential.si(), radial)),
+            load: Force::from_si(libm::hypot(sharing * step.tangential.si(), radial)),
             speed: step.speed,
             modification: 1.0,
         }

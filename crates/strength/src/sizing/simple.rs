@@ -25,7 +25,7 @@ use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_units::Physical;
 use std::ops::ControlFlow;
 use std::sync::Arc;
-use uom::si::f64::{Angle, AngularVelocity, Force, KinematicViscosity, Length, Time, Torque};
+use uom::si::f64::{Angle, AngularVelocity, Force, KinematicViscosity, Length, Mass, Time, Torque};
 
 /// A step of the duty as the set feels it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -96,6 +96,8 @@ pub struct Sizing {
     pub ring_rim: f64,
     /// Bore of the planets if no bearing is selected.
     pub planet_bore: Option<Length>,
+    /// Mass of a planet for the force on its bearing, in place of that of its shape.
+    pub planet_mass: Option<Mass>,
     /// The least angle between neighbouring planets at given angles; `None` if they must be at equal angles.
     pub least_planet_angle: Option<Angle>,
     /// Objective that is minimized.
@@ -139,7 +141,12 @@ impl Sizing {
             meshes: (0..2)
                 .map(|mesh| SizedMesh { gears: [mesh, mesh + 1], method: self.methods[mesh] })
                 .collect(),
-            planets: vec![SizedPlanet { bearings: self.space.bearings.clone(), bore: self.planet_bore }],
+            planets: vec![SizedPlanet {
+                bearings: self.space.bearings.clone(),
+                bore: self.planet_bore,
+                mass: self.planet_mass,
+                sharing: None,
+            }],
             has_one_bearing: false,
             face_widths: vec![face_widths],
             width_ratio: self.space.width_ratio,
@@ -307,7 +314,14 @@ fn layouts(
     let designs = general.designs_of_layout();
     let (mut all, mut tried) = (vec![], Tried::default());
     for &planets in &task.space.planets {
-        let (loads, sharing) = task.loads(planets)?;
+        let shared = match task.loads(planets) {
+            Ok(shared) => Some(shared),
+            // More planets than the table of load sharing has.
+            Err(Error::MissingFactor { symbol: Symbol::LoadSharing, .. }) if task.space.planets.len() > 1 => {
+                None
+            }
+            Err(error) => return Err(error),
+        };
         let is_placed =
             task.least_planet_angle.is_some() || PlanetSpacing::least_unequal(sun, ring, planets).is_equal();
         for &module_mm in modules_mm {
@@ -315,6 +329,10 @@ fn layouts(
             let wanted: Vec<Option<f64>> = match task.held_shifts {
                 Some(_) => vec![None],
                 None => centres(task, natural, module_mm).into_iter().map(Some).collect(),
+            };
+            let Some((loads, sharing)) = &shared else {
+                tried.left_out.not_calculable += wanted.len() as u64 * designs;
+                continue;
             };
             if !is_placed {
                 tried.left_out.spacing += wanted.len() as u64 * designs;
@@ -348,8 +366,8 @@ fn layouts(
                         pairs: vec![*set.sun_mesh(), *set.ring_mesh()],
                         radii: vec![module * set.centre_distance()],
                         is_aim_met,
-                        loads: Arc::clone(&loads),
-                        sharing,
+                        loads: Arc::clone(loads),
+                        sharing: *sharing,
                         bearing_loads: vec![task.bearing_loads(&set, module)],
                     }),
                     Err(Some(Check { rule: Rule::PlanetGap, .. })) => {

@@ -52,6 +52,10 @@ pub struct SizedPlanet {
     pub bearings: Vec<Bearing>,
     /// Bore if no bearing is chosen; `None` of solid planets.
     pub bore: Option<Length>,
+    /// Mass of one planet for the force on its bearing, in place of that of its shape.
+    pub mass: Option<Mass>,
+    /// Mesh load factor `K_γ` for its bearing, in place of that of the layout.
+    pub sharing: Option<f64>,
 }
 
 /// Safeties required against a torque that comes a few times in the life.

@@ -20,6 +20,7 @@ use crate::strength::answer::duty::WorkedStep;
 use crate::strength::answer::load::SetLoad;
 use crate::strength::answer::overload::Peak;
 use crate::strength::answer::prepared::SetToSize;
+use crate::strength::answer::records::Reason;
 use crate::tolerance::EDGE;
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::check::{Check, Rule, Severity};
@@ -112,12 +113,12 @@ enum Unmade {
 }
 
 impl Making<'_> {
-    /// The layouts, and what was left out; `None` where the torques of the set do not follow.
+    /// The layouts, and what was left out, or why there are none.
     pub(super) fn layouts(
         &self,
         task: &Task,
         goes_on: &dyn Fn() -> ControlFlow<()>,
-    ) -> Result<Option<(Vec<Layout>, Tried)>, Error> {
+    ) -> Result<Result<(Vec<Layout>, Tried), Reason>, Error> {
         let set = self.set.set;
         let designs: u64 = task.face_widths.iter().map(|widths| widths.len() as u64).product();
         let places = self.places();
@@ -127,8 +128,7 @@ impl Making<'_> {
             None => self.space.planets.clone(),
         };
         if places.is_empty() {
-            let quantity = strength::Quantity::CentreDistance;
-            return Err(strength::Error::NothingToSearch { quantity }.into());
+            return Ok(Err(Reason::NoCommonRadius));
         }
         let count = (places.len() * counts.len()) as f64 * designs as f64;
         if count > f64::from(MOST) * 10.0 {
@@ -141,10 +141,19 @@ impl Making<'_> {
                 tried.left_out.spacing += places.len() as u64 * designs;
                 continue;
             }
-            let Some(loads) = self.loads(&counted) else { return Ok(None) };
+            let Some(loads) = self.loads(&counted) else { return Ok(Err(Reason::NoTorquesFollow)) };
             let loads: Arc<[MeshLoads]> = loads.into();
             let given = self.set.methods[0].given.of(Side::First, Symbol::LoadSharing);
-            let sharing = given.map_or_else(|| load_sharing(planets, self.set.methods[0].floating), Ok)?;
+            let sharing = match given.map_or_else(|| load_sharing(planets, self.set.methods[0].floating), Ok)
+            {
+                Ok(sharing) => sharing,
+                // More planets than the table of load sharing has.
+                Err(_) if set.planet_count().is_none() => {
+                    tried.left_out.not_calculable += places.len() as u64 * designs;
+                    continue;
+                }
+                Err(error) => return Err(error.into()),
+            };
             for place in &places {
                 if goes_on().is_break() {
                     return Err(strength::Error::Cancelled.into());
@@ -153,7 +162,7 @@ impl Making<'_> {
                 match self.made(&counted, place) {
                     Ok((shaped, toothed, is_aim_met)) => {
                         let Some(bearing_loads) = self.bearing_loads(&shaped, &toothed)? else {
-                            return Ok(None);
+                            return Ok(Err(Reason::NoTorquesFollow));
                         };
                         let gear = |gear: &GearOf| toothed.gear(*gear).copied();
                         let gears: Option<Vec<InvoluteGear>> = self.set.data.of.iter().map(gear).collect();
@@ -175,7 +184,7 @@ impl Making<'_> {
                 }
             }
         }
-        Ok(Some((all, tried)))
+        Ok(Ok((all, tried)))
     }
 
     /// Axis whose distance a mesh has: the planet of its planet gear, or that of a pair; `None` of two
@@ -340,7 +349,6 @@ impl Making<'_> {
 
     /// Loads of the meshes of a set with this number of planets; `None` where they do not follow.
     fn loads(&self, set: &PlanetSet) -> Option<Vec<MeshLoads>> {
-        use crate::strength::answer::records::Reason;
         let idle = |mesh: usize| {
             let contacts = set.mesh_loads(&vec![0.0; set.centrals().len()])?[mesh].contacts;
             Some(MeshLoads { steps: vec![], flanks: vec![], contacts, overloads: vec![] })

@@ -188,6 +188,8 @@ pub struct SizedBearing {
     pub width_m: Option<f64>,
     /// Basic dynamic load rating in N.
     pub load_rating_n: f64,
+    /// Basic static load rating in N; null if unknown.
+    pub static_load_rating_n: Option<f64>,
     /// Basic rating life over the duty in s; null if the bearing never turns under load.
     pub life_s: Option<f64>,
 }
@@ -247,6 +249,8 @@ pub struct SizedTeeth {
     pub key: String,
     /// Tooth number.
     pub teeth: u32,
+    /// Face width in m: that of the file, or of its family.
+    pub face_width_m: f64,
     /// Profile shift coefficient.
     pub profile_shift: f64,
     /// Tip alteration, in modules.
@@ -329,6 +333,7 @@ impl SizedDesign {
             toothed_gear: gear_name(set, gear),
             key: set.data.gears.names[gear].clone(),
             teeth: own.teeth().get(),
+            face_width_m: set.data.face_widths[gear].unwrap_or(design.face_widths[families.of[gear]]).si(),
             profile_shift: own.shift(),
             tip_alteration: own.tip_alteration(),
             rim_m: match set.data.of[gear] {
@@ -351,6 +356,7 @@ impl SizedDesign {
                 outside_diameter_m: positive(bearing.outside_diameter),
                 width_m: positive(bearing.width),
                 load_rating_n: bearing.load_rating.si(),
+                static_load_rating_n: bearing.static_load_rating.map(Physical::si),
                 life_s: planet.life.map(Physical::si),
             })
         };
@@ -448,12 +454,12 @@ impl SizedSet {
         }
         // The remedy follows from the requirement that the closest design fails.
         let why = match &self.nearest_miss {
-            None => "no gears of the space run together with a bearing that fits".to_owned(),
+            None => "no gears of the space run together, or no bearing fits in their planets".to_owned(),
             Some(miss) => {
                 let Governing { requirement, toothed_gear, value, required, .. } = &miss.governing;
                 match requirement {
                     Requirement::BearingLife => format!(
-                        "the bearing of the nearest carries {value:.3} of its load for the required life; bearings with a larger load rating would help, such as rollers"
+                        "the bearing of the nearest carries {value:.3} of its load for the required life; bearings with a larger load rating, wider faces or more planets would help"
                     ),
                     teeth => {
                         let (symbol, place) = match teeth {

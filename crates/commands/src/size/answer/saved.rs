@@ -1,7 +1,7 @@
 //! Gearbox file with the sizes found for it.
 
 use super::Size;
-use super::records::{HeldKey, SizedBearing, SizedDesign, SizedSet, SizedTeeth};
+use super::records::{SizedBearing, SizedDesign, SizedSet, SizedTeeth};
 use crate::error::Error;
 use crate::shared::tool::ToolKind;
 use epicyclic_formats::Document;
@@ -50,7 +50,7 @@ pub(super) fn written(document: &Document, sets: &[SizedSet]) -> Result<String, 
             let entries = file.get_mut(list).and_then(Value::as_sequence_mut).into_iter().flatten();
             let own = |entry: &&mut Value| entry.get("id").and_then(Value::as_str) == Some(set.set.as_str());
             if let Some(entry) = entries.into_iter().find(own).and_then(Value::as_mapping_mut) {
-                write(entry, list == "sets", set, best)?;
+                write(entry, list == "sets", best)?;
             }
         }
     }
@@ -70,7 +70,7 @@ fn of_gears(design: &SizedDesign, is_short: bool, of: impl Fn(&SizedTeeth) -> Va
     Value::Mapping(named.collect())
 }
 
-fn write(entry: &mut Mapping, is_short: bool, set: &SizedSet, design: &SizedDesign) -> Result<(), Error> {
+fn write(entry: &mut Mapping, is_short: bool, design: &SizedDesign) -> Result<(), Error> {
     let number = |value: f64| to_value(value).map_err(|error| Error::Json(error.to_string()));
     for gear in &design.gears {
         number(gear.profile_shift)?;
@@ -110,23 +110,19 @@ fn write(entry: &mut Mapping, is_short: bool, set: &SizedSet, design: &SizedDesi
             }
         }
     }
-    // Widths that the file states may differ between gears in mesh.
-    if !set.held.contains(&HeldKey::FaceWidth) {
-        keys.push(match &design.families[..] {
-            [only] => ("face_width", millimetres(only.face_width_m)),
-            _ => {
-                let width = |gear: &SizedTeeth| family(&gear.key).map_or(0.0, |family| family.face_width_m);
-                ("face_widths", of_gears(design, is_short, |gear| millimetres(width(gear))))
-            }
-        });
-    }
+    entry.remove("face_width");
+    entry.remove("face_widths");
+    let first = design.gears.first().map_or(0.0, |gear| gear.face_width_m);
+    keys.push(match design.gears.iter().all(|gear| gear.face_width_m == first) {
+        true => ("face_width", millimetres(first)),
+        false => ("face_widths", of_gears(design, is_short, |gear| millimetres(gear.face_width_m))),
+    });
     for (key, value) in keys {
         entry.insert(Value::from(key), value);
     }
     for planet in &design.planet_sizes {
-        let Some(SizedBearing { rollers, outside_diameter_m, load_rating_n, .. }) = &planet.bearing else {
-            continue;
-        };
+        let Some(bearing) = &planet.bearing else { continue };
+        let SizedBearing { rollers, outside_diameter_m, load_rating_n, .. } = bearing;
         let mut keys: Vec<(&str, Value)> = vec![
             ("load_rating", Value::from(format!("{} N", trimmed(*load_rating_n, DIGITS)))),
             ("bearing_rolling", Value::from(if *rollers { "rollers" } else { "balls" })),
@@ -134,6 +130,14 @@ fn write(entry: &mut Mapping, is_short: bool, set: &SizedSet, design: &SizedDesi
         let bore = if is_short { "planet_bore" } else { "bore" };
         keys.extend(outside_diameter_m.map(|outside| (bore, millimetres(outside))));
         let of = if is_short { &mut *entry } else { inner(inner(entry, "planet_sizes"), &planet.key) };
+        // Other data of a bearing that the search chose are not those of one that the file had in mind.
+        if bearing.designation.is_some() {
+            ["static_load_rating", "fatigue_limit", "bearing_diameter"].iter().for_each(|key| {
+                of.remove(*key);
+            });
+            let newtons = |rating: f64| Value::from(format!("{} N", trimmed(rating, DIGITS)));
+            keys.extend(bearing.static_load_rating_n.map(|rating| ("static_load_rating", newtons(rating))));
+        }
         for (key, value) in keys {
             of.insert(Value::from(key), value);
         }

@@ -12,6 +12,8 @@ use serde::Serialize;
 pub enum Reason {
     /// A planet of the set meshes with no central gear, so that its place is not known before its size.
     PlanetAlone,
+    /// No radius of the planets is within reach of all their meshes at the modules.
+    NoCommonRadius,
     /// The gears are bevel gears.
     Bevel,
     /// Keys are missing in the entry of the file.
@@ -161,6 +163,10 @@ impl NotRated {
         let against = if self.against == Some(Against::Overload) { "against the overload: " } else { "" };
         let missing = self.missing.join(", ");
         let why = match (self.reason, &self.because) {
+            (Reason::NoCommonRadius, _) => {
+                "at these modules the meshes of a planet have no radius in common: state other modules"
+                    .to_owned()
+            }
             (Reason::PlanetAlone, _) => "a planet meshes with no central gear".to_owned(),
             (Reason::Bevel, _) => "its gears are bevel gears, which ISO 6336 does not rate".to_owned(),
             (Reason::KeysMissing | Reason::FactorMissing, None) => format!("{missing} missing"),

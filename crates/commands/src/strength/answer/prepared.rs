@@ -57,7 +57,7 @@ pub(crate) fn sets_to_size<'g>(
             not_rated.push(NotRated::new(set.id(), Reason::PlanetAlone));
         } else {
             let of = Of { subject, file, set, data };
-            match of.to_size(place)? {
+            match of.into_sized(place)? {
                 Ok(one) => all.push(one),
                 Err(missing) => {
                     not_rated.push(NotRated { missing, ..NotRated::new(set.id(), Reason::KeysMissing) });
@@ -70,7 +70,7 @@ pub(crate) fn sets_to_size<'g>(
 
 impl<'a> Of<'a> {
     /// Data of the set without its size, or the keys that are missing.
-    fn to_size(self, place: usize) -> Result<Result<SetToSize<'a>, Vec<String>>, Error> {
+    fn into_sized(self, place: usize) -> Result<Result<SetToSize<'a>, Vec<String>>, Error> {
         let (set, strength) = (self.set, self.data.strength);
         let shaper = self.shaper();
         let viscosity = self.file.oil.as_ref().map(|oil| oil.viscosity.0);

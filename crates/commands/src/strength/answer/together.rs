@@ -10,6 +10,8 @@ use super::names::MeshName;
 use super::rated_set::RatedSet;
 use super::records::Required;
 use crate::answer::Warning;
+use epicyclic_strength::factor::{Side, Symbol};
+use epicyclic_strength::root::factors::Bending;
 use epicyclic_strength::spectrum::{Step, Stresses, Worn, stresses};
 use epicyclic_train::mesh_loads::MeshLoad;
 use epicyclic_units::Physical;
@@ -101,6 +103,39 @@ pub(super) fn of_set(set: &RatedSet<'_>, duty: &[WorkedStep<'_>], life: Time) ->
         })
     };
     set.set.gears().into_iter().filter_map(of_gear).collect()
+}
+
+/// Warning of gears that the duty loads on both flanks, while their roots are rated as bent one way and no
+/// mean stress factor says otherwise.
+pub(super) fn reversed(set: &RatedSet<'_>, duty: &[WorkedStep<'_>]) -> Option<Warning> {
+    let mut gears: Vec<String> = vec![];
+    for (place, rated) in set.meshes.iter().enumerate() {
+        let loads = duty.iter().filter_map(|WorkedStep(entry, worked)| {
+            let load = SetLoad::of(set, worked.as_ref()?, Some(entry.speed.0)).ok()?;
+            load.of_meshes(set).get(place).map(|load| load.torques[0])
+        });
+        let signs: Vec<f64> = loads.filter(|torque| *torque != 0.0).map(f64::signum).collect();
+        if !(signs.contains(&1.0) && signs.contains(&-1.0)) {
+            continue;
+        }
+        for side in Side::BOTH {
+            let is_one_way = rated.mesh.gears[side as usize].bending == Bending::OneWay;
+            if is_one_way && rated.method.given.of(side, Symbol::MeanStress).is_none() {
+                let name = rated.name.gears[side as usize].clone();
+                if !gears.contains(&name) {
+                    gears.push(name);
+                }
+            }
+        }
+    }
+    (!gears.is_empty()).then(|| Warning {
+        name: "reversed-bending",
+        message: format!(
+            "set {}: the duty loads both flanks of {}, whose roots are rated as bent one way: state Y_M of each in `gear_factors`, 0.7 where both ways bend alike",
+            set.id,
+            gears.join(", ")
+        ),
+    })
 }
 
 impl SharedFlank {
