@@ -82,7 +82,7 @@ mod tests {
         /// A planet as a rigid body in space: forces in its meshes at any points of its middle plane, a body
         /// force at its centre, and both rows. Neither a force nor a moment across the pin is left.
         #[test]
-        fn a_planet_on_two_rows_is_in_balance(
+        fn a_planet_on_both_rows_is_in_balance(
             forces in prop::collection::vec(prop::array::uniform3(-1e4..1e4_f64), 1..5),
             places in prop::collection::vec((0.01..0.2_f64, -3.2..3.2_f64), 5),
             body in prop::array::uniform2(-1e4..1e4_f64), span_m in 0.01..0.3_f64,
@@ -116,7 +116,7 @@ mod tests {
 
         /// The life of the unit is that of two bearings of half the unit, of which none may fail.
         #[test]
-        fn the_life_is_that_of_two_rows_of_which_none_fails(first in 1e3..2e4_f64, second in 1e3..2e4_f64) {
+        fn the_life_is_that_of_both_rows_of_which_none_fails(first in 1e3..2e4_f64, second in 1e3..2e4_f64) {
             let rows = [first, second].map(Force::from_si);
             for rolling in [Rolling::Balls, Rolling::Rollers] {
                 let together = equivalent_load(rolling, rows);
