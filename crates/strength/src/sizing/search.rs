@@ -20,7 +20,8 @@ use uom::si::f64::{Force, Length, Mass, Time};
 /// # Errors
 /// [`Error::Cancelled`]; [`Error::NothingToSearch`] without face widths; [`Error::IdleDuty`] for a duty that
 /// loads no mesh; [`Error::NotPositive`], [`Error::Negative`] and [`Error::OutOfRange`] for a quantity; those
-/// of [`rate_duty`], except for teeth outside the range of the standard, which are left out and counted.
+/// of [`rate_duty`](crate::spectrum::rate_duty), except for teeth outside the range of the standard, which are
+/// left out and counted.
 pub fn search(
     task: &Task,
     layouts: &[Layout],
