@@ -83,6 +83,7 @@ fn every_kind() -> Vec<String> {
     vec![
         wolfrom(""),
         ravigneaux(),
+        ravigneaux() + "pressure_angle: 22.5 deg\n",
         short("kind: external_pair, teeth: [24, 95], helix_angle: 10 deg", &["gear 1", "gear 2"], &[], 100.0),
         short("kind: internal_pair, teeth: [20, 71]", &["gear 1", "gear 2"], &["gear 2"], 60.0),
         short(

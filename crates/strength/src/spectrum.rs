@@ -110,6 +110,33 @@ impl Stresses {
     }
 }
 
+/// Stresses of one gear of a mesh in those steps of a duty that load a flank; in the others that flank rests.
+/// `None` if none of them does anything.
+///
+/// # Errors
+/// Those of [`stresses`], also of the flank or the root alone.
+pub fn on_flank(
+    (mesh, method): (&Mesh, &Method),
+    duty: impl Iterator<Item = (Step, bool)>,
+    life: Time,
+    contacts: [f64; 2],
+    side: usize,
+) -> Result<Option<GearDuty<Stresses>>, Error> {
+    let step = |(step, is_on): (Step, bool)| Step {
+        torque: if is_on { step.torque } else { Torque::default() },
+        ..step
+    };
+    let steps: Vec<Step> = duty.map(step).collect();
+    match stresses(mesh, &steps, life, contacts, method) {
+        Ok([first, second]) => {
+            let own = if side == 0 { first } else { second };
+            Ok(Some(GearDuty { contact: own.contact?, root: own.root? }))
+        }
+        Err(Error::IdleDuty) => Ok(None),
+        Err(error) => Err(error),
+    }
+}
+
 /// Refuses shares of a duty that are not the whole time.
 ///
 /// # Errors

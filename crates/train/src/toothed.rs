@@ -147,9 +147,8 @@ impl PlanetSet {
             let is_own = |mesh: &&ToothedMesh| mesh.gears.contains(&GearOf::Planet(planet, gear));
             let module = toothed.meshes.iter().find(is_own)?.module;
             let teeth = toothed.gear(GearOf::Planet(planet, gear))?;
-            let [tip, root] = [teeth.tip_diameter(), teeth.root_diameter()].map(|of| of * module);
-            let area = FRAC_PI_4 * (f64::midpoint(tip * tip, root * root) - bore * bore);
-            (bore < root).then_some(size.density.si() * area * width.si())
+            let area = teeth.filled_area() * module * module - FRAC_PI_4 * bore * bore;
+            (bore < teeth.root_diameter() * module).then_some(size.density.si() * area * width.si())
         };
         (0..gears).map(mass).sum::<Option<f64>>().map(Mass::from_si)
     }

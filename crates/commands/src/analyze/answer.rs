@@ -44,7 +44,7 @@ use epicyclic_train::{Analysis, Direction, Gear, Gearbox, InputLoad, LoadCase, O
 use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
-use uom::si::f64::AngularVelocity;
+use uom::si::f64::{AngularVelocity, Torque};
 
 /// Known motion and load of the input.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -108,6 +108,13 @@ pub(crate) struct Worked<'g> {
 }
 
 impl<'g> Worked<'g> {
+    /// Torques on the members of a set at the load, without losses; `None` where they do not follow.
+    pub(crate) fn member_torques(&self, set: usize) -> Option<Vec<Torque>> {
+        let (operation, case) = self.operation.as_ref().zip(self.analysis.ideal())?;
+        let members = case.members[set].as_ref()?;
+        Some(members.iter().map(|of| operation.input * (of / case.input)).collect())
+    }
+
     pub(crate) fn new(gearbox: &'g Gearbox, gear: &str, input: Input) -> Result<Self, Error> {
         let analysis = analysis(gearbox, gear)?;
         // A torque alone gives no powers. The speed of 1 rad/s serves only to get the torques.

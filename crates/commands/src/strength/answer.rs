@@ -271,7 +271,7 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
         bearings = bearings::rated(subject, &file, &steps, &peaks)?;
         for set in &sets {
             for (number, WorkedStep(entry, worked)) in (1..).zip(&steps) {
-                let load = worked.as_ref().map(|worked| SetLoad::of(set, worked, Some(entry.speed.0)));
+                let load = worked.as_ref().map(|worked| SetLoad::of(set.place, worked, Some(entry.speed.0)));
                 if let Some(Ok(load)) = load {
                     found.axial.extend(axial::of(subject, set, &entry.gear, Some(number), &load));
                 }
@@ -382,7 +382,7 @@ fn at_point(
     for name in names {
         let worked = Worked::new(&subject.train, name, input)?;
         for set in sets {
-            let load = SetLoad::of(set, &worked, Some(speed));
+            let load = SetLoad::of(set.place, &worked, Some(speed));
             let load = load.map_err(|reason| Fault::Row(NotRated::new(set.id, reason).into()));
             if let Ok(load) = &load {
                 found.axial.extend(axial::of(subject, set, name, None, load));

@@ -11,7 +11,7 @@ use crate::gear_kind::GearKind;
 use crate::{Error, ToothCount};
 use epicyclic_numerics::roots::bisected;
 use epicyclic_units::Physical;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// Largest absolute shift in the search for one without undercut.
 const MOST_SHIFT: f64 = 2.0;
@@ -226,6 +226,14 @@ impl InvoluteGear {
 
     fn signed_tip(&self) -> f64 {
         self.signed_reference() + 2.0 * (self.profile.rack.addendum + self.shift + self.tip_alteration)
+    }
+
+    /// Area that the gear fills of its tip circle, an internal one leaves free of its root circle: half of the
+    /// annulus between both is teeth, `π/4·(d_a² + d_f²)/2`, in square modules.
+    #[must_use]
+    pub fn filled_area(&self) -> f64 {
+        let [tip, root] = [self.tip_diameter(), self.root_diameter()];
+        FRAC_PI_4 * f64::midpoint(tip * tip, root * root)
     }
 
     /// Reference diameter `d`.

@@ -5,12 +5,12 @@ use super::task::{Body, Governing, Layout, MeshLoads, Task};
 use crate::Error;
 use crate::mesh::{Gear, Mesh, Method};
 use crate::rating::overload;
-use crate::spectrum::{GearDuty, Step, Stresses, Worn, rate_duty, stresses};
+use crate::spectrum::{GearDuty, Stresses, Worn, on_flank, rate_duty};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::InvoluteGear;
 use epicyclic_units::Physical;
 use std::collections::HashMap;
-use uom::si::f64::{Length, Torque};
+use uom::si::f64::Length;
 
 /// Rim over tooth height below which a rim weakens the root
 /// ([`rim_factor_external`](crate::root::factors::rim_factor_external)).
@@ -104,26 +104,13 @@ impl<'a> Ratings<'a> {
                 let mut sum = GearDuty { contact: Stresses::default(), root: Stresses::default() };
                 for (mesh, end) in &on {
                     let own = &loads[*mesh];
-                    let step = |(step, signs): (&Step, &[f64; 2])| Step {
-                        torque: if is_on(signs, *end) { step.torque } else { Torque::default() },
-                        ..*step
-                    };
-                    let steps: Vec<Step> = own.steps.iter().zip(&own.flanks).map(step).collect();
+                    let steps = own.steps.iter().zip(&own.flanks).map(|(step, of)| (*step, is_on(of, *end)));
                     let (rated, method) = self.mesh(one, *mesh, self.rims(one, *mesh, |kind| bores[kind]));
-                    let of = match stresses(&rated, &steps, task.life, own.contacts, &method) {
-                        Ok([first, second]) => {
-                            if *end == 0 {
-                                first
-                            } else {
-                                second
-                            }
-                        }
-                        // It loads the flank at rest alone.
-                        Err(Error::IdleDuty) => continue,
-                        Err(error) => return Err(error),
-                    };
-                    sum.contact.join(of.contact?);
-                    sum.root.join(of.root?);
+                    let of = on_flank((&rated, &method), steps, task.life, own.contacts, *end)?;
+                    if let Some(of) = of {
+                        sum.contact.join(of.contact);
+                        sum.root.join(of.root);
+                    }
                 }
                 let of = |requirement, stresses: &Stresses, required| Governing {
                     requirement,

@@ -138,6 +138,8 @@ struct Masses {
     bored: Vec<Vec<f64>>,
     /// The largest bore that leaves each kind of planets its rim, m.
     largest_bore: Vec<f64>,
+    /// Reference diameter of the smallest sun of each family, or of its smallest gear, m.
+    diameters: Vec<f64>,
     ring: Option<Length>,
 }
 
@@ -149,14 +151,13 @@ impl Masses {
             planets: vec![vec![0.0; families]; task.planets.len()],
             bored: vec![vec![0.0; families]; task.planets.len()],
             largest_bore: vec![],
+            diameters: (0..families).map(|family| smallest(task, layout, family)).collect(),
             ring: layout.ring_diameter(task),
         };
         for (place, gear) in layout.gears.iter().enumerate() {
             let sized = &task.gears[place];
             let (module, density) = (layout.module(task, place), sized.gear.material.density.si());
-            let square = |diameter: f64| (diameter * module.si()).powi(2);
-            // A circle with the mean area of those of tips and roots.
-            let filled = FRAC_PI_4 * f64::midpoint(square(gear.tip_diameter()), square(gear.root_diameter()));
+            let filled = gear.filled_area() * module.si().powi(2);
             let one = density
                 * match gear.kind() {
                     GearKind::External => filled,
@@ -192,6 +193,17 @@ impl Masses {
         let own = self.planets[planet].iter().zip(&self.bored[planet]).zip(widths);
         own.map(|((solid, density), width)| width * (solid - FRAC_PI_4 * bore * bore * density)).sum()
     }
+}
+
+/// Reference diameter in m of the smallest sun of a family, or of its smallest gear.
+fn smallest(task: &Task, layout: &Layout, family: usize) -> f64 {
+    let gears = || (0..layout.gears.len()).filter(|gear| task.gears[*gear].family == family);
+    let is_sun = |gear: &usize| {
+        task.gears[*gear].body == Body::Central && layout.gears[*gear].kind() == GearKind::External
+    };
+    let diameter = |gear: usize| layout.gears[gear].reference_diameter() * layout.modules[family].si();
+    let of_sun = gears().filter(is_sun).map(diameter).reduce(f64::min);
+    of_sun.or_else(|| gears().map(diameter).reduce(f64::min)).unwrap_or(f64::INFINITY)
 }
 
 /// Whether a bore leaves each gear of the planets its rim; no bore always does.
@@ -244,25 +256,9 @@ impl Search<'_> {
 
     /// How many of the face widths of each family the width ratio allows.
     fn allowed(&self, layout: usize) -> Vec<usize> {
-        let task = self.task;
-        let own = &self.layouts[layout];
-        let widest = |family: usize| {
-            let Some(ratio) = task.width_ratio else { return f64::INFINITY };
-            let is_own = |gear: &usize| task.gears[*gear].family == family;
-            let is_sun = |gear: &usize| {
-                task.gears[*gear].body == Body::Central && own.gears[*gear].kind() == GearKind::External
-            };
-            let diameter = |gear: usize| own.gears[gear].reference_diameter() * own.module(task, gear).si();
-            let least = |all: &mut dyn Iterator<Item = usize>| all.map(diameter).reduce(f64::min);
-            let gears = || (0..own.gears.len()).filter(is_own);
-            let of_sun = least(&mut gears().filter(is_sun));
-            ratio * of_sun.or_else(|| least(&mut gears())).unwrap_or(f64::INFINITY)
-        };
-        task.face_widths
-            .iter()
-            .enumerate()
-            .map(|(family, all)| all.partition_point(|width| width.si() <= widest(family)))
-            .collect()
+        let ratio = self.task.width_ratio.unwrap_or(f64::INFINITY);
+        let all = self.task.face_widths.iter().zip(&self.masses[layout].diameters);
+        all.map(|(widths, diameter)| widths.partition_point(|width| width.si() <= ratio * diameter)).collect()
     }
 
     /// The narrowest design of a layout; those that the width ratio or the rims leave out are counted.
@@ -329,14 +325,21 @@ impl Search<'_> {
         let together = if alone.ratio() < 1.0 { None } else { self.ratings.together(one.place(), &bores)? };
         let governing = Governing::least([alone].into_iter().chain(together)).unwrap_or(alone);
         let masses = &self.masses[one.layout];
-        let rim = |gear: usize| {
-            let is_ring = own.gears[gear].kind() == GearKind::Internal;
-            is_ring.then(|| task.ring_rim(gear, own.module(task, gear)))
+        let rim = |gear: usize| match task.gears[gear].body {
+            Body::Planet(planet) if bores[planet] > 0.0 => {
+                Some(Length::from_si(rim_of(task, own, gear, bores[planet])))
+            }
+            Body::Central if own.gears[gear].kind() == GearKind::Internal => {
+                Some(task.ring_rim(gear, own.module(task, gear)))
+            }
+            _ => None,
         };
+        let ratio = |(width, diameter): (&f64, &f64)| width / diameter;
         Ok(Some(Design {
             mass: Mass::from_si(masses.all(own.planets, planets.iter().map(bore), &widths)),
             ring_diameter: masses.ring,
-            ring_rims: (0..own.gears.len()).map(rim).collect(),
+            rims: (0..own.gears.len()).map(rim).collect(),
+            width_ratios: widths.iter().zip(&masses.diameters).map(ratio).collect(),
             layout: own.clone(),
             face_widths: widths.into_iter().map(Length::from_si).collect(),
             planets,

@@ -276,8 +276,10 @@ pub struct Design {
     pub face_widths: Vec<Length>,
     /// The kinds of planets.
     pub planets: Vec<DesignedPlanet>,
-    /// Rim of each gear outside its root circle; `None` of other gears than rings.
-    pub ring_rims: Vec<Option<Length>>,
+    /// Rim under the teeth of each gear: of rings, and of bored planets.
+    pub rims: Vec<Option<Length>>,
+    /// Face width of each family over the diameter that the width ratio counts on.
+    pub width_ratios: Vec<f64>,
     /// Outside diameter of the largest ring; `None` of a set without one.
     pub ring_diameter: Option<Length>,
     /// Mass of all gears.

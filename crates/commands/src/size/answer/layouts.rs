@@ -355,10 +355,10 @@ impl Making<'_> {
         };
         let mut all: Vec<MeshLoads> = (0..set.meshes().len()).map(idle).collect::<Option<_>>()?;
         for WorkedStep(entry, worked) in self.steps {
-            let load = worked.as_ref().map(|worked| SetLoad::at(self.set.place, worked, Some(entry.speed.0)));
+            let load = worked.as_ref().map(|worked| SetLoad::of(self.set.place, worked, Some(entry.speed.0)));
             let felt = match load {
                 Some(Err(Reason::NoTorquesFollow)) => return None,
-                Some(Ok(load)) => Some((load.of_meshes_of(set), load.speed)),
+                Some(Ok(load)) => Some((load.of_meshes(set), load.speed)),
                 None | Some(Err(_)) => None,
             };
             for (mesh, own) in all.iter_mut().enumerate() {
@@ -375,10 +375,10 @@ impl Making<'_> {
             }
         }
         for peak in self.peaks {
-            let load = match SetLoad::at(self.set.place, &peak.worked, None) {
+            let load = match SetLoad::of(self.set.place, &peak.worked, None) {
                 Err(Reason::NoTorquesFollow) => return None,
                 Err(_) => continue,
-                Ok(load) => load.of_meshes_of(set),
+                Ok(load) => load.of_meshes(set),
             };
             for (own, load) in all.iter_mut().zip(&load).filter(|(_, load)| load.torques[0] != 0.0) {
                 own.overloads.push(StaticDemand {
@@ -410,6 +410,8 @@ impl Making<'_> {
                 .map(behind)
                 .collect(),
             planets: toothed.radii.iter().map(planet).collect(),
+            // Of planets in mesh, as for the bearings of the file.
+            pressure_angle: self.rack.pressure_angle,
             ..SetSize::default()
         };
         let still = AngularVelocity::default();
@@ -425,12 +427,7 @@ impl Making<'_> {
                     speed: still,
                 };
                 if let Some(worked) = worked {
-                    let case = worked.operation.as_ref().zip(worked.analysis.ideal());
-                    let torques = case.and_then(|(operation, case)| {
-                        let members = case.members[self.set.place].as_ref()?;
-                        let torque = |of: &f64| operation.input * (of / case.input);
-                        Some(members.iter().map(torque).collect::<Vec<Torque>>())
-                    });
+                    let torques = worked.member_torques(self.set.place);
                     let forces = bearing.forces(torques.as_deref(), Some(still))?;
                     let turning = worked.analysis.sets()[self.set.place].planets[bearing.planet];
                     let (Some(tangential), Some(radial), Some(turning)) =

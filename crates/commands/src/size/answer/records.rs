@@ -14,7 +14,6 @@ use epicyclic_gears::life::Rolling;
 use epicyclic_strength::factor::Side;
 use epicyclic_strength::sizing::{self, Design, DesignedPlanet, Found, Requirement};
 use epicyclic_strength::spectrum::{GearDuty, Worn};
-use epicyclic_train::planet_set::GearOf;
 use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -313,21 +312,11 @@ impl SizedDesign {
     fn of((set, families): Of<'_>, design: &Design) -> Self {
         let layout = &design.layout;
         let own = |family: usize| (0..families.of.len()).filter(move |gear| families.of[*gear] == family);
-        let family = |family: usize| {
-            let (module, width) = (layout.modules[family].si(), design.face_widths[family].si());
-            let is_sun = |gear: &usize| {
-                matches!(set.data.of[*gear], GearOf::Central(_))
-                    && layout.gears[*gear].kind() == GearKind::External
-            };
-            let diameter = |gear: usize| layout.gears[gear].reference_diameter() * module;
-            let of_sun = own(family).filter(is_sun).map(diameter).reduce(f64::min);
-            let least = of_sun.or_else(|| own(family).map(diameter).reduce(f64::min));
-            SizedFamily {
-                toothed_gears: own(family).map(|gear| gear_name(set, gear)).collect(),
-                module_m: module,
-                face_width_m: width,
-                face_width_over_diameter: width / least.unwrap_or(f64::INFINITY),
-            }
+        let family = |family: usize| SizedFamily {
+            toothed_gears: own(family).map(|gear| gear_name(set, gear)).collect(),
+            module_m: layout.modules[family].si(),
+            face_width_m: design.face_widths[family].si(),
+            face_width_over_diameter: design.width_ratios[family],
         };
         let teeth = |(gear, own): (usize, &InvoluteGear)| SizedTeeth {
             toothed_gear: gear_name(set, gear),
@@ -336,13 +325,7 @@ impl SizedDesign {
             face_width_m: set.data.face_widths[gear].unwrap_or(design.face_widths[families.of[gear]]).si(),
             profile_shift: own.shift(),
             tip_alteration: own.tip_alteration(),
-            rim_m: match set.data.of[gear] {
-                GearOf::Central(_) => design.ring_rims[gear].map(Physical::si),
-                GearOf::Planet(planet, _) => design.planets[planet].bore.map(|bore| {
-                    let module = layout.modules[families.of[gear]].si();
-                    (own.root_diameter() * module - bore.si()) / 2.0
-                }),
-            },
+            rim_m: design.rims[gear].map(Physical::si),
             is_internal: own.kind() == GearKind::Internal,
             tool: CuttingTool::of(own),
         };

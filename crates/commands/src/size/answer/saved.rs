@@ -5,7 +5,7 @@ use super::records::{SizedBearing, SizedDesign, SizedSet, SizedTeeth};
 use crate::error::Error;
 use crate::shared::tool::ToolKind;
 use epicyclic_formats::Document;
-use epicyclic_formats::yaml::{Mapping, Value, to_string, to_value};
+use epicyclic_formats::yaml::{Mapping, Value, to_string};
 use epicyclic_units::format::trimmed;
 
 /// Millimetres in a metre.
@@ -50,7 +50,7 @@ pub(super) fn written(document: &Document, sets: &[SizedSet]) -> Result<String, 
             let entries = file.get_mut(list).and_then(Value::as_sequence_mut).into_iter().flatten();
             let own = |entry: &&mut Value| entry.get("id").and_then(Value::as_str) == Some(set.set.as_str());
             if let Some(entry) = entries.into_iter().find(own).and_then(Value::as_mapping_mut) {
-                write(entry, list == "sets", best)?;
+                write(entry, list == "sets", best);
             }
         }
     }
@@ -70,20 +70,14 @@ fn of_gears(design: &SizedDesign, is_short: bool, of: impl Fn(&SizedTeeth) -> Va
     Value::Mapping(named.collect())
 }
 
-fn write(entry: &mut Mapping, is_short: bool, design: &SizedDesign) -> Result<(), Error> {
-    let number = |value: f64| to_value(value).map_err(|error| Error::Json(error.to_string()));
-    for gear in &design.gears {
-        number(gear.profile_shift)?;
-        number(gear.tip_alteration)?;
-    }
-    let plain = |value: f64| number(value).unwrap_or_default();
+fn write(entry: &mut Mapping, is_short: bool, design: &SizedDesign) {
     let family = |key: &str| {
         let gear = design.gears.iter().find(|gear| gear.key == key)?;
         design.families.iter().find(|family| family.toothed_gears.contains(&gear.toothed_gear))
     };
     let mut keys = vec![
-        ("profile_shifts", of_gears(design, is_short, |gear| plain(gear.profile_shift))),
-        ("tip_alterations", of_gears(design, is_short, |gear| plain(gear.tip_alteration))),
+        ("profile_shifts", of_gears(design, is_short, |gear| Value::from(gear.profile_shift))),
+        ("tip_alterations", of_gears(design, is_short, |gear| Value::from(gear.tip_alteration))),
     ];
     if let ([_, planet, _], [_], true) = (&design.gears[..], &design.planet_sizes[..], is_short) {
         keys.push(("planet_teeth", Value::from(vec![Value::from(planet.teeth)])));
@@ -153,7 +147,6 @@ fn write(entry: &mut Mapping, is_short: bool, design: &SizedDesign) -> Result<()
     for gear in &design.gears {
         write_tool(entry, gear);
     }
-    Ok(())
 }
 
 /// Mapping below a key, made if there is none.

@@ -66,7 +66,7 @@ pub(super) fn of(
     load: &SetLoad,
 ) -> Vec<AxialForce> {
     let is_behind = subject.is_behind(set.set);
-    let loads = set.set.axial_forces(&set.toothed, is_behind, &load.of_meshes(set)).unwrap_or_default();
+    let loads = set.set.axial_forces(&set.toothed, is_behind, &load.of_meshes(set.set)).unwrap_or_default();
     let row = |load: AxialLoad| {
         let sizes: f64 = load.meshes.iter().map(|(_, force)| force.abs()).sum();
         // Forces that cancel leave a rounding error; adding 0 takes the sign off a 0.

@@ -338,12 +338,7 @@ impl File<'_> {
             let tilted = rows.map(|_| Tilted::default());
             return Ok(Some(StepLoad { tilted, ..StepLoad::default() }));
         };
-        let case = worked.operation.as_ref().zip(worked.analysis.ideal());
-        let Some((operation, case)) = case else { return Ok(None) };
-        let of_input = |members: &Vec<f64>| -> Vec<Torque> {
-            members.iter().map(|of| operation.input * (of / case.input)).collect()
-        };
-        let torques = case.members[bearing.set].as_ref().map(of_input);
+        let torques = worked.member_torques(bearing.set);
         let set = &self.subject.train.sets()[bearing.set];
         let carrier = worked.analysis.speed(set.carrier()).map(|of| speed * of);
         let forces = bearing.forces(torques.as_deref(), carrier)?;

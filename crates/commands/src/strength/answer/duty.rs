@@ -66,7 +66,7 @@ pub(super) fn rated(
     let fault = |error: epicyclic_strength::Error| Fault::of(&subject.document, set.id, &set.path, &error);
     let mut of_steps: Vec<Vec<Load>> = vec![];
     for WorkedStep(entry, worked) in duty {
-        let load = match worked.as_ref().map(|worked| SetLoad::of(set, worked, Some(entry.speed.0))) {
+        let load = match worked.as_ref().map(|worked| SetLoad::of(set.place, worked, Some(entry.speed.0))) {
             Some(Err(Reason::NoTorquesFollow)) => {
                 return Err(Fault::Row(NotRated::new(set.id, Reason::NoTorquesFollow).into()));
             }

@@ -20,11 +20,14 @@ pub(super) fn warnings(
     file: &GearboxFile,
     rated: &[RatedSet<'_>],
 ) -> Result<Vec<Warning>, Error> {
-    let torques = member_torques(subject)?;
     let sets = subject.train.sets();
     let pairs: Vec<usize> = (0..sets.len())
         .filter(|place| sets[*place].is_pair() && rated.iter().any(|one| one.id == sets[*place].id()))
         .collect();
+    if pairs.len() < 2 {
+        return Ok(vec![]);
+    }
+    let torques = member_torques(subject)?;
     let mut all = vec![];
     for (index, &first) in pairs.iter().enumerate() {
         for &second in &pairs[index + 1..] {

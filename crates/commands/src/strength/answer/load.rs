@@ -45,17 +45,8 @@ pub(crate) struct SetLoad {
 }
 
 impl SetLoad {
-    /// Load of a set in a gear at a speed of the input; without a speed that of a set that need not roll.
-    pub(super) fn of(
-        set: &RatedSet<'_>,
-        worked: &Worked<'_>,
-        speed: Option<AngularVelocity>,
-    ) -> Result<Self, Reason> {
-        Self::at(set.place, worked, speed)
-    }
-
-    /// The same of a set by its index.
-    pub(crate) fn at(
+    /// Load of a set, by its index, in a gear at a speed of the input; without a speed that of a set that need not roll.
+    pub(crate) fn of(
         place: usize,
         worked: &Worked<'_>,
         speed: Option<AngularVelocity>,
@@ -80,12 +71,7 @@ impl SetLoad {
     }
 
     /// Torques of the meshes of the set, in its order; 0 where only a rounding error is left.
-    pub(super) fn of_meshes(&self, set: &RatedSet<'_>) -> Vec<MeshLoad> {
-        self.of_meshes_of(set.set)
-    }
-
-    /// The same of a set with this number of planets.
-    pub(crate) fn of_meshes_of(&self, set: &PlanetSet) -> Vec<MeshLoad> {
+    pub(crate) fn of_meshes(&self, set: &PlanetSet) -> Vec<MeshLoad> {
         let largest = self.torques.iter().fold(0.0, |largest: f64, torque| largest.max(torque.abs()));
         // A mesh without load has what rounding leaves of torques that cancel.
         let clean = |torque: f64| if torque.abs() <= ROUNDED * largest { 0.0 } else { torque };
@@ -95,7 +81,7 @@ impl SetLoad {
 
     /// Gears with several meshes that load the same flank.
     pub(super) fn shared_flanks(&self, set: &RatedSet<'_>) -> Vec<GearOf> {
-        let loads = self.of_meshes(set);
+        let loads = self.of_meshes(set.set);
         let is_shared = |gear: &GearOf| {
             let torque = |(mesh, load): (usize, &MeshLoad)| {
                 let end = set.set.gears_of_mesh(mesh).iter().position(|one| one == gear)?;
@@ -115,7 +101,7 @@ impl SetLoad {
             life,
             contacts: load.contacts,
         };
-        self.of_meshes(set).into_iter().map(load).collect()
+        self.of_meshes(set.set).into_iter().map(load).collect()
     }
 }
 

@@ -80,7 +80,7 @@ pub(super) fn rated(
     life: Time,
 ) -> Result<Partly<Overloaded>, Fault> {
     let fault = |error: epicyclic_strength::Error| Fault::of(&subject.document, set.id, &set.path, &error);
-    let load = SetLoad::of(set, &peak.worked, None);
+    let load = SetLoad::of(set.place, &peak.worked, None);
     let load = load.map_err(|reason| Fault::Row(NotRated::new(set.id, reason).into()))?;
     let loads = load.meshes(set, life);
     Partly::of_meshes(set, |place, mesh| {

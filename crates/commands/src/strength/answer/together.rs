@@ -12,7 +12,7 @@ use super::records::Required;
 use crate::answer::Warning;
 use epicyclic_strength::factor::{Side, Symbol};
 use epicyclic_strength::root::factors::Bending;
-use epicyclic_strength::spectrum::{Step, Stresses, Worn, stresses};
+use epicyclic_strength::spectrum::{Step, Stresses, Worn, on_flank};
 use epicyclic_train::mesh_loads::MeshLoad;
 use epicyclic_units::Physical;
 use epicyclic_units::format::trimmed;
@@ -44,9 +44,9 @@ pub struct SharedFlank {
 /// Shared flanks of a set over the duty, as far as all meshes on them are rated.
 pub(super) fn of_set(set: &RatedSet<'_>, duty: &[WorkedStep<'_>], life: Time) -> Vec<SharedFlank> {
     let load = |WorkedStep(entry, worked): &WorkedStep<'_>| {
-        let load = worked.as_ref().map(|worked| SetLoad::of(set, worked, Some(entry.speed.0)));
+        let load = worked.as_ref().map(|worked| SetLoad::of(set.place, worked, Some(entry.speed.0)));
         let load = load.and_then(Result::ok).unwrap_or_else(|| SetLoad::idle(set));
-        (load.of_meshes(set), load.speed)
+        (load.of_meshes(set.set), load.speed)
     };
     let loads: Vec<_> = duty.iter().map(load).collect();
     let of_gear = |gear| {
@@ -67,20 +67,20 @@ pub(super) fn of_set(set: &RatedSet<'_>, duty: &[WorkedStep<'_>], life: Time) ->
                     &(Vec<MeshLoad>, AngularVelocity),
                 )| {
                     let own = &load[*mesh];
-                    // On the other flank it does no damage here.
-                    let torque = if is_on(own, *end) { own.torques[0].abs() } else { 0.0 };
-                    Step {
+                    let step = Step {
                         share: entry.share.0.si(),
-                        torque: Torque::from_si(torque),
+                        torque: Torque::from_si(own.torques[0].abs()),
                         speed: AngularVelocity::from_si((speed.si() * own.speeds[0]).abs()),
-                    }
+                    };
+                    (step, is_on(own, *end))
                 };
-                let steps: Vec<Step> = duty.iter().zip(&loads).map(step).collect();
+                let steps = duty.iter().zip(&loads).map(step);
                 let (rated, contacts) = (&set.meshes[*mesh], loads.first()?.0[*mesh].contacts);
-                let [first, second] = stresses(&rated.mesh, &steps, life, contacts, &rated.method).ok()?;
-                let own = if *end == 0 { first } else { second };
-                at_flank.join(own.contact.ok()?);
-                at_root.join(own.root.ok()?);
+                let of = on_flank((&rated.mesh, &rated.method), steps, life, contacts, *end).ok()?;
+                if let Some(of) = of {
+                    at_flank.join(of.contact);
+                    at_root.join(of.root);
+                }
             }
             let meshes = on.iter().map(|(mesh, _)| set.meshes[*mesh].name.clone()).collect::<Vec<_>>();
             (meshes.len() > 1).then(|| (meshes, at_flank.worn(life), at_root.worn(life)))
@@ -111,8 +111,8 @@ pub(super) fn reversed(set: &RatedSet<'_>, duty: &[WorkedStep<'_>]) -> Option<Wa
     let mut gears: Vec<String> = vec![];
     for (place, rated) in set.meshes.iter().enumerate() {
         let loads = duty.iter().filter_map(|WorkedStep(entry, worked)| {
-            let load = SetLoad::of(set, worked.as_ref()?, Some(entry.speed.0)).ok()?;
-            load.of_meshes(set).get(place).map(|load| load.torques[0])
+            let load = SetLoad::of(set.place, worked.as_ref()?, Some(entry.speed.0)).ok()?;
+            load.of_meshes(set.set).get(place).map(|load| load.torques[0])
         });
         let signs: Vec<f64> = loads.filter(|torque| *torque != 0.0).map(f64::signum).collect();
         if !(signs.contains(&1.0) && signs.contains(&-1.0)) {
