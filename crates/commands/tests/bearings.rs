@@ -270,8 +270,8 @@ fn helical(angle: &str, span: &str) -> BearingOverDuty {
     ))
 }
 
-/// Rows by the balance of one planet: tangential force and centrifugal force shared by halves, the axial forces
-/// of sun and ring at their pitch points turned by two forces outwards and inwards.
+/// Rows by the balance of one planet: tangential force and centrifugal force shared by halves, the axial
+/// forces of sun and ring at their pitch points turned by two forces outwards and inwards.
 #[test]
 fn two_rows_share_force_and_moment_by_hand() {
     let span = "bearing_span: 80 mm, ";
@@ -334,8 +334,9 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// Stepped planets with hands of every kind as rigid bodies in space: the load of a row follows from the moments
-/// of all forces about the other row. Equal hands act against each other on the pin, opposite ones together.
+/// Stepped planets with hands of every kind as rigid bodies in space: the load of a row follows from the
+/// moments of all forces about the other row. Equal hands act against each other on the pin, opposite ones
+/// together.
 #[test]
 fn rows_of_stepped_planets_balance_as_rigid_bodies() {
     let teeth = [20.0, 40.0, 20.0, 80.0];
@@ -359,7 +360,8 @@ fn rows_of_stepped_planets_balance_as_rigid_bodies() {
             let of_ring = of_sun * radii[0] / radii[1];
             let hands = [first.signum(), second.signum()];
             let omega = 900.0 / (1.0 + 80.0 * 40.0 / (20.0 * 20.0)) * PI / 30.0;
-            // x outwards, y along the positive rotation, z along the axis; the sun is inside, the ring outside.
+            // x outwards, y along the positive rotation, z along the axis; the sun is inside, the ring
+            // outside.
             let forces = [
                 ([-radii[0], 0.0, 0.0], [of_sun.abs() * alpha[0], of_sun, hands[0] * of_sun * tan[0]]),
                 ([radii[1], 0.0, 0.0], [-of_ring.abs() * alpha[1], of_ring, -hands[1] * of_ring * tan[1]]),

@@ -357,7 +357,8 @@ fn keys_for_kinds_of_gears_that_there_are_not_are_refused() {
     }
 }
 
-/// Gears without allowances beside gears that have some are named, and their limits are those of 0 as written.
+/// Gears without allowances beside gears that have some are named, and their limits are those of 0 as
+/// written.
 #[test]
 fn allowances_of_gears_that_are_left_out_are_warned_of() {
     let of = |given: &[&str]| {

@@ -298,7 +298,7 @@ fn gears_that_are_driven_both_ways_are_named() {
     assert!(warned(&both).unwrap().message.contains("gear 1, gear 2"));
 }
 
-/// What the file states of planets counts: their mass, their share of the load, the widths of some gears.
+/// Mass, load sharing and widths that the file states of some planets count in their sizes.
 #[test]
 fn what_the_file_states_of_planets_counts() {
     let heavy = ravigneaux().replace(

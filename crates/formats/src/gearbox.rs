@@ -233,8 +233,8 @@ pub struct SetEntry {
     /// in ISO 21771. Default 0 deg, spur teeth.
     #[serde(default)]
     pub helix_angle: Option<Quantity<Angle>>,
-    /// Helix angle of each mesh from sun to ring, in place of `helix_angle`; each with the hand of its gear of
-    /// the planet.
+    /// Helix angle of each mesh from sun to ring, in place of `helix_angle`; each with the hand of its gear
+    /// of the planet.
     #[serde(default)]
     pub helix_angles: Option<Vec<Quantity<Angle>>>,
     /// Efficiency `η₀` under a resting carrier, 0.97 or 97 %; 1 unless given.

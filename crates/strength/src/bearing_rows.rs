@@ -14,10 +14,11 @@
 //!
 //! The rows carry the force and the moment: `F⃗_1 + F⃗_2 = F⃗`, `z⃗·s/2 × (F⃗_1 − F⃗_2) = M⃗`.
 //!
-//! The exponent `w` is that of ISO 281 for two bearing rows as a unit, rated `2^(1 − 1/w)` times one: `2^0.7` with
-//! balls, `2^(7/9)` with rollers. The unit fails with the first of its rows, whose lives are joined as those of
-//! two bearings: `w` is the exponent of life times the Weibull slope, 3·10/9 with balls and 4·9/8 with rollers.
-//! Without a moment `P = F`; where one row carries all, the life is that of one row by its own rating.
+//! The exponent `w` is that of ISO 281 for two bearing rows as a unit, rated `2^(1 − 1/w)` times one: `2^0.7`
+//! with balls, `2^(7/9)` with rollers. The unit fails with the first of its rows, whose lives are joined as
+//! those of two bearings: `w` is the exponent of life times the Weibull slope, 3·10/9 with balls and 4·9/8
+//! with rollers. Without a moment `P = F`; where one row carries all, the life is that of one row by its own
+//! rating.
 //!
 //! # Left out
 //! The axial force on the planet; the change of the contact angle under it; the stiffness of pin and races.
@@ -29,8 +30,8 @@ use epicyclic_gears::life::Rolling;
 use epicyclic_units::Physical;
 use uom::si::f64::{Force, Length, Torque};
 
-/// Radial forces of both rows as vectors, for a force and a moment in the same two directions across the pin; of
-/// a right-handed frame with the pin as its third axis, in whose direction the first row lies.
+/// Radial forces of both rows as vectors, for a force and a moment in the same two directions across the pin;
+/// of a right-handed frame with the pin as its third axis, in whose direction the first row lies.
 ///
 /// ```
 /// use epicyclic_strength::bearing_rows::row_forces;

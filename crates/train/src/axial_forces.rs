@@ -14,7 +14,8 @@
 //! | `β` | size of the helix angle at the reference cylinder | ° |
 //! | `M` | moment that tilts a planet, about an axis across its pin | N·m |
 //!
-//! A positive force points in the direction about which the positive rotation is that of a right-handed screw.
+//! A positive force points in the direction about which the positive rotation is that of a right-handed
+//! screw.
 //!
 //! # Hands
 //! Gears in mesh outside each other have opposite hands, a ring and its planet have the same. So one hand

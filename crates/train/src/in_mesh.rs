@@ -19,8 +19,8 @@
 //! Planets whose spacing is not stated are at the assembly positions nearest to equal angles. Planets of an
 //! unknown number are as many as asked for, or as have room.
 //!
-//! A planet that meshes with other planets alone is free to stand at several radii. Where none is stated, it
-//! stands between those of its neighbours ([`InMesh::assumed`]).
+//! The radius of a planet that meshes with no central gear does not follow from the meshes. If none is stated,
+//! one between the radii of its neighbours is assumed ([`InMesh::assumed`]).
 
 use crate::PlanetSet;
 use crate::planet_places::{assume_radii, planet_of};

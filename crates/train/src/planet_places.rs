@@ -202,10 +202,10 @@ fn find_modules(
     }
 }
 
-/// Gives radii to planets that mesh with other planets alone, where nothing states them: along a chain between
-/// two known planets the radius changes in proportion to the distances of the centres, so that no step is larger
-/// than its distance unless all are; beyond the last known one it stays. `distances` are those of the meshes.
-/// Returns the planets that got one.
+/// Gives radii to planets that mesh with other planets alone, where nothing states them: along a chain
+/// between two known planets the radius changes in proportion to the distances of the centres, so that no
+/// step is larger than its distance unless all are; beyond the last known one it stays. `distances` are those
+/// of the meshes. Returns the planets that got one.
 pub(crate) fn assume_radii(
     set: &PlanetSet,
     distances: &[Option<f64>],

@@ -184,7 +184,7 @@ impl PlanetSet {
         &self.description
     }
 
-    /// The same set with a description that changes neither its members nor its teeth.
+    /// Copy of the set with a description that changes neither its members nor its teeth.
     pub(crate) fn described(&self, description: Description) -> Self {
         Self { description, ..self.clone() }
     }

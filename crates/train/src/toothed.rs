@@ -122,7 +122,7 @@ impl PlanetSet {
         centrals.into_iter().chain(planets).chain(last).collect()
     }
 
-    /// The same set with this number of planets of each kind and this shape of its teeth.
+    /// Copy of the set with this number of planets of each kind and this shape of its teeth.
     #[must_use]
     pub fn reshaped(&self, planets: Option<u32>, tooth_shape: ToothShape) -> Self {
         let mut description = self.description().clone();
@@ -153,7 +153,7 @@ impl PlanetSet {
         (0..gears).map(mass).sum::<Option<f64>>().map(Mass::from_si)
     }
 
-    /// What its planet bearings need to know of its meshes with these teeth; `has_modules` where the modules
+    /// Sizes of the meshes with these teeth, for the planet bearings; `has_modules` where the modules
     /// are lengths in metres.
     #[must_use]
     pub fn mesh_sizes(&self, toothed: &ToothedSet, has_modules: bool) -> Vec<MeshSize> {

@@ -8,7 +8,8 @@ use super::{dimension::Dimension, error::QuantityError};
 
 /// A finite plain number.
 ///
-/// Reads integers, floats, fractions and percents, and refuses NaN, infinity, and the text `3,94`, each with its reason.
+/// Reads integers, floats, fractions and percents, and refuses NaN, infinity, and the text `3,94`, each with
+/// its reason.
 ///
 /// ```
 /// use epicyclic_units::Number;
@@ -116,8 +117,8 @@ impl schemars::JsonSchema for Number {
     }
 }
 
-/// The value of a text that is a plain number and nothing else, a fraction of two such as `17/3` and `6:1`, or
-/// a share such as `5 %` and `5 ‰`.
+/// The value of a text that is a plain number and nothing else, a fraction of two such as `17/3` and `6:1`,
+/// or a share such as `5 %` and `5 ‰`.
 ///
 /// ```
 /// assert_eq!(epicyclic_units::parse_number("5 %"), Ok(0.05));
@@ -139,7 +140,7 @@ pub fn parse_number(text: &str) -> Result<f64, QuantityError> {
     }
 }
 
-/// Whether the sign parts of a hundred or a thousand stand in for a unit.
+/// Whether a unit is the sign of percent or per mille.
 fn is_share(unit: &str) -> bool {
     matches!(unit, "%" | "‰")
 }

@@ -73,8 +73,8 @@ const LENGTH: &[Unit] = &[
     unit(Length, "ft", FOOT, &["ft"]),
 ];
 
-// Besides those of a length. The diametral pitch counts teeth on an inch of diameter: a module of 25.4 mm over
-// it.
+// Besides those of a length. The diametral pitch counts teeth on an inch of diameter: a module of 25.4 mm
+// over it.
 const MODULE: &[Unit] =
     &[Unit { dimension: Module, symbol: "DP", factor: INCH, is_reciprocal: true, keys: &["DP"] }];
 

@@ -1,5 +1,5 @@
-//! Sizes of a gearbox's sets for the duty and the overloads of its file: modules, face widths, planets, centre
-//! distances, bearings.
+//! Sizes of a gearbox's sets for the duty and the overloads of its file: modules, face widths, planets,
+//! centre distances, bearings.
 //!
 //! Each set is sized independently. Why this loses no better design is explained at
 //! [`epicyclic_strength::sizing`]. Values that the file gives for a set are kept.

@@ -40,8 +40,8 @@ pub struct Request {
     #[arg(long, value_name = "LENGTH", default_value = "0.5mm", allow_hyphen_values = true)]
     pub centre_distance_step: Quantity<Length>,
 
-    /// The greatest face width over the reference diameter of the smallest sun, of a pair of the smaller gear.
-    /// Default: no bound.
+    /// The greatest face width over the reference diameter of the smallest sun, of a pair of the smaller
+    /// gear. Default: no bound.
     #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
     pub width_ratio: Option<Number>,
 

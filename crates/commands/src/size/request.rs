@@ -18,9 +18,10 @@ use std::path::PathBuf;
 /// Sizes of the sets of a gearbox that hold over the duty of its file, with the least mass or ring.
 ///
 /// Complete over the stated modules, face widths, numbers of planets, centre distances and bearings; gears in
-/// mesh have one module and width, shifts follow from the centre distance and the aim. Each design must have faultless gears, the required safeties
-/// of flanks and roots by ISO 6336 and bearings that live as long as required. What the file gives of a set
-/// is held: module, face_width, planets, profile_shifts, planet_bore, load_rating, ring_rim.
+/// mesh have one module and width, shifts follow from the centre distance and the aim. Each design must have
+/// faultless gears, the required safeties of flanks and roots by ISO 6336 and bearings that live as long as
+/// required. What the file gives of a set is held: module, face_width, planets, profile_shifts, planet_bore,
+/// load_rating, ring_rim.
 #[derive(Debug, clap::Args)]
 #[command(after_help = include_str!("examples.txt"))]
 pub struct Args {

@@ -321,7 +321,7 @@ impl Family {
     }
 }
 
-/// What has no fault nearest to a shift within a range, with the fault that keeps it from the shift itself:
+/// Candidate without faults nearest to a shift within a range, and the fault that keeps it from the shift:
 /// the last that is named. If all have faults, that of the wanted shift.
 pub(super) fn nearest<T, F: Clone>(
     wanted: f64,
@@ -419,7 +419,7 @@ fn imbalance_of_sliding(set: &PlanetSet) -> f64 {
     sliding_imbalance(set.sun_mesh())
 }
 
-/// The same of any external pair, rising with the shift of its first gear.
+/// Imbalance of sliding of any external pair, rising with the shift of its first gear.
 pub(super) fn sliding_imbalance(pair: &Pair) -> f64 {
     let [sun, planet] = pair.gears();
     let ratio = planet.teeth().as_f64() / sun.teeth().as_f64();

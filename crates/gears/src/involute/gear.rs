@@ -228,8 +228,8 @@ impl InvoluteGear {
         self.signed_reference() + 2.0 * (self.profile.rack.addendum + self.shift + self.tip_alteration)
     }
 
-    /// Area that the gear fills of its tip circle, an internal one leaves free of its root circle: half of the
-    /// annulus between both is teeth, `π/4·(d_a² + d_f²)/2`, in square modules.
+    /// Area that the gear fills of its tip circle, an internal one leaves free of its root circle: half of
+    /// the annulus between both is teeth, `π/4·(d_a² + d_f²)/2`, in square modules.
     #[must_use]
     pub fn filled_area(&self) -> f64 {
         let [tip, root] = [self.tip_diameter(), self.root_diameter()];

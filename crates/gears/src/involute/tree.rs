@@ -1,16 +1,14 @@
 //! Profile shifts of gears that mesh in a tree, at stated centre distances, and the choice among them by an
 //! aim.
 //!
-//! Each mesh fixes the sum of the shifts of its two gears ([`Pair::shift_sum`]). Gears joined by meshes
-//! without a ring of them, `n` gears by `n − 1` meshes, therefore have one shift free, and all shifts follow
-//! from that of the first gear:
+//! Each mesh fixes the sum of the shifts of its two gears ([`Pair::shift_sum`]). `n` gears in a tree have
+//! `n − 1` meshes, so one shift is free. All shifts follow from that of the first gear:
 //!
 //! ```text
 //! x_i = c_i + s_i·x_1        s_i = 1 or −1, of neighbours opposite
 //! ```
 //!
-//! A simple set is such a tree of three gears ([`family`](super::family)), a pair one of two, the gears of a
-//! Wolfrom set that share a planet gear one of four.
+//! A pair is a tree of two gears. A simple set is one of three ([`family`](super::family)).
 //!
 //! # Tips
 //! Tips of external gears are shortened by `k = a − a_d − (x_1 + x_2)` of their external meshes, where that
@@ -61,8 +59,7 @@ pub struct Chosen {
 /// Least and greatest shift of the first gear where no undercut bounds it.
 const WIDEST: RangeInclusive<f64> = -1.0..=1.5;
 
-/// Gears of a tree of meshes with stated centre distances; the first of each external pair has fewer teeth or
-/// stands first.
+/// Gears of a tree of meshes with stated centre distances.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeshTree {
     gears: Vec<InvoluteGear>,

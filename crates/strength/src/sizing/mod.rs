@@ -191,7 +191,7 @@ impl LeftOut {
     }
 }
 
-/// What was left out before the search.
+/// Counts of layouts calculated and designs left out before the search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Tried {
     /// Layouts whose geometry was calculated.

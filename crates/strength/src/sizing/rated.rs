@@ -56,7 +56,7 @@ impl<'a> Ratings<'a> {
         Self { task, layouts, known: HashMap::new(), made: 0 }
     }
 
-    /// What the rim under a bore leaves the teeth of a kind of planets, where it weakens them; `None` outside
+    /// Least safety of the teeth of a kind of planets over a bore whose rim weakens them; `None` outside
     /// what the standard holds for.
     pub(super) fn roots(
         &mut self,

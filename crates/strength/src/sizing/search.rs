@@ -20,8 +20,8 @@ use uom::si::f64::{Force, Length, Mass, Time};
 /// # Errors
 /// [`Error::Cancelled`]; [`Error::NothingToSearch`] without face widths; [`Error::IdleDuty`] for a duty that
 /// loads no mesh; [`Error::NotPositive`], [`Error::Negative`] and [`Error::OutOfRange`] for a quantity; those
-/// of [`rate_duty`](crate::spectrum::rate_duty), except for teeth outside the range of the standard, which are
-/// left out and counted.
+/// of [`rate_duty`](crate::spectrum::rate_duty), except for teeth outside the range of the standard, which
+/// are left out and counted.
 pub fn search(
     task: &Task,
     layouts: &[Layout],
@@ -130,7 +130,7 @@ impl PartialOrd for Candidate {
 
 /// Masses of the gears of a layout over their face width.
 struct Masses {
-    /// All gears of each family, planets solid, kg/m.
+    /// Gears of each family together, planets solid, kg/m.
     solid: Vec<f64>,
     /// One solid planet of each kind, by family, kg/m.
     planets: Vec<Vec<f64>>,
@@ -349,8 +349,8 @@ impl Search<'_> {
         }))
     }
 
-    /// Each kind of planets with the bearing of the largest bore that lives as long as required and leaves the
-    /// teeth strong enough; if there is none, with that which misses least.
+    /// Planets of each kind with the bearing of the largest bore that lives as long as required and leaves
+    /// the teeth strong enough; if there is none, with that which misses least.
     fn planets(&mut self, one: &Candidate, widths: &[f64]) -> Result<Chosen, Error> {
         let kinds: Vec<usize> = (0..self.task.planets.len()).collect();
         if self.task.has_one_bearing {

@@ -16,7 +16,7 @@ use epicyclic_units::Physical;
 use std::sync::Arc;
 use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length, Mass, Time, Torque};
 
-/// What turns with a gear.
+/// Part of the gearbox that a gear turns with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Body {
     /// A central gear, or a gear of a pair: there is one of it.
@@ -30,7 +30,7 @@ pub enum Body {
 pub struct SizedGear {
     /// Material, roughness, tool. A rim that is stated is kept by a ring; planets have at least that.
     pub gear: Gear,
-    /// What it turns with.
+    /// Part that the gear turns with.
     pub body: Body,
     /// Index of its family.
     pub family: usize,
@@ -257,9 +257,9 @@ impl Governing {
 /// Planets of a kind in a design.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DesignedPlanet {
-    /// Their bearing.
+    /// Bearing of each planet.
     pub bearing: Option<Bearing>,
-    /// Their bore; `None` of solid ones.
+    /// Bore of each planet; `None` of solid ones.
     pub bore: Option<Length>,
     /// The least rim between root circle and bore; `None` of solid ones.
     pub rim: Option<Length>,
@@ -270,7 +270,7 @@ pub struct DesignedPlanet {
 /// A design of the space.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Design {
-    /// Its gears.
+    /// Gears, modules and radii.
     pub layout: Layout,
     /// Face width of each family.
     pub face_widths: Vec<Length>,

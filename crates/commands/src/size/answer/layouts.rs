@@ -10,8 +10,7 @@
 //! |R/m_j − (z_1 ± z_2)/(2·cos β)| ≤ reach        of each mesh j with a central gear
 //! ```
 //!
-//! Where planets of several kinds stand on radii of their own, as in a Ravigneaux set, each has the one in
-//! the middle of this range. Shifts are those of
+//! Planets of several kinds, as in a Ravigneaux set, have the radius in the middle of the range of each kind. Shifts are those of
 //! [`MeshTree::choose`](epicyclic_gears::involute::tree::MeshTree::choose).
 
 use crate::error::Error;
@@ -45,7 +44,8 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use uom::si::f64::{Angle, AngularVelocity, Length, Torque};
 
-/// Backlash in modules that meshes of one planet may have with stated shifts: as if printed with few decimals.
+/// Backlash in modules that meshes of one planet may have with stated shifts: as if printed with few
+/// decimals.
 const CLOSED: f64 = 0.01;
 
 /// Layouts that a search holds at most; it then ends within minutes.
@@ -89,7 +89,7 @@ fn joined(count: usize, pairs: impl Iterator<Item = [usize; 2]>) -> (Vec<usize>,
     (of.iter().map(place).collect(), groups.len())
 }
 
-/// What the layouts of a set are made of.
+/// Data for the layouts of a set.
 pub(super) struct Making<'a> {
     pub(super) set: &'a SetToSize<'a>,
     pub(super) families: &'a Families,
@@ -211,7 +211,7 @@ impl Making<'_> {
         sum / (2.0 * libm::cos(self.helix_angle(mesh).si()))
     }
 
-    /// All combinations of modules, with the radii that each allows.
+    /// Combinations of modules, with the radii that each allows.
     fn places(&self) -> Vec<Place> {
         let stated = |family: usize| {
             let mut own = (0..self.families.ends.len()).filter(|mesh| self.families.of_mesh(*mesh) == family);

@@ -254,7 +254,8 @@ pub struct SizedTeeth {
     pub profile_shift: f64,
     /// Tip alteration, in modules.
     pub tip_alteration: f64,
-    /// Rim under its teeth in m: of a ring outside its root circle, of a bored planet inside; null for others.
+    /// Rim under its teeth in m: of a ring outside its root circle, of a bored planet inside; null for
+    /// others.
     pub rim_m: Option<f64>,
     /// Whether it is internal.
     pub is_internal: bool,
@@ -272,7 +273,7 @@ pub struct SizedPlanet {
     pub key: String,
     /// Radius of its centre, in m.
     pub radius_m: f64,
-    /// Its bearing; null if none was searched.
+    /// Bearing; null if none was searched.
     pub bearing: Option<SizedBearing>,
     /// Bore in m; null for a solid planet.
     pub bore_m: Option<f64>,

@@ -149,7 +149,7 @@ fn write(entry: &mut Mapping, is_short: bool, design: &SizedDesign) {
     }
 }
 
-/// Mapping below a key, made if there is none.
+/// Mapping below a key; adds an empty one if the key is missing.
 fn inner<'m>(map: &'m mut Mapping, key: &str) -> &'m mut Mapping {
     let value = map.entry(Value::from(key)).or_insert_with(|| Value::Mapping(Mapping::new()));
     if !value.is_mapping() {

@@ -10,9 +10,9 @@ use epicyclic_train::planet_set::GearOf;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Axial force on a central gear, a planet or a gear of a pair, from the nominal torque without losses and load
-/// factors. A force above 0 points in the direction about which the positive rotation is that of a right-handed
-/// screw.
+/// Axial force on a central gear, a planet or a gear of a pair, from the nominal torque without losses and
+/// load factors. A force above 0 points in the direction about which the positive rotation is that of a
+/// right-handed screw.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct AxialForce {
@@ -49,11 +49,11 @@ pub struct AxialForceOfMesh {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Thrusts {
-    /// Their sum is 0.
+    /// The forces sum to 0.
     Cancel,
     /// Some act against others.
     PartlyCancel,
-    /// All act in one direction.
+    /// The forces act in one direction.
     Add,
 }
 

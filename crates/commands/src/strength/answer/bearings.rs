@@ -68,7 +68,7 @@ struct Conditions {
     diameter: Length,
 }
 
-/// Both rows of a planet's bearings.
+/// Rows of a planet's bearings.
 struct Rows {
     span: Length,
     /// Helical teeth of the set, in metres.
@@ -359,8 +359,8 @@ impl File<'_> {
         Ok(Some(StepLoad { force, speed, equivalent, tilted: Some(tilted) }))
     }
 
-    /// Rows of a bearing under the tilting moment of these torques, and under a radial force outwards and in the
-    /// direction in which the planets push the carrier.
+    /// Rows of a bearing under the tilting moment of these torques, and under a radial force outwards and in
+    /// the direction in which the planets push the carrier.
     fn tilted(
         &self,
         bearing: &PlanetBearing,
@@ -442,8 +442,8 @@ pub(super) fn has_spans(subject: &Gearbox, file: &GearboxFile, set: &PlanetSet) 
         && rated.all(|own| of.given(set.id(), &set.planets()[own.planet].name).bearing_span.is_some())
 }
 
-/// Force on a bearing outwards and in the direction of the push, with mesh forces increased by the uneven load
-/// sharing.
+/// Force on a bearing outwards and in the direction of the push, with mesh forces increased by the uneven
+/// load sharing.
 fn shared(forces: &BearingForces, sharing: f64) -> Option<[Force; 2]> {
     let (tangential, radial) = (forces.tangential?, forces.radial?);
     Some([sharing * radial + forces.centrifugal?, sharing * tangential])

@@ -45,7 +45,8 @@ pub(crate) struct SetLoad {
 }
 
 impl SetLoad {
-    /// Load of a set, by its index, in a gear at a speed of the input; without a speed that of a set that need not roll.
+    /// Load of a set, by its index, in a gear at a speed of the input; without a speed that of a set that
+    /// need not roll.
     pub(crate) fn of(
         place: usize,
         worked: &Worked<'_>,

@@ -27,7 +27,7 @@ pub(crate) struct SetToSize<'g> {
     pub(crate) teeth: Vec<ToothCount>,
     /// Materials of its gears by name.
     pub(crate) materials: Vec<String>,
-    /// Its gears beyond their geometry.
+    /// Materials, roughness and tools of the gears.
     pub(crate) gears: Vec<Gear>,
     /// Methods of its meshes.
     pub(crate) methods: Vec<Method>,

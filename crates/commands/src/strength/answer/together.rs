@@ -139,7 +139,8 @@ pub(super) fn reversed(set: &RatedSet<'_>, duty: &[WorkedStep<'_>]) -> Option<Wa
 }
 
 impl SharedFlank {
-    /// Warning of a flank or root whose life is shorter than required, or whose safety is below that required.
+    /// Warning of a flank or root whose life is shorter than required, or whose safety is below that
+    /// required.
     pub(super) fn warning(&self, required: Required) -> Option<Warning> {
         let Self { set, toothed_gear, meshes, .. } = self;
         let meshes: Vec<String> = meshes.iter().map(MeshName::to_string).collect();
