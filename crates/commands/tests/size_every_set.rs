@@ -83,7 +83,8 @@ fn every_kind() -> Vec<String> {
     vec![
         wolfrom(""),
         ravigneaux(),
-        ravigneaux() + "pressure_angle: 22.5 deg\n",
+        // A cutter of more teeth has wider tips.
+        ravigneaux().replace("teeth: 22 }", "teeth: 30 }") + "pressure_angle: 22.5 deg\n",
         short("kind: external_pair, teeth: [24, 95], helix_angle: 10 deg", &["gear 1", "gear 2"], &[], 100.0),
         short("kind: internal_pair, teeth: [20, 71]", &["gear 1", "gear 2"], &["gear 2"], 60.0),
         short(
@@ -138,7 +139,9 @@ fn the_saved_file_of_every_kind_has_what_was_found() {
     for text in every_kind() {
         let size = sized(&text, &small());
         assert_eq!((size.sets.len(), size.not_sized.len()), (1, 0), "{text}");
-        let Some(best) = size.sets[0].found.first() else { panic!("{:?}", size.warnings) };
+        let Some(best) = size.sets[0].found.first() else {
+            panic!("{:?} {:?} {text}", size.warnings, size.sets[0].left_out)
+        };
         let saved = size::saved(&Document::parse_one("box.yaml", text.as_bytes()).unwrap(), &size).unwrap();
         let (told, lives) = rated(&saved);
         let found = safeties(best);
@@ -157,6 +160,16 @@ fn the_saved_file_of_every_kind_has_what_was_found() {
             );
         }
     }
+}
+
+/// A search without a size tells what most gears fail.
+#[test]
+fn the_usual_fault_of_gears_is_told() {
+    let size = sized(&(ravigneaux() + "pressure_angle: 22.5 deg\n"), &small());
+    let told: Vec<&str> = size.warnings.iter().map(|warning| warning.message.as_str()).collect();
+    assert!(told[0].contains("the tool does not cut the ring: the tips of a shaper"), "{told:?}");
+    let out = &size.sets[0].left_out;
+    assert_eq!(out.geometry, size.sets[0].designs, "{out:?}");
 }
 
 /// A simple set gear by gear has the same sizes.

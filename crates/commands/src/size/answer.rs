@@ -118,7 +118,7 @@ pub(crate) fn answer(
             return Err(refused(&subject.document, &set.data.path, &["planet_angles"], &why));
         }
     }
-    let mut sets = vec![];
+    let (mut sets, mut no_size) = (vec![], vec![]);
     for set in &to_size {
         let id = set.set.id();
         let space = request.space();
@@ -153,7 +153,11 @@ pub(crate) fn answer(
             }
         };
         match found {
-            Ok(found) => sets.push(SizedSet::of((set, &families), held, &found, request.most)),
+            Ok(found) => {
+                let sized = SizedSet::of((set, &families), held, &found, request.most);
+                no_size.extend(sized.warning(found.usual_fault.as_deref()));
+                sets.push(sized);
+            }
             Err(
                 error @ (strength::Error::Cancelled
                 | strength::Error::NothingToSearch { .. }
@@ -179,7 +183,7 @@ pub(crate) fn answer(
             set.set.id()
         ),
     });
-    let warnings = sets.iter().filter_map(SizedSet::warning).chain(tilting(&helical)).chain(spanned);
+    let warnings = no_size.into_iter().chain(tilting(&helical)).chain(spanned);
     let warnings = warnings.chain(tooth_checks.warnings()).collect();
     Ok(Size {
         gearbox: subject.train.name().to_owned(),

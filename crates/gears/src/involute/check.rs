@@ -175,6 +175,13 @@ pub struct Check<P = Place> {
 }
 
 impl<P> Check<P> {
+    /// The same check of a part with another name.
+    #[must_use]
+    pub fn at<Q>(&self, place: Q) -> Check<Q> {
+        let Self { rule, value, limit, .. } = *self;
+        Check { rule, place, value, limit }
+    }
+
     /// Whether the check passes.
     #[must_use]
     pub fn holds(&self) -> bool {

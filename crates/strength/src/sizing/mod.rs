@@ -77,8 +77,10 @@ mod simple;
 mod task;
 
 use bearing::Bearing;
+use epicyclic_gears::involute::check::{Check, Rule};
 pub use search::search;
 pub use simple::{HeldShifts, SetOverload, SetStep, Sizing, size};
+use std::fmt;
 pub use task::{
     Body, Design, DesignedPlanet, Governing, Layout, MeshLoads, PlanetStep, SizedGear, SizedMesh,
     SizedPlanet, StaticDemand, Task,
@@ -192,12 +194,34 @@ impl LeftOut {
 }
 
 /// Counts of layouts calculated and designs left out before the search.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Tried {
     /// Layouts whose geometry was calculated.
     pub geometries: u64,
     /// Numbers of designs left out.
     pub left_out: LeftOut,
+    /// Faults of gears: designs that each rule left out, and the first miss in words.
+    faults: Vec<(Rule, u64, String)>,
+}
+
+impl Tried {
+    /// Leaves out designs whose gears have a fault.
+    pub fn leave_out<P: fmt::Display>(&mut self, fault: &Check<P>, designs: u64) {
+        if fault.rule == Rule::PlanetGap {
+            self.left_out.planets_touch += designs;
+            return;
+        }
+        self.left_out.geometry += designs;
+        match self.faults.iter_mut().find(|(rule, ..)| *rule == fault.rule) {
+            Some((_, count, _)) => *count += designs,
+            None => self.faults.push((fault.rule, designs, fault.to_string())),
+        }
+    }
+
+    /// The miss of the rule that left out most designs.
+    fn usual_fault(self) -> Option<String> {
+        self.faults.into_iter().max_by_key(|(_, count, _)| *count).map(|(.., miss)| miss)
+    }
 }
 
 /// Result of a search for a size.
@@ -211,6 +235,8 @@ pub struct Found {
     pub rated: u64,
     /// Designs that each requirement left out.
     pub left_out: LeftOut,
+    /// A miss of the rule that left out most designs for the geometry of their gears.
+    pub usual_fault: Option<String>,
     /// Designs whose objective is not below that of the last found.
     pub not_reached: u64,
     /// The best, in order.

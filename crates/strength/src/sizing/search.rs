@@ -86,6 +86,7 @@ pub fn search(
         rated: search.ratings.made,
         not_reached: space - search.left_out.total() - found.len() as u64,
         left_out: search.left_out,
+        usual_fault: tried.usual_fault(),
         nearest_miss: nearest.filter(|_| found.is_empty()),
         found,
     })

@@ -15,7 +15,7 @@ use crate::tolerance::EDGE;
 use crate::{Error, Quantity};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::geometry::GearKind;
-use epicyclic_gears::involute::check::{Check, Rule};
+use epicyclic_gears::involute::check::Check;
 use epicyclic_gears::involute::family::{Aim, Family, natural_centre_distance};
 use epicyclic_gears::involute::profile::Profiles;
 use epicyclic_gears::involute::set::Limits;
@@ -370,10 +370,8 @@ fn layouts(
                         sharing: *sharing,
                         bearing_loads: vec![task.bearing_loads(&set, module)],
                     }),
-                    Err(Some(Check { rule: Rule::PlanetGap, .. })) => {
-                        tried.left_out.planets_touch += designs;
-                    }
-                    Err(_) => tried.left_out.geometry += designs,
+                    Err(Some(fault)) => tried.leave_out(&fault, designs),
+                    Err(None) => tried.left_out.geometry += designs,
                 }
             }
         }

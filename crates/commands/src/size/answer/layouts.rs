@@ -10,8 +10,11 @@
 //! |R/m_j − (z_1 ± z_2)/(2·cos β)| ≤ reach        of each mesh j with a central gear
 //! ```
 //!
-//! Planets of several kinds, as in a Ravigneaux set, have the radius in the middle of the range of each kind. Shifts are those of
-//! [`MeshTree::choose`](epicyclic_gears::involute::tree::MeshTree::choose).
+//! Planets of several kinds, as in a Ravigneaux set, have a radius of their own each, and a layout is one
+//! combination of them. Shifts are those of
+//! [`MeshTree::choose`](epicyclic_gears::involute::tree::MeshTree::choose). Gears that only a mesh of two
+//! planets joins are chosen apart: the distance of that mesh is free, and the planets stand at the angle that
+//! their shifts give.
 
 use crate::error::Error;
 use crate::size::options::Request;
@@ -26,7 +29,7 @@ use epicyclic_gears::involute::check::{Check, Rule, Severity};
 use epicyclic_gears::involute::checks::{Limits, gear_checks, mesh_checks};
 use epicyclic_gears::involute::profile::Cutting;
 use epicyclic_gears::involute::shifts::StatedDistance;
-use epicyclic_gears::involute::tree::MeshTree;
+use epicyclic_gears::involute::tree::{MeshTree, NoShifts, Place as Object};
 use epicyclic_gears::involute::{InvoluteGear, Profile};
 use epicyclic_gears::mesh::TipCircle;
 use epicyclic_gears::rack::BasicRack;
@@ -40,6 +43,7 @@ use epicyclic_train::planet_bearings::{MeshSize, PlanetSize, SetSize};
 use epicyclic_train::planet_set::GearOf;
 use epicyclic_train::toothed::{Shifts, ToothShape, ToothedSet};
 use epicyclic_units::Physical;
+use std::collections::HashMap;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use uom::si::f64::{Angle, AngularVelocity, Length, Torque};
@@ -100,16 +104,50 @@ pub(super) struct Making<'a> {
     pub(super) peaks: &'a [Peak<'a>],
 }
 
-/// Modules of the families, and radii of the kinds of planets; without radii the shifts are stated.
+/// Modules of the families, with the teeth that the aim picks at radii of the planets and whether it is met;
+/// without these the shifts are stated.
 struct Place {
     modules: Vec<Length>,
-    radii: Option<Vec<Length>>,
+    chosen: Option<(ToothShape, bool)>,
+}
+
+/// Gears that meshes join whose distance the radius of a planet states.
+struct Group {
+    gears: Vec<usize>,
+    /// The meshes, each with its axis.
+    meshes: Vec<(usize, usize)>,
+}
+
+/// Shifts and tips of some of the gears, the tools that cut them, and whether the aim is met.
+#[derive(Clone)]
+struct Chosen {
+    gears: Vec<(usize, InvoluteGear)>,
+    is_aim_met: bool,
 }
 
 /// Why a place makes no layout.
 enum Unmade {
-    Geometry,
+    /// The first fault, where a check tells it.
+    Geometry(Option<Fault>),
     PlanetsTouch,
+}
+
+/// Check that fails, with the gears of the set in words.
+type Fault = Check<String>;
+
+/// Combinations of modules and radii.
+#[derive(Default)]
+struct Places {
+    /// Those whose shifts have no fault.
+    good: Vec<Place>,
+    /// The faults of the others.
+    bad: Vec<Option<Fault>>,
+}
+
+impl Places {
+    fn len(&self) -> u64 {
+        (self.good.len() + self.bad.len()) as u64
+    }
 }
 
 impl Making<'_> {
@@ -127,10 +165,10 @@ impl Making<'_> {
             Some(planets) => vec![planets],
             None => self.space.planets.clone(),
         };
-        if places.is_empty() {
+        if places.len() == 0 {
             return Ok(Err(Reason::NoCommonRadius));
         }
-        let count = (places.len() * counts.len()) as f64 * designs as f64;
+        let count = places.len() as f64 * counts.len() as f64 * designs as f64;
         if count > f64::from(MOST) * 10.0 {
             return Err(strength::Error::SpaceTooLarge { count, most: MOST * 10 }.into());
         }
@@ -138,7 +176,7 @@ impl Making<'_> {
         for planets in counts {
             let counted = set.reshaped((!set.is_pair()).then_some(planets), set.tooth_shape().clone());
             if !set.is_pair() && counted.planet_fit(self.rack).assembles == Some(false) {
-                tried.left_out.spacing += places.len() as u64 * designs;
+                tried.left_out.spacing += places.len() * designs;
                 continue;
             }
             let Some(loads) = self.loads(&counted) else { return Ok(Err(Reason::NoTorquesFollow)) };
@@ -149,16 +187,18 @@ impl Making<'_> {
                 Ok(sharing) => sharing,
                 // More planets than the table of load sharing has.
                 Err(_) if set.planet_count().is_none() => {
-                    tried.left_out.not_calculable += places.len() as u64 * designs;
+                    tried.left_out.not_calculable += places.len() * designs;
                     continue;
                 }
                 Err(error) => return Err(error.into()),
             };
-            for place in &places {
+            tried.geometries += places.len();
+            // Whatever the number of planets.
+            places.bad.iter().for_each(|fault| leave_out(&mut tried, fault.as_ref(), designs));
+            for place in &places.good {
                 if goes_on().is_break() {
                     return Err(strength::Error::Cancelled.into());
                 }
-                tried.geometries += 1;
                 match self.made(&counted, place) {
                     Ok((shaped, toothed, is_aim_met)) => {
                         let Some(bearing_loads) = self.bearing_loads(&shaped, &toothed)? else {
@@ -179,7 +219,7 @@ impl Making<'_> {
                             bearing_loads,
                         });
                     }
-                    Err(Unmade::Geometry) => tried.left_out.geometry += designs,
+                    Err(Unmade::Geometry(fault)) => leave_out(&mut tried, fault.as_ref(), designs),
                     Err(Unmade::PlanetsTouch) => tried.left_out.planets_touch += designs,
                 }
             }
@@ -211,8 +251,8 @@ impl Making<'_> {
         sum / (2.0 * libm::cos(self.helix_angle(mesh).si()))
     }
 
-    /// Combinations of modules, with the radii that each allows.
-    fn places(&self) -> Vec<Place> {
+    /// Combinations of modules and radii, with the shifts of each.
+    fn places(&self) -> Places {
         let stated = |family: usize| {
             let mut own = (0..self.families.ends.len()).filter(|mesh| self.families.of_mesh(*mesh) == family);
             own.find_map(|mesh| self.set.data.modules[mesh])
@@ -220,17 +260,42 @@ impl Making<'_> {
         let modules: Vec<Vec<Length>> = (0..self.families.count)
             .map(|family| stated(family).map_or_else(|| self.space.modules.clone(), |module| vec![module]))
             .collect();
-        let has_shifts = self.set.set.tooth_shape().shifts.is_some();
-        let mut all = vec![];
-        for modules in combinations(&modules) {
-            if has_shifts {
-                all.push(Place { modules, radii: None });
-                continue;
-            }
-            let radii = combinations(&self.radii(&modules));
-            all.extend(radii.into_iter().map(|radii| Place { modules: modules.clone(), radii: Some(radii) }));
+        if self.set.set.tooth_shape().shifts.is_some() {
+            let stated = |modules| Place { modules, chosen: None };
+            return Places { good: combinations(&modules).into_iter().map(stated).collect(), bad: vec![] };
         }
-        all
+        let groups = self.groups();
+        let mut places = Places::default();
+        for modules in combinations(&modules) {
+            // Each group once at the radii of its own planets: combinations of several kinds repeat them.
+            let mut known: Vec<HashMap<Vec<u64>, Result<Chosen, Option<Fault>>>> =
+                vec![HashMap::new(); groups.len()];
+            for radii in combinations(&self.radii(&modules)) {
+                let of_group = |(group, known): (&Group, &mut HashMap<Vec<u64>, _>)| {
+                    let own = group.meshes.iter().map(|(_, axis)| radii[*axis].si().to_bits()).collect();
+                    known.entry(own).or_insert_with(|| self.chosen(&modules, &radii, group)).clone()
+                };
+                let chosen: Result<Vec<Chosen>, _> = groups.iter().zip(&mut known).map(of_group).collect();
+                match chosen {
+                    Ok(chosen) => places.good.push(self.place(&modules, &chosen)),
+                    Err(fault) => places.bad.push(fault),
+                }
+            }
+        }
+        places
+    }
+
+    /// Gears that meshes with a central gear join.
+    fn groups(&self) -> Vec<Group> {
+        let tied: Vec<(usize, usize)> =
+            (0..self.families.ends.len()).filter_map(|mesh| Some((mesh, self.axis(mesh)?))).collect();
+        let ends = |mesh: usize| self.families.ends[mesh];
+        let (of, count) = joined(self.set.data.of.len(), tied.iter().map(|(mesh, _)| ends(*mesh)));
+        let group = |group: usize| Group {
+            gears: (0..of.len()).filter(|gear| of[*gear] == group).collect(),
+            meshes: tied.iter().copied().filter(|(mesh, _)| of[ends(*mesh)[0]] == group).collect(),
+        };
+        (0..count).map(group).collect()
     }
 
     /// Radii of each kind of planets that modules allow.
@@ -250,9 +315,6 @@ impl Making<'_> {
             if let Some(stated) = planet.and_then(|planet| planet.carrier_radius) {
                 return if (low..=high).contains(&stated.si()) { vec![stated] } else { vec![] };
             }
-            if axes > 1 {
-                return if low <= high { vec![Length::from_si(low.midpoint(high))] } else { vec![] };
-            }
             let step = self.space.centre_distance_step.si();
             let ends = [(low / step - EDGE).ceil(), (high / step + EDGE).floor()];
             let most = ends[0] + f64::from(MOST);
@@ -269,22 +331,45 @@ impl Making<'_> {
         let modules: Vec<Option<f64>> = (0..self.families.ends.len())
             .map(|mesh| Some(place.modules[self.families.of_mesh(mesh)].si()))
             .collect();
-        let (shaped, is_aim_met) = match &place.radii {
+        let (shaped, is_aim_met) = match &place.chosen {
             None => (set.clone(), true),
-            Some(radii) => {
-                let (shape, is_aim_met) = self.chosen(place, radii, &limits).ok_or(Unmade::Geometry)?;
-                (set.reshaped(set.planet_count(), shape), is_aim_met)
-            }
+            Some((shape, is_aim_met)) => (set.reshaped(set.planet_count(), shape.clone()), *is_aim_met),
         };
-        let toothed = shaped.toothed(self.rack, &modules).map_err(|_| Unmade::Geometry)?;
+        let toothed = shaped.toothed(self.rack, &modules).map_err(|_| Unmade::Geometry(None))?;
         let is_closed = toothed.meshes.iter().all(|mesh| mesh.pair.backlash().abs() <= CLOSED);
-        if !is_closed || has_fault(&toothed, &limits) {
-            return Err(Unmade::Geometry);
+        let fault = self.first_fault(&toothed, &limits);
+        if !is_closed || fault.is_some() {
+            return Err(Unmade::Geometry(fault));
         }
         if !shaped.is_pair() && self.do_touch(&shaped, &toothed, &modules, limits.planet_gap) {
             return Err(Unmade::PlanetsTouch);
         }
         Ok((shaped, toothed, is_aim_met))
+    }
+
+    /// The first check of the gears and meshes that fails, remarks and backlash apart.
+    fn first_fault(&self, toothed: &ToothedSet, limits: &Limits) -> Option<Fault> {
+        let mut first = None;
+        let mut see = |check: Check<Object>| {
+            let counts = check.rule.severity() > Severity::Remark || limits.radial_assembly;
+            let counts = counts && check.rule != Rule::Backlash && !check.holds();
+            if counts && first.is_none() {
+                first = Some(check);
+            }
+        };
+        let every = Group {
+            gears: (0..self.set.data.of.len()).collect(),
+            meshes: (0..toothed.meshes.len()).map(|mesh| (mesh, 0)).collect(),
+        };
+        for (place, mesh) in toothed.meshes.iter().enumerate() {
+            let ends = self.families.ends[place];
+            for (gear, of) in mesh.pair.gears().iter().zip(ends) {
+                gear_checks(&Object::Gear(of), gear, limits, &mut see);
+            }
+            let tips = ends.map(|gear| Object::Tips(gear, place));
+            mesh_checks(&Object::Mesh(place), &tips, &mesh.pair, limits, &mut see);
+        }
+        first.map(|check| self.named(&check, &every))
     }
 
     /// Whether planets of any kind touch each other, or alike ones are nearer than the gap in modules.
@@ -305,36 +390,54 @@ impl Making<'_> {
         toothed.radii.iter().enumerate().any(is_near) || set.planets_clear(self.rack, modules) == Some(false)
     }
 
-    /// The teeth with the shifts that the aim picks at these radii, and whether it is met.
-    fn chosen(&self, place: &Place, radii: &[Length], limits: &Limits) -> Option<(ToothShape, bool)> {
+    /// Shifts that the aim picks for gears that the meshes join, at radii of the planets.
+    fn chosen(&self, modules: &[Length], radii: &[Length], group: &Group) -> Result<Chosen, Option<Fault>> {
+        let own = &group.gears;
+        let at = |gear: usize| own.iter().position(|one| *one == gear).unwrap_or_default();
+        let stated = |(mesh, axis): &(usize, usize)| {
+            let distance = radii[*axis].si() / modules[self.families.of_mesh(*mesh)].si();
+            StatedDistance { gears: self.families.ends[*mesh].map(at), distance }
+        };
+        let made = own.iter().map(|gear| self.searched(*gear)).collect::<Option<Vec<_>>>().ok_or(None)?;
+        let tree = MeshTree::new(made, group.meshes.iter().map(stated).collect()).map_err(|_| None)?;
+        let chosen = tree.choose(self.request.aim, &self.request.limits()).map_err(|why| match why {
+            NoShifts::Fault(fault) => Some(self.named(&fault, group)),
+            NoShifts::Refused(_) => None,
+        })?;
+        let gears = own.iter().copied().zip(chosen.gears).collect();
+        Ok(Chosen { gears, is_aim_met: chosen.is_aim_met })
+    }
+
+    /// A fault with the gears in words, and why a tool does not cut one.
+    fn named(&self, fault: &Check<Object>, group: &Group) -> Fault {
+        let name = |gear: usize| self.set.set.gear_name(self.set.data.of[gear]);
+        let gear = |gear: usize| name(group.gears[gear]);
+        let mesh = |mesh: usize| self.families.ends[group.meshes[mesh].0].map(name).join("–");
+        fault.at(match fault.place {
+            Object::Gear(one) if fault.rule == Rule::Tool => {
+                let why = self.searched(group.gears[one]).and_then(|gear| gear.tool_fault());
+                format!("the {}{}", gear(one), why.map(|why| format!(": {why}")).unwrap_or_default())
+            }
+            Object::Gear(one) => format!("the {}", gear(one)),
+            Object::Mesh(one) => format!("the {} mesh", mesh(one)),
+            Object::Tips(of, one) => format!("the tips of the {}, {} mesh,", gear(of), mesh(one)),
+        })
+    }
+
+    /// The teeth of all groups of gears.
+    fn place(&self, modules: &[Length], groups: &[Chosen]) -> Place {
         let gears = self.set.data.of.len();
-        let tied: Vec<(usize, usize)> =
-            (0..self.families.ends.len()).filter_map(|mesh| Some((mesh, self.axis(mesh)?))).collect();
-        let (groups, count) = joined(gears, tied.iter().map(|(mesh, _)| self.families.ends[*mesh]));
-        let (mut profile, mut tips, mut is_aim_met) = (vec![0.0; gears], vec![0.0; gears], true);
+        let (mut profile, mut tips) = (vec![0.0; gears], vec![0.0; gears]);
         let mut shape = self.set.set.tooth_shape().clone();
         shape.cutting.resize(gears, Cutting::default());
-        for group in 0..count {
-            let own: Vec<usize> = (0..gears).filter(|gear| groups[*gear] == group).collect();
-            let at = |gear: usize| own.iter().position(|one| *one == gear).unwrap_or_default();
-            let mut meshes = vec![];
-            for (mesh, axis) in tied.iter().filter(|(mesh, _)| groups[self.families.ends[*mesh][0]] == group)
-            {
-                let module = place.modules[self.families.of_mesh(*mesh)];
-                let distance = radii[*axis].si() / module.si();
-                meshes.push(StatedDistance { gears: self.families.ends[*mesh].map(at), distance });
-            }
-            let made = own.iter().map(|gear| self.searched(*gear)).collect::<Option<Vec<_>>>()?;
-            let chosen = MeshTree::new(made, meshes).ok()?.choose(self.request.aim, limits).ok()?;
-            is_aim_met &= chosen.is_aim_met;
-            for (gear, chosen) in own.iter().zip(&chosen.gears) {
-                (profile[*gear], tips[*gear]) = (chosen.shift(), chosen.tip_alteration());
-                // The tool as it cut the gear: its addendum is no longer open.
-                shape.cutting[*gear].tool = Some(*chosen.tool());
-            }
+        for (gear, chosen) in groups.iter().flat_map(|group| &group.gears) {
+            (profile[*gear], tips[*gear]) = (chosen.shift(), chosen.tip_alteration());
+            // The tool as it cut the gear: its addendum is no longer open.
+            shape.cutting[*gear].tool = Some(*chosen.tool());
         }
         shape.shifts = Some(Shifts { profile, tips: Some(tips) });
-        Some((shape, is_aim_met))
+        let is_aim_met = groups.iter().all(|group| group.is_aim_met);
+        Place { modules: modules.to_vec(), chosen: Some((shape, is_aim_met)) }
     }
 
     /// A gear before its shift is known.
@@ -463,19 +566,10 @@ fn combinations<T: Clone>(of: &[Vec<T>]) -> Vec<Vec<T>> {
     all
 }
 
-/// Whether any check of the gears and meshes fails, remarks and backlash apart.
-fn has_fault(toothed: &ToothedSet, limits: &Limits) -> bool {
-    let mut has = false;
-    let mut see = |check: Check<()>| {
-        let counts = check.rule.severity() > Severity::Remark || limits.radial_assembly;
-        let counts = counts && check.rule != Rule::Backlash;
-        has |= counts && !check.holds();
-    };
-    for mesh in &toothed.meshes {
-        for gear in mesh.pair.gears() {
-            gear_checks(&(), gear, limits, &mut see);
-        }
-        mesh_checks(&(), &[(), ()], &mesh.pair, limits, &mut see);
+/// Leaves out designs whose gears have a fault.
+fn leave_out(tried: &mut Tried, fault: Option<&Fault>, designs: u64) {
+    match fault {
+        Some(fault) => tried.leave_out(fault, designs),
+        None => tried.left_out.geometry += designs,
     }
-    has
 }

@@ -432,13 +432,13 @@ impl SizedSet {
     }
 
     /// Warning that the set has no size, with remedies; `None` if it has one.
-    pub(super) fn warning(&self) -> Option<Warning> {
+    pub(super) fn warning(&self, usual_fault: Option<&str>) -> Option<Warning> {
         if !self.found.is_empty() {
             return None;
         }
         // The remedy follows from the requirement that the closest design fails.
         let why = match &self.nearest_miss {
-            None => "no gears of the space run together, or no bearing fits in their planets".to_owned(),
+            None => self.why_unrated(usual_fault),
             Some(miss) => {
                 let Governing { requirement, toothed_gear, value, required, .. } = &miss.governing;
                 match requirement {
@@ -459,6 +459,37 @@ impl SizedSet {
             }
         };
         Some(Warning { name: "no-size", message: format!("set {}: {why}", self.set) })
+    }
+
+    /// Why no teeth of the space could be rated: what left out most designs, and a remedy.
+    fn why_unrated(&self, usual_fault: Option<&str>) -> String {
+        let out = &self.left_out;
+        let gears = usual_fault.map_or_else(
+            || "the gears cannot mesh at any of the centre distances".to_owned(),
+            |fault| format!("no gears of the space run together; most often {fault}"),
+        );
+        let all = [
+            (out.geometry, gears.as_str()),
+            (
+                out.spacing,
+                "the planets do not stand at equal angles: other numbers of planets or of teeth would help",
+            ),
+            (out.planets_touch, "neighbouring planets touch: fewer planets would help"),
+            (
+                out.width_ratio,
+                "every face width is wider than allowed: narrower ones, or a larger --width-ratio would help",
+            ),
+            (
+                out.rim,
+                "no bearing leaves the least rim of the planets: larger modules, or smaller bearings would help",
+            ),
+            (
+                out.bearing_width,
+                "the planets are narrower than any bearing that leaves the least rim: wider faces would help",
+            ),
+            (out.not_calculable, "the teeth are outside what ISO 6336 holds for"),
+        ];
+        all.into_iter().max_by_key(|(count, _)| *count).map_or_else(String::new, |(_, why)| why.to_owned())
     }
 }
 
