@@ -1,0 +1,280 @@
+//! The rules: what each looks at, its bounds, their source, a remedy.
+//!
+//! Limits that are said to be of usual practice have no printed source: engineers hold to them, and a design
+//! beyond them is asked for its reason.
+
+use crate::Severity::{Error, Remark, Warning};
+use crate::{Bounds, Range};
+use strum::VariantArray;
+
+/// Rule of practice.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, VariantArray, strum::IntoStaticStr, strum::EnumString)]
+#[strum(serialize_all = "kebab-case")]
+pub enum Rule {
+    /// Face width over the reference diameter of the smaller gear of an external mesh.
+    FaceWidth,
+    /// Greatest specific sliding of a mesh, by amount.
+    SpecificSliding,
+    /// Profile shift coefficient of a sun.
+    SunShift,
+    /// Profile shift coefficient of a planet.
+    PlanetShift,
+    /// Profile shift coefficient of a ring, positive inwards.
+    RingShift,
+    /// Profile shift coefficient of a gear on a fixed axis.
+    GearShift,
+    /// Sum of the shifts of an external mesh.
+    ShiftSum,
+    /// Working pressure angle of an external mesh, transverse; the bounds move with the pressure angle.
+    ExternalAngle,
+    /// Working pressure angle of an internal mesh, transverse; the bounds move with the pressure angle.
+    InternalAngle,
+    /// Thickness of the tips of case-hardened teeth, in modules.
+    HardenedTips,
+    /// Transverse contact ratio of spur gears.
+    SpurContact,
+    /// Total contact ratio of helical gears.
+    HelicalContact,
+    /// Clearance between tips and roots, in modules.
+    RootClearance,
+    /// Greatest common divisor of the teeth of a mesh.
+    HuntingTooth,
+    /// Rim of a ring below its roots, in modules.
+    RingRim,
+    /// Rim of a planet below its roots, in modules.
+    PlanetRim,
+    /// Gap between the tips of neighbouring planets, in modules.
+    NeighbourGap,
+    /// Gap between the tips of neighbouring planets, in mm.
+    NeighbourGapLength,
+    /// Speed of a planet on its pin times the mean diameter of its bearing, in mm/min.
+    PinSpeed,
+    /// Acceleration of the planets about the axis, in g.
+    OrbitAcceleration,
+    /// Pitch-line speed of spur gears, in m/s.
+    SpurSpeed,
+    /// Pitch-line speed of helical gears, in m/s.
+    HelicalSpeed,
+    /// Life of a planet bearing over the required life.
+    BearingLife,
+    /// Static safety of a planet bearing.
+    BearingStaticSafety,
+    /// Greatest load of a ball bearing of a planet, in kN.
+    BallLoad,
+    /// Equivalent load of a planet bearing over its load rating.
+    BearingLeastLoad,
+    /// Dynamic factor `K_v`.
+    DynamicFactor,
+    /// Distance of the reference speed `N` from resonance at 1.
+    Resonance,
+    /// Load sharing factor `K_γ`, over the usual one of the number of planets.
+    LoadSharing,
+    /// Face load factor `K_Hβ`, over the usual one of the width ratio.
+    FaceLoad,
+    /// Safety of a flank over the required one.
+    FlankSafety,
+    /// Safety of a root over the required one.
+    RootSafety,
+    /// Circulating power over the power that enters.
+    CirculatingPower,
+    /// Efficiency of a stage.
+    StageEfficiency,
+    /// Temperature of the oil, in °C.
+    OilTemperature,
+    /// Deviation of a ratio or speed from the one asked, over what is allowed.
+    Ratio,
+    /// Whether the output turns as asked: 1 where it does.
+    Direction,
+    /// Scuffing of the flanks, which nothing here calculates.
+    Scuffing,
+    /// Micropitting of the flanks, which nothing here calculates.
+    Micropitting,
+}
+
+const PRACTICE: &str = "usual practice";
+
+impl Rule {
+    /// Every rule.
+    pub const ALL: &'static [Self] = Self::VARIANTS;
+
+    /// Name in output for programs, and of the limit in files.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+
+    /// The quantity in words.
+    #[must_use]
+    pub const fn what(self) -> &'static str {
+        match self {
+            Self::FaceWidth => "face width over the diameter of the smaller gear",
+            Self::SpecificSliding => "specific sliding",
+            Self::SunShift | Self::PlanetShift | Self::RingShift | Self::GearShift => "profile shift",
+            Self::ShiftSum => "sum of the profile shifts",
+            Self::ExternalAngle | Self::InternalAngle => "working pressure angle",
+            Self::HardenedTips => "thickness of case-hardened tips",
+            Self::SpurContact => "contact ratio",
+            Self::HelicalContact => "total contact ratio",
+            Self::RootClearance => "clearance between tips and roots",
+            Self::HuntingTooth => "common divisor of the teeth",
+            Self::RingRim | Self::PlanetRim => "rim below the roots",
+            Self::NeighbourGap | Self::NeighbourGapLength => "gap between neighbouring planets",
+            Self::PinSpeed => "bearing speed n·d_m",
+            Self::OrbitAcceleration => "acceleration of the planets about the axis",
+            Self::SpurSpeed | Self::HelicalSpeed => "pitch-line speed",
+            Self::BearingLife => "bearing life over the required life",
+            Self::BearingStaticSafety => "static safety of the bearing",
+            Self::BallLoad => "load of a ball bearing",
+            Self::BearingLeastLoad => "equivalent load of the bearing over its load rating",
+            Self::DynamicFactor => "dynamic factor K_v",
+            Self::Resonance => "distance of the reference speed N from 1",
+            Self::LoadSharing => "load sharing factor over the usual one",
+            Self::FaceLoad => "face load factor K_H_beta over the usual one",
+            Self::FlankSafety => "safety of the flank over the required one",
+            Self::RootSafety => "safety of the root over the required one",
+            Self::CirculatingPower => "circulating power over the power that enters",
+            Self::StageEfficiency => "efficiency of a stage",
+            Self::OilTemperature => "oil temperature",
+            Self::Ratio => "deviation over the allowed one",
+            Self::Direction => "output turning as asked",
+            Self::Scuffing => "scuffing",
+            Self::Micropitting => "micropitting",
+        }
+    }
+
+    /// Unit of the value; empty for a plain number.
+    #[must_use]
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::HardenedTips
+            | Self::RootClearance
+            | Self::RingRim
+            | Self::PlanetRim
+            | Self::NeighbourGap => "modules",
+            Self::NeighbourGapLength => "mm",
+            Self::ExternalAngle | Self::InternalAngle => "°",
+            Self::PinSpeed => "mm/min",
+            Self::OrbitAcceleration => "g",
+            Self::SpurSpeed | Self::HelicalSpeed => "m/s",
+            Self::BallLoad => "kN",
+            Self::OilTemperature => "°C",
+            _ => "",
+        }
+    }
+
+    /// The usual bounds. Rules whose limit is a value of the gearbox compare the value over its limit with 1.
+    #[must_use]
+    pub const fn bounds(self) -> Bounds {
+        use Bounds as Of;
+        let none = Of::of(Remark, Range::OPEN);
+        match self {
+            Self::FaceWidth => Of::of(Remark, Range::between(0.5, 1.1))
+                .and(Warning, Range::between(0.4, 1.2))
+                .and(Error, Range::at_most(2.0)),
+            Self::SpecificSliding => Of::of(Remark, Range::at_most(2.0)).and(Warning, Range::at_most(3.0)),
+            // A shift 0.2 outside the usual range is worth a remark only: sets without any shift are common.
+            Self::SunShift => shift([0.2, 0.65], [0.0, 0.85]),
+            Self::PlanetShift => shift([-0.2, 0.55], [-0.4, 0.85]),
+            Self::RingShift => shift([-0.6, 0.5], [-0.8, 0.7]),
+            Self::GearShift => shift([-0.2, 0.85], [-0.6, 0.95]),
+            Self::ShiftSum => Of::of(Warning, Range::between(0.0, 1.45)),
+            Self::ExternalAngle => Of::of(Warning, Range::between(20.0, 28.5)),
+            Self::InternalAngle => Of::of(Warning, Range::between(15.0, 22.0)),
+            Self::HardenedTips => Of::of(Warning, Range::at_least(0.4)),
+            Self::SpurContact => Of::of(Remark, Range::at_least(1.3))
+                .and(Warning, Range::at_least(1.2))
+                .and(Error, Range::at_least(1.1)),
+            Self::HelicalContact => Of::of(Error, Range::at_least(1.2)),
+            Self::RootClearance => Of::of(Warning, Range::at_least(0.15)).and(Error, Range::at_least(0.05)),
+            Self::HuntingTooth => Of::of(Remark, Range::at_most(1.0)),
+            Self::RingRim => Of::of(Remark, Range::at_least(3.5)).and(Error, Range::at_least(1.75)),
+            Self::PlanetRim => Of::of(Remark, Range::at_least(2.7)).and(Error, Range::at_least(1.13)),
+            Self::NeighbourGap => Of::of(Warning, Range::at_least(0.5)),
+            Self::NeighbourGapLength => Of::of(Warning, Range::at_least(1.0)),
+            Self::PinSpeed => Of::of(Warning, Range::at_most(5e5)),
+            Self::OrbitAcceleration => Of::of(Warning, Range::at_most(150.0)),
+            Self::SpurSpeed => Of::of(Remark, Range::at_most(15.0)).and(Warning, Range::at_most(20.0)),
+            Self::HelicalSpeed => Of::of(Remark, Range::at_most(15.0)).and(Warning, Range::at_most(50.0)),
+            Self::BallLoad => Of::of(Warning, Range::at_most(10.0)),
+            Self::BearingStaticSafety => Of::of(Warning, Range::at_least(1.5)),
+            Self::BearingLeastLoad => Of::of(Warning, Range::at_least(0.02)),
+            Self::DynamicFactor => Of::of(Warning, Range::at_most(1.3)).and(Error, Range::at_most(2.0)),
+            Self::Resonance => Of::of(Warning, Range::at_least(0.15)),
+            Self::LoadSharing | Self::FaceLoad => Of::of(Warning, Range::at_least(1.0)),
+            Self::BearingLife | Self::FlankSafety | Self::RootSafety | Self::Direction => {
+                Of::of(Error, Range::at_least(1.0))
+            }
+            Self::Ratio => Of::of(Error, Range::at_most(1.0)),
+            Self::CirculatingPower => Of::of(Warning, Range::at_most(0.5)),
+            Self::StageEfficiency => {
+                Of::of(Remark, Range::at_least(0.97)).and(Warning, Range::at_least(0.95))
+            }
+            Self::OilTemperature => Of::of(Warning, Range::at_most(90.0)).and(Error, Range::at_most(110.0)),
+            Self::Scuffing | Self::Micropitting => none,
+        }
+    }
+
+    /// Who states the bounds.
+    #[must_use]
+    pub const fn source(self) -> &'static str {
+        match self {
+            Self::RingRim | Self::PlanetRim => "the rim factor of ISO 6336-3",
+            Self::RootClearance => "the basic rack of ISO 53",
+            Self::DynamicFactor | Self::Resonance => "ISO 6336-1",
+            Self::LoadSharing => "ISO 6336-1:2019 and IEC 61400-4",
+            Self::FaceLoad => "the textbook rule 1 + 0.4·(b/d_1)²",
+            Self::FlankSafety | Self::RootSafety | Self::BearingLife | Self::Ratio | Self::Direction => {
+                "what is required"
+            }
+            Self::PinSpeed | Self::BearingStaticSafety | Self::BearingLeastLoad => "makers of bearings",
+            _ => PRACTICE,
+        }
+    }
+
+    /// What helps.
+    #[must_use]
+    pub const fn remedy(self) -> &'static str {
+        match self {
+            Self::FaceWidth => "another module: a larger one makes teeth narrower, a smaller one wider",
+            Self::SpecificSliding => "shift the gears for equal sliding at their roots (`--aim sliding`)",
+            Self::SunShift | Self::PlanetShift | Self::RingShift | Self::GearShift => {
+                "another centre distance, or other tooth numbers"
+            }
+            Self::ShiftSum | Self::ExternalAngle | Self::InternalAngle => "another centre distance",
+            Self::HardenedTips => "less profile shift, or shorter tips",
+            Self::SpurContact | Self::HelicalContact => "less profile shift, longer tips, or finer teeth",
+            Self::RootClearance => "shorter tips (`tip_alterations`)",
+            Self::HuntingTooth => "tooth numbers without a common divisor",
+            Self::RingRim => "a larger outside diameter of the ring",
+            Self::PlanetRim => "a smaller bore, or more planet teeth",
+            Self::NeighbourGap | Self::NeighbourGapLength => "fewer planets, or shorter tips",
+            Self::PinSpeed => "a smaller bearing, or a slower planet: more planet teeth",
+            Self::OrbitAcceleration => "a smaller carrier radius, or a slower carrier",
+            Self::SpurSpeed => "helical teeth, or smaller gears",
+            Self::HelicalSpeed => "smaller gears",
+            Self::BearingLife => "a bearing with a larger load rating, wider planets, or more of them",
+            Self::BearingStaticSafety => "a bearing with a larger static load rating",
+            Self::BallLoad => "roller or needle bearings",
+            Self::BearingLeastLoad => "a smaller bearing",
+            Self::DynamicFactor => "finer accuracy, or a lower speed",
+            Self::Resonance => "other tooth numbers or another speed",
+            Self::LoadSharing => "state what the factor was measured with, or the usual value",
+            Self::FaceLoad => "narrower gears, or state the usual value",
+            Self::FlankSafety | Self::RootSafety => "a larger module, wider gears, or a stronger material",
+            Self::CirculatingPower => "another scheme: circulating power loads teeth and costs power",
+            Self::StageEfficiency => "better meshes, or another scheme",
+            Self::OilTemperature => "a cooler, or a larger housing",
+            Self::Ratio => "other tooth numbers",
+            Self::Direction => "another scheme",
+            Self::Scuffing => "rate it by ISO/TS 6336-20 or -21",
+            Self::Micropitting => "rate it by ISO/TS 6336-22",
+        }
+    }
+}
+
+/// Bounds of a profile shift: ranges for remarks and warnings; beyond 1 teeth lose their form.
+const fn shift(usual: [f64; 2], warned: [f64; 2]) -> Bounds {
+    Bounds::of(Remark, Range::between(usual[0], usual[1]))
+        .and(Warning, Range::between(warned[0], warned[1]))
+        .and(Error, Range::between(-1.0, 1.0))
+}

@@ -1,0 +1,169 @@
+//! Values judged by rules.
+
+use crate::{Bounds, Range, Rule, Severity};
+use epicyclic_units::format::trimmed;
+
+/// A value judged by a rule.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Verdict {
+    /// The rule.
+    pub rule: Rule,
+    /// The value, in the unit of the rule.
+    pub value: f64,
+    /// Limit that it passes, or that it is nearest to.
+    pub limit: f64,
+    /// Severity of a miss; `None` if the value holds.
+    pub severity: Option<Severity>,
+    /// Worst severity that the rule has.
+    pub worst: Severity,
+    /// Distance from the limit, over the width of the allowed range, or over its only end; below 0 of a miss.
+    pub room: f64,
+}
+
+impl Verdict {
+    fn of(rule: Rule, bounds: Bounds, value: f64) -> Self {
+        let worst = Severity::ALL.into_iter().rev().find(|one| bounds.0[*one as usize] != Range::OPEN);
+        let required = bounds.required();
+        let (severity, limit) = match bounds.missed(value) {
+            Some((severity, limit)) => (Some(severity), limit),
+            None => (None, required.nearest_end(value)),
+        };
+        let room = required.room(value);
+        Self { rule, value, limit, severity, worst: worst.unwrap_or(Severity::Remark), room }
+    }
+
+    /// Whether the value holds.
+    #[must_use]
+    pub const fn holds(&self) -> bool {
+        self.severity.is_none()
+    }
+
+    /// The verdict of a value that is stated on purpose: errors become this severity.
+    #[must_use]
+    pub fn no_worse_than(self, severity: Severity) -> Self {
+        Self { severity: self.severity.map(|own| own.min(severity)), worst: self.worst.min(severity), ..self }
+    }
+
+    /// The value with its limit, in words: `specific sliding 3.4, at most 3 by usual practice`.
+    #[must_use]
+    pub fn words(&self) -> String {
+        let Self { rule, value, limit, .. } = self;
+        let unit = |number: f64| {
+            let unit = rule.unit();
+            format!("{}{}{unit}", trimmed(number, 4), if unit.is_empty() { "" } else { " " })
+        };
+        // A value inside lies on the good side of its nearest limit, one outside on the other.
+        let is_above = value > limit;
+        let side = if is_above == self.holds() { "at least" } else { "at most" };
+        format!("{} {}, {side} {} by {}", rule.what(), unit(*value), unit(*limit), rule.source())
+    }
+
+    /// The miss in words; `None` if the value holds.
+    #[must_use]
+    pub fn miss(&self) -> Option<String> {
+        (!self.holds()).then(|| self.words())
+    }
+}
+
+/// Limits to judge by: the usual ones, and those that are stated in their place.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Limits {
+    stated: Vec<(Rule, Range)>,
+}
+
+impl Limits {
+    /// States a range in place of the usual one of a rule.
+    pub fn state(&mut self, rule: Rule, range: Range) {
+        self.stated.retain(|(other, _)| *other != rule);
+        self.stated.push((rule, range));
+    }
+
+    /// The bounds of a rule.
+    #[must_use]
+    pub fn bounds(&self, rule: Rule) -> Bounds {
+        self.instead_of(rule, rule.bounds())
+    }
+
+    /// These bounds of a rule, unless a range is stated.
+    fn instead_of(&self, rule: Rule, bounds: Bounds) -> Bounds {
+        let stated = self.stated.iter().find(|(of, _)| *of == rule);
+        stated.map_or(bounds, |(_, range)| bounds.stated(*range))
+    }
+
+    /// Judges a value by the bounds of a rule.
+    #[must_use]
+    pub fn judge(&self, rule: Rule, value: f64) -> Verdict {
+        self.judge_by(rule, rule.bounds(), value)
+    }
+
+    /// Judges a value by bounds that follow from other values of the gearbox.
+    #[must_use]
+    pub fn judge_by(&self, rule: Rule, bounds: Bounds, value: f64) -> Verdict {
+        Verdict::of(rule, self.instead_of(rule, bounds), value)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every finite end of every rule trips just outside, and holds just inside.
+    #[test]
+    fn every_limit_trips_outside_and_holds_inside() {
+        for &rule in Rule::ALL {
+            let bounds = rule.bounds();
+            for severity in Severity::ALL {
+                let range = bounds.0[severity as usize];
+                for (end, outwards) in [(range.least, -1.0), (range.most, 1.0)] {
+                    if !end.is_finite() {
+                        continue;
+                    }
+                    let step = 1e-3 * (1.0 + end.abs()) * outwards;
+                    let judged = |value| Limits::default().judge(rule, value);
+                    assert!(judged(end + step).severity >= Some(severity), "{rule:?} {end}");
+                    assert!(judged(end - step).severity < Some(severity), "{rule:?} {end}");
+                    assert!(judged(end).severity < Some(severity), "{rule:?} {end}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn wider_ranges_are_milder() {
+        for &rule in Rule::ALL {
+            let [remark, warning, error] = rule.bounds().0;
+            for (inner, outer) in [(remark, warning), (warning, error), (remark, error)] {
+                if inner != Range::OPEN {
+                    assert!(outer.least <= inner.least && outer.most >= inner.most, "{rule:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_stated_range_takes_the_place_of_the_usual_one() {
+        let mut limits = Limits::default();
+        limits.state(Rule::SpecificSliding, Range::at_most(4.0));
+        assert!(limits.judge(Rule::SpecificSliding, 3.5).holds());
+        assert_eq!(limits.judge(Rule::SpecificSliding, 4.1).severity, Some(Severity::Warning));
+        limits.state(Rule::FaceWidth, Range::between(0.2, 2.5));
+        assert!(limits.judge(Rule::FaceWidth, 2.2).holds());
+        assert_eq!(limits.judge(Rule::FaceWidth, 2.6).severity, Some(Severity::Error));
+    }
+
+    #[test]
+    fn words_name_the_limit_on_the_side_of_the_value() {
+        let words = |rule, value| Limits::default().judge(rule, value).words();
+        assert_eq!(
+            words(Rule::FaceWidth, 0.3),
+            "face width over the diameter of the smaller gear 0.3, at least 0.4 by usual practice"
+        );
+        assert_eq!(
+            words(Rule::FaceWidth, 1.1),
+            "face width over the diameter of the smaller gear 1.1, at most 1.2 by usual practice"
+        );
+        assert!(!Limits::default().judge(Rule::FaceWidth, f64::NAN).holds());
+        let asked = Limits::default().judge(Rule::RingShift, 1.3).no_worse_than(Severity::Warning);
+        assert_eq!(asked.severity, Some(Severity::Warning));
+    }
+}
