@@ -6,6 +6,7 @@ pub mod exciting;
 pub mod fault;
 pub mod gearbox;
 pub(crate) mod gearbox_choice;
+pub mod judgement;
 pub mod lists;
 pub mod load;
 pub mod named;

@@ -15,6 +15,7 @@ use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::fault::{Fault, Named, refused};
 use crate::shared::gearbox::Gearbox;
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::tooth_checks::answer::ToothChecks;
 use crate::shared::toothed::{lacking, toothed};
 use crate::strength::answer::names::MeshName;
@@ -44,8 +45,8 @@ pub struct DataSheets {
     pub at_output: Vec<AtOutput>,
     /// Sets without data sheets.
     pub left_out: Vec<LeftOut>,
-    /// Tooth checks of these sets.
-    pub tooth_checks: ToothChecks,
+    /// Judgement of the gearbox, or of the one set, by rules of practice.
+    pub judgement: Judgement,
     /// Warnings about the data sheets.
     pub warnings: Vec<Warning>,
 }
@@ -110,7 +111,9 @@ fn described(subject: &Gearbox, wanted: Option<&str>) -> Result<DataSheets, Erro
     let tooth_checks =
         ToothChecks::of(subject.tooth_checks(), |of| sets.iter().any(|set: &SetSheet| set.set == of));
     let of_sets = sets.iter().flat_map(SetSheet::warnings);
-    let warnings = tooth_checks.warnings().chain(of_sets).chain(unstated).collect();
+    let judgement = Judgement::of(subject, wanted, None)?;
+    let judged = judgement.warnings(&[]);
+    let warnings = tooth_checks.warnings().chain(of_sets).chain(unstated).chain(judged).collect();
     let at_output =
         if wanted.is_none() && !sets.is_empty() { output::of_gears(subject, &known)? } else { vec![] };
     Ok(DataSheets {
@@ -118,7 +121,7 @@ fn described(subject: &Gearbox, wanted: Option<&str>) -> Result<DataSheets, Erro
         sets,
         at_output,
         left_out,
-        tooth_checks,
+        judgement,
         warnings,
     })
 }

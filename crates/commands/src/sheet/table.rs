@@ -1,7 +1,7 @@
 //! Data sheets of gears as tables.
 
+use crate::shared::judgement::table as judgement;
 use crate::shared::tool::ToolKind;
-use crate::shared::tooth_checks::table as tooth_checks;
 use crate::sheet::answer::DataSheets;
 use crate::sheet::answer::records::{
     AtOutput, GearInMesh, GearSheet, Hand, LeftOut, Limits, MeshSheet, SetSheet,
@@ -30,9 +30,7 @@ impl AsReport for DataSheets {
         if !self.left_out.is_empty() {
             parts.push(Part::Records(left_out(&self.left_out)));
         }
-        if tooth_checks::has_any(&self.tooth_checks) {
-            parts.push(Part::Records(tooth_checks::table(&self.tooth_checks)));
-        }
+        parts.extend(judgement::parts(&self.judgement));
         Report {
             title: Some(format!("{}: data sheets of gears", self.gearbox)),
             parts,

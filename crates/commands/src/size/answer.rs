@@ -13,6 +13,7 @@ use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::fault::{Named, refused};
 use crate::shared::gearbox::{Choice, Gearbox, one};
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::tooth_checks::answer::ToothChecks;
 use crate::size::options::Request;
 use crate::strength::answer::Asked;
@@ -73,8 +74,8 @@ pub struct Size {
     pub sets: Vec<SizedSet>,
     /// Sets that are not sized.
     pub not_sized: Vec<NotSized>,
-    /// Tooth checks of the sets with their best sizes.
-    pub tooth_checks: ToothChecks,
+    /// Judgement of the gearbox with the best sizes by rules of practice.
+    pub judgement: Judgement,
     /// Warnings about the sizes.
     pub warnings: Vec<Warning>,
 }
@@ -174,7 +175,14 @@ pub(crate) fn answer(
     }
     let sized = Document::parse_one(SIZED, saved::written(&subject.document, &sets)?.as_bytes())?;
     let has_size = |of: &str| sets.iter().any(|set| set.set == of && !set.found.is_empty());
-    let tooth_checks = ToothChecks::of(one(&sized, &Choice::default())?.tooth_checks(), has_size);
+    let sized = one(&sized, &Choice::default())?;
+    let tooth_checks = ToothChecks::of(sized.tooth_checks(), has_size);
+    // Sets without a size would be judged by what the file lacks of them.
+    let judgement = if sets.iter().all(|set| !set.found.is_empty()) {
+        Judgement::of(&sized, None, None)?
+    } else {
+        Judgement::default()
+    };
     let spanned = to_size.iter().filter(|set| set.data.planets.iter().any(|of| of.bearing_span.is_some()));
     let spanned = spanned.filter(|set| set.set.tooth_shape().is_helical()).map(|set| Warning {
         name: "tilting-moment",
@@ -184,7 +192,8 @@ pub(crate) fn answer(
         ),
     });
     let warnings = no_size.into_iter().chain(tilting(&helical)).chain(spanned);
-    let warnings = warnings.chain(tooth_checks.warnings()).collect();
+    let judged = judgement.warnings(&[]);
+    let warnings = warnings.chain(tooth_checks.warnings()).chain(judged).collect();
     Ok(Size {
         gearbox: subject.train.name().to_owned(),
         edition: Edition::default().to_string(),
@@ -198,7 +207,7 @@ pub(crate) fn answer(
         mass_kg: sets.iter().map(|set| Some(set.found.first()?.mass_kg)).sum(),
         sets,
         not_sized,
-        tooth_checks,
+        judgement,
         warnings,
     })
 }

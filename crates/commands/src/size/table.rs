@@ -1,6 +1,6 @@
 //! Sizes of sets as tables.
 
-use crate::shared::tooth_checks::table as tooth_checks;
+use crate::shared::judgement::table as judgement;
 use crate::size::answer::Size;
 use crate::size::answer::records::{
     NotSized, SizedDesign, SizedFamily, SizedGear, SizedSet, SizedTeeth, Sought,
@@ -27,8 +27,6 @@ impl AsReport for Size {
             }),
             Some(Part::Records(left_out(&self.sets))),
             (!self.not_sized.is_empty()).then(|| Part::Records(not_sized(&self.not_sized))),
-            tooth_checks::has_any(&self.tooth_checks)
-                .then(|| Part::Records(tooth_checks::table(&self.tooth_checks))),
         ];
         let what = match (self.mass_kg, self.minimise) {
             (None, _) => "not every set has a size that meets the requirements.".to_owned(),
@@ -47,7 +45,7 @@ impl AsReport for Size {
         };
         Report {
             title: Some(format!("{}: {what}", self.gearbox)),
-            parts: parts.into_iter().flatten().collect(),
+            parts: parts.into_iter().flatten().chain(judgement::parts(&self.judgement)).collect(),
             warnings: warned(&self.warnings),
         }
     }

@@ -49,8 +49,8 @@ use crate::analyze::answer::{OperatingPoint, Worked};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::gearbox::Gearbox;
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::load::Load;
-use crate::shared::tooth_checks::answer::ToothChecks;
 use crate::strength::options::Request;
 use duty::WorkedStep;
 use epicyclic_formats::gearbox::GearboxFile;
@@ -112,8 +112,8 @@ pub struct Strength {
     pub axial_forces: Vec<AxialForce>,
     /// Sets that are not rated.
     pub not_rated: Vec<NotRated>,
-    /// Tooth checks of the rated sets.
-    pub tooth_checks: ToothChecks,
+    /// Judgement of the gearbox by rules of practice, at this load; empty in a report, which has its own.
+    pub judgement: Judgement,
     /// Warnings about the strength.
     pub warnings: Vec<Warning>,
 }
@@ -154,6 +154,24 @@ pub(crate) fn answer(subject: &Gearbox, request: &Request) -> Result<Strength, E
     Ok(strength)
 }
 
+/// Strength over the duty of a file, with the factors; `None` if the file has no duty, or lacks oil, life or
+/// the `strength` of a set.
+///
+/// # Errors
+/// Errors of [`answer`] except [`Error::NothingRated`].
+pub(crate) fn over_duty(subject: &Gearbox, file: &GearboxFile) -> Result<Option<Strength>, Error> {
+    let request = Request { gear: None, factors: true, load: Load::default() };
+    let has_load = !file.duty.is_empty() || !file.overload.is_empty();
+    if has_load && is_stated(file) { rated(subject, &request, true).map(Some) } else { Ok(None) }
+}
+
+/// Whether a file has oil, life and the `strength` of a set.
+fn is_stated(file: &GearboxFile) -> bool {
+    let has_strength = file.sets.iter().any(|set| set.strength.is_some())
+        || file.compound_sets.iter().any(|set| set.strength.is_some());
+    file.oil.is_some() && file.life.is_some() && has_strength
+}
+
 /// Strength of a gearbox for a report, with the factors: at an operating point with load and speed, then over
 /// the duty of the file. Empty if the file lacks oil, life or the `strength` of a set.
 ///
@@ -164,10 +182,7 @@ pub(crate) fn chapters(subject: &Gearbox, load: Load) -> Result<Vec<Strength>, E
         return Ok(vec![]);
     }
     let file: GearboxFile = subject.document.read()?;
-    let is_stated = file.oil.is_some() && file.life.is_some();
-    let has_strength = file.sets.iter().any(|set| set.strength.is_some())
-        || file.compound_sets.iter().any(|set| set.strength.is_some());
-    if !(is_stated && has_strength) {
+    if !is_stated(&file) {
         return Ok(vec![]);
     }
     let input = load.input();
@@ -303,9 +318,6 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
     let helical = sets.iter().filter(is_left_out);
     let helical: Vec<&str> = helical.map(|set| set.id).collect();
     let turning: Vec<&Worked<'_>> = steps.iter().filter_map(|step| step.1.as_ref()).collect();
-    let is_asked =
-        |of: &str| sets.iter().any(|set| set.id == of) || not_rated.iter().any(|row| row.set == of);
-    let tooth_checks = ToothChecks::of(subject.tooth_checks(), is_asked);
     let idlers = idlers::warnings(subject, &file, &sets)?;
     let reversed = sets.iter().filter_map(|set| together::reversed(set, &steps));
     let warnings = safeties
@@ -319,7 +331,6 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
         .chain(shared.warnings())
         .chain(shared_flanks.iter().filter_map(|shared| shared.warning(required)))
         .chain(tilting(&helical))
-        .chain(tooth_checks.warnings())
         .collect();
     let duty = if is_at_point { vec![] } else { file.duty.iter().map(DutyStep::of).collect() };
     let Safeties { at_point, over_duty, overload } = safeties;
@@ -340,7 +351,7 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
         load_sharing,
         axial_forces: axial,
         not_rated,
-        tooth_checks,
+        judgement: Judgement::default(),
         warnings,
     })
 }

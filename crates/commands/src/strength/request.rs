@@ -7,8 +7,11 @@ use crate::input;
 use crate::output::OutputArgs;
 use crate::shared::gearbox::{Gearbox, alone};
 use crate::shared::gearbox_choice::refuse;
+use crate::shared::judgement::answer::Judgement;
+use crate::shared::tooth_checks::answer::ToothChecks;
 use crate::strength::answer::{self as answers, Strength};
 use crate::strength::options::Request;
+use epicyclic_judge::Rule;
 use std::path::PathBuf;
 
 /// Strength of the teeth of a gearbox by ISO 6336, method B: safeties of flanks and roots.
@@ -39,7 +42,7 @@ impl Request {
     ///   gearbox does not have, and if there is no load, duty or overload.
     /// - [`Failure::Answer`] if nothing can be rated, or with the place of invalid data in the file.
     pub fn answer(&self, gearbox: &Gearbox) -> Result<Strength, Failure> {
-        answers::answer(gearbox, self).map_err(|error| {
+        self.judged(gearbox).map_err(|error| {
             let option = match &error {
                 Error::NoLoad => "--torque",
                 Error::LoadWithoutSpeed => "--speed",
@@ -49,6 +52,23 @@ impl Request {
             };
             Failure::of_option(option, &error)
         })
+    }
+}
+
+impl Request {
+    fn judged(&self, gearbox: &Gearbox) -> Result<Strength, Error> {
+        // The judge looks at factors, whether they are asked for or not.
+        let mut strength = answers::answer(gearbox, &Self { factors: true, ..self.clone() })?;
+        strength.judgement = Judgement::of(gearbox, None, Some(&strength))?;
+        let teeth = ToothChecks::of(gearbox.tooth_checks(), |_| true);
+        // Safeties and lives have warnings of their own.
+        let judged = strength.judgement.warnings(&[Rule::FlankSafety, Rule::RootSafety, Rule::BearingLife]);
+        strength.warnings.extend(teeth.warnings().chain(judged));
+        if !self.factors {
+            strength.at_point.iter_mut().for_each(|one| one.factors.clear());
+            strength.over_duty.iter_mut().for_each(|one| one.factors.clear());
+        }
+        Ok(strength)
     }
 }
 

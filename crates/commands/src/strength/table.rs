@@ -4,7 +4,7 @@ mod compact;
 mod planets;
 mod words;
 
-use crate::shared::tooth_checks::table as tooth_checks;
+use crate::shared::judgement::table as judgement;
 use crate::strength::answer::records::{
     DutyStep, LoadSharing, MeshName, NotRated, OverDuty, Overloaded, Rated, SharingBasis, Wear,
 };
@@ -30,9 +30,7 @@ impl AsReport for Strength {
         if !self.not_rated.is_empty() {
             parts.push(Part::Records(not_rated(&self.not_rated)));
         }
-        if tooth_checks::has_any(&self.tooth_checks) {
-            parts.push(Part::Records(tooth_checks::table(&self.tooth_checks)));
-        }
+        parts.extend(judgement::parts(&self.judgement));
         let title = Some(match &self.governing {
             Some(governing) if self.not_rated.iter().any(|one| one.mesh.is_some()) => {
                 format!("{}: of what could be rated {governing} governs.", self.gearbox)

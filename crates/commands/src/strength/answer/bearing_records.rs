@@ -22,6 +22,8 @@ pub struct BearingOverDuty {
     pub rollers: bool,
     /// Basic dynamic load rating in N.
     pub load_rating_n: f64,
+    /// Mean diameter of the bearing in m; null if not given.
+    pub mean_diameter_m: Option<f64>,
     /// Mesh load factor `K_γ`, by which the mesh forces are multiplied; null if it is not given and its table
     /// does not contain the number of planets.
     pub load_sharing: Option<f64>,

@@ -150,6 +150,7 @@ impl File<'_> {
             planet: planet_name(set, bearing.planet),
             rollers: rolling == Rolling::Rollers,
             load_rating_n: rating.si(),
+            mean_diameter_m: given.bearing_diameter.map(|diameter| diameter.0.si()),
             load_sharing: sharing,
             load_sharing_is_given: stated.is_some(),
             span_m: span.map(Physical::si),

@@ -1,0 +1,128 @@
+//! Judgement of a gearbox: checks with their values and limits, and what could not be judged.
+
+use crate::answer::Warning;
+use epicyclic_judge::{Rule, Severity};
+use epicyclic_units::format::trimmed;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Source of the limits of tooth checks.
+pub(super) const GEOMETRY: &str = "geometry";
+
+/// Judgement of a gearbox by rules of practice.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Judgement {
+    /// Number of checks that hold.
+    pub held: usize,
+    /// Check that holds with the least room up to its limit; null if none has a limit.
+    pub nearest: Option<Judged>,
+    /// Checks, those that do not hold first, the worst first of all.
+    pub checks: Vec<Judged>,
+    /// Checks that could not be made.
+    pub not_judged: Vec<NotJudged>,
+}
+
+/// Value judged by a rule.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Judged {
+    /// Name of the rule, which does not depend on the message.
+    pub name: &'static str,
+    /// What is judged: set, gears, gear of the gearbox.
+    pub of: Vec<String>,
+    /// Value; null if it is infinite.
+    pub value: Option<f64>,
+    /// Limit that the value passes, or that it is nearest to.
+    pub limit: f64,
+    /// Unit of value and limit; empty for a plain number.
+    pub unit: &'static str,
+    /// Severity of a miss.
+    pub severity: Severity,
+    /// Whether the check holds.
+    pub holds: bool,
+    /// Who states the limit.
+    pub source: &'static str,
+    /// Message about the miss, for people; null if the check holds.
+    pub message: Option<String>,
+    /// Remedy for the miss; null if the check holds.
+    pub remedy: Option<&'static str>,
+}
+
+/// Checks that could not be made.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct NotJudged {
+    /// What is not judged: a set, or the gearbox.
+    pub of: String,
+    /// Names of the rules.
+    pub rules: Vec<&'static str>,
+    /// Keys that are missing for them, or a reason in words.
+    pub missing: Vec<String>,
+}
+
+impl Judgement {
+    /// Misses by severity: errors, warnings, remarks.
+    #[must_use]
+    pub fn misses(&self) -> [usize; 3] {
+        [Severity::Error, Severity::Warning, Severity::Remark].map(|severity| {
+            self.checks.iter().filter(|check| !check.holds && check.severity == severity).count()
+        })
+    }
+
+    /// Misses as warnings, without remarks, tooth checks, and rules of which the caller warns in words of its
+    /// own.
+    pub(crate) fn warnings(&self, besides: &[Rule]) -> impl Iterator<Item = Warning> {
+        let is_due = |check: &&Judged| {
+            let is_own = check.source == GEOMETRY || besides.iter().any(|rule| rule.name() == check.name);
+            check.severity != Severity::Remark && !check.holds && !is_own
+        };
+        self.checks.iter().filter(is_due).filter_map(|check| {
+            let message = format!("{}: {}: {}", check.of.join(", "), check.message.as_ref()?, check.remedy?);
+            Some(Warning { name: check.name, message })
+        })
+    }
+
+    /// The judgement in a sentence or two: what holds, the nearest to its limit, what is not judged.
+    #[must_use]
+    pub fn summary(&self) -> String {
+        let all = self.checks.len();
+        let [errors, warnings, remarks] = self.misses();
+        let counted = |count: usize, one: &str| match count {
+            0 => None,
+            1 => Some(format!("1 {one}")),
+            _ => Some(format!("{count} {one}s")),
+        };
+        let missed: Vec<String> = [(errors, "error"), (warnings, "warning"), (remarks, "remark")]
+            .into_iter()
+            .filter_map(|(n, of)| counted(n, of))
+            .collect();
+        let missed = if missed.is_empty() { String::new() } else { format!(" ({})", missed.join(", ")) };
+        let checks = if all == 1 { "check holds" } else { "checks hold" };
+        let mut words = if missed.is_empty() {
+            format!("{all} {checks}.")
+        } else {
+            format!("{} of {all} {checks}{missed}.", self.held)
+        };
+        if let Some(nearest) = &self.nearest {
+            let with_unit = |value: f64| match nearest.unit {
+                "" => trimmed(value, 3),
+                unit => format!("{} {unit}", trimmed(value, 3)),
+            };
+            words += &format!(
+                " Nearest to its limit: {} of {}, {} ({}).",
+                nearest.name,
+                nearest.of.join(", "),
+                with_unit(nearest.value.unwrap_or_default()),
+                with_unit(nearest.limit),
+            );
+        }
+        let not_judged =
+            |of: &NotJudged| format!("{} of {} ({})", of.rules.join(", "), of.of, of.missing.join(", "));
+        if !self.not_judged.is_empty() {
+            let all: Vec<String> = self.not_judged.iter().map(not_judged).collect();
+            words += &format!(" Not judged: {}.", all.join("; "));
+        }
+        words
+    }
+}
