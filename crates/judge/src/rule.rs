@@ -231,11 +231,12 @@ impl Rule {
         }
     }
 
-    /// What helps.
+    /// What helps against a value that is too large, or too small.
     #[must_use]
-    pub const fn remedy(self) -> &'static str {
+    pub const fn remedy(self, is_too_large: bool) -> &'static str {
         match self {
-            Self::FaceWidth => "another module: a larger one makes teeth narrower, a smaller one wider",
+            Self::FaceWidth if is_too_large => "narrower gears of larger diameter",
+            Self::FaceWidth => "wider gears of smaller diameter: smaller modules",
             Self::SpecificSliding => "shift the gears for equal sliding at their roots (`--aim sliding`)",
             Self::SunShift | Self::PlanetShift | Self::RingShift | Self::GearShift => {
                 "another centre distance, or other tooth numbers"

@@ -58,6 +58,12 @@ impl Verdict {
         format!("{} {}, {side} {} by {}", rule.what(), unit(*value), unit(*limit), rule.source())
     }
 
+    /// What helps against the miss.
+    #[must_use]
+    pub const fn remedy(&self) -> &'static str {
+        self.rule.remedy(self.value > self.limit)
+    }
+
     /// The miss in words; `None` if the value holds.
     #[must_use]
     pub fn miss(&self) -> Option<String> {

@@ -71,6 +71,7 @@ fn set(teeth: [u32; 3], steps: [[f64; 4]; 3]) -> Sizing {
         planet_mass: None,
         least_planet_angle: None,
         objective: Objective::Mass,
+        practice: None,
         space: Space {
             modules: STANDARD_MODULES_MM[..11].iter().map(|module| mm(*module)).collect(),
             face_widths: (2..=16).map(|width| mm(5.0 * f64::from(width))).collect(),

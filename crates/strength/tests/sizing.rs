@@ -8,14 +8,14 @@ use epicyclic_gears::involute::profile::{Cutting, Profiles};
 use epicyclic_gears::involute::set::Limits;
 use epicyclic_gears::involute::tool::{Shaper as GearShaper, Tool};
 use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet, Profile};
-use epicyclic_gears::life::basic_rating_life;
+use epicyclic_gears::life::{Rolling, basic_rating_life};
 use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_strength::factor::{Given, Symbol};
 use epicyclic_strength::material;
 use epicyclic_strength::mesh::{Gear, Mesh, Method};
 use epicyclic_strength::rating::overload;
 use epicyclic_strength::root::{factors::Bending, section::Shaper};
-use epicyclic_strength::sizing::bearing::{Bearing, listed};
+use epicyclic_strength::sizing::bearing::{Bearing, listed, listed_rollers};
 use epicyclic_strength::sizing::{
     Design, DesignedPlanet, Found, HeldShifts, Objective, Requirement, SetOverload, SetStep, Sizing, Space,
     size,
@@ -99,6 +99,7 @@ fn hoist() -> Sizing {
         planet_mass: None,
         least_planet_angle: None,
         objective: Objective::Mass,
+        practice: None,
         space: Space {
             modules: [2.0, 2.5, 3.0].map(mm).to_vec(),
             face_widths: [20.0, 30.0, 40.0, 50.0].map(mm).to_vec(),
@@ -114,6 +115,8 @@ fn hoist() -> Sizing {
 /// A design with one of its bearings as the trial sees it: objectives, planets, module, centre distance and
 /// face width, and whether it holds.
 struct Tried {
+    /// 1 beyond usual practice, where that counts; otherwise 0.
+    rank: u8,
     objectives: [f64; 2],
     place: (u32, usize, i64, usize),
     holds: bool,
@@ -149,10 +152,11 @@ fn every_design(task: &Sizing) -> (u64, Vec<Tried>) {
                 for (width_place, &width) in task.space.face_widths.iter().enumerate() {
                     for bearing in &bearings {
                         let sizes = [module, in_mm(width)];
-                        if let Some((objectives, holds)) = tried(task, &choice.set, planets, sizes, *bearing)
-                        {
+                        let rank = rank(task, &choice.set, planets, sizes, *bearing);
+                        let made = tried(task, &choice.set, planets, sizes, *bearing);
+                        if let (Some(rank), Some((objectives, holds))) = (rank, made) {
                             let place = (planets, module_place, place, width_place);
-                            all.push(Tried { objectives, place, holds });
+                            all.push(Tried { rank, objectives, place, holds });
                         }
                     }
                 }
@@ -160,6 +164,91 @@ fn every_design(task: &Sizing) -> (u64, Vec<Tried>) {
         }
     }
     (count, all)
+}
+
+/// How far a design keeps to usual practice, by the limits themselves; `None` where it is refused.
+fn rank(
+    task: &Sizing,
+    set: &PlanetSet,
+    planets: u32,
+    [module, width]: [f64; 2],
+    bearing: Option<&Bearing>,
+) -> Option<u8> {
+    if task.practice.is_none() {
+        return Some(0);
+    }
+    let [sun, planet, ring] = set.gears();
+    let [x_a, x_g, x_b] = [sun.shift(), planet.shift(), ring.shift()];
+    let smaller = module * sun.reference_diameter().min(planet.reference_diameter());
+    let clearances = [set.sun_mesh(), set.ring_mesh()].map(Pair::tip_clearances).concat();
+    if [x_a, x_g, x_b].into_iter().any(|x| x.abs() > 1.0)
+        || width > 2.0 * smaller
+        || clearances.iter().any(|c| *c < 0.05)
+    {
+        return None;
+    }
+    // cos α_w = (a_d/a)·cos 20°
+    let working = |[one, other]: [f64; 2], sign: f64| {
+        let natural = (other + sign * one).abs() / 2.0;
+        libm::acos(natural / set.centre_distance() * libm::cos(20.0_f64.to_radians())).to_degrees()
+    };
+    let [z_a, z_g, z_b] = task.teeth.map(ToothCount::as_f64);
+    let slides = [set.sun_mesh(), set.ring_mesh()]
+        .iter()
+        .any(|pair| pair.specific_sliding().into_iter().flatten().any(|sliding| sliding.abs() > 3.0));
+    let few = [set.sun_mesh(), set.ring_mesh()].iter().any(|pair| pair.transverse_contact_ratio() < 1.2);
+    let [outer, inner] = [working([z_a, z_g], 1.0), working([z_g, z_b], -1.0)];
+    let in_range = |value: f64, [least, most]: [f64; 2]| (least - 1e-9..=most + 1e-9).contains(&value);
+    let gears = in_range(x_a, [0.0, 0.85])
+        && in_range(x_g, [-0.4, 0.85])
+        && in_range(x_b, [-0.8, 0.7])
+        && in_range(x_a + x_g, [0.0, 1.45])
+        && in_range(outer, [20.0, 28.5])
+        && in_range(inner, [15.0, 22.0])
+        && [sun, planet].iter().all(|gear| gear.tip_thickness() >= 0.4)
+        && clearances.iter().all(|c| *c >= 0.15);
+    let has_load = |bearing: &Bearing| {
+        let centre = module * set.centre_distance() / 1e3;
+        let kg = planet_kg(task, set, module, width, in_mm(bearing.outside_diameter));
+        task.duty.iter().any(|step| bearing_load(set, step, planets, task.teeth, (centre, kg)) > 10e3)
+    };
+    let balls = bearing.is_some_and(|bearing| bearing.rolling == Rolling::Balls && has_load(bearing));
+    let is_usual = gears && !slides && !few && in_range(width / smaller, [0.4, 1.2]) && !balls;
+    Some(u8::from(!is_usual))
+}
+
+/// Area of tip and root circles, halved, in square millimetres.
+fn filled(gear: &InvoluteGear, module: f64) -> f64 {
+    (disc(gear.tip_diameter() * module) + disc(gear.root_diameter() * module)) / 2.0
+}
+
+fn disc(diameter: f64) -> f64 {
+    std::f64::consts::PI / 4.0 * diameter * diameter
+}
+
+fn planet_kg(task: &Sizing, set: &PlanetSet, module: f64, width: f64, bore: f64) -> f64 {
+    let rho = task.gears[1].material.density.get::<kilogram_per_cubic_meter>() / 1e9;
+    width * rho * (filled(set.gears()[1], module) - disc(bore))
+}
+
+/// Load of a planet's bearing in N, from moments about the main axis and about the planet's own.
+fn bearing_load(
+    set: &PlanetSet,
+    step: &SetStep,
+    planets: u32,
+    teeth: [ToothCount; 3],
+    (centre, planet_kg): (f64, f64),
+) -> f64 {
+    let [zs, zp, zr] = teeth.map(ToothCount::as_f64);
+    let p = f64::from(planets);
+    let sun = step.sun_torque.get::<newton_meter>().abs() * 1.1;
+    let carrier = sun * (1.0 + zr / zs);
+    let tangential = carrier / (p * centre);
+    let on_sun = sun / (p * centre * zs / (zs + zp));
+    let [a1, a2] = [set.sun_mesh(), set.ring_mesh()].map(|pair| libm::tan(pair.working_angle_rad()));
+    let radial = on_sun * a1 - (tangential - on_sun) * a2
+        + planet_kg * centre * step.carrier_speed.get::<radian_per_second>().powi(2);
+    libm::hypot(tangential, radial)
 }
 
 fn tried(
@@ -182,15 +271,11 @@ fn tried(
     }
     // Masses as half of tip and half of root cylinders.
     let rho = |place: usize| task.gears[place].material.density.get::<kilogram_per_cubic_meter>() / 1e9;
-    let disc = |diameter: f64| std::f64::consts::PI / 4.0 * diameter * diameter;
-    let filled = |gear: &InvoluteGear| {
-        (disc(gear.tip_diameter() * module) + disc(gear.root_diameter() * module)) / 2.0
-    };
     let outside = (ring.root_diameter() + 2.0 * task.ring_rim) * module;
-    let planet_kg = width * rho(1) * (filled(planet) - disc(bore));
-    let mass = width * rho(0) * filled(sun)
+    let planet_kg = planet_kg(task, set, module, width, bore);
+    let mass = width * rho(0) * filled(sun, module)
         + f64::from(planets) * planet_kg
-        + width * rho(2) * (disc(outside) - filled(ring));
+        + width * rho(2) * (disc(outside) - filled(ring, module));
     let objectives = match task.objective {
         Objective::Mass => [mass, outside],
         Objective::Ring => [outside, mass],
@@ -198,7 +283,7 @@ fn tried(
     let own = Gear { rim: bearing.map(|_| mm(rim)), ..task.gears[1] };
     let ring_gear = Gear { rim: Some(mm(task.ring_rim * module)), ..task.gears[2] };
     let inner = Pair::at_centre_distance(*planet, *ring, set.centre_distance()).unwrap();
-    let [zs, zp, zr] = task.teeth.map(ToothCount::as_f64);
+    let [zs, zp, _] = task.teeth.map(ToothCount::as_f64);
     let p = f64::from(planets);
     let mesh = |pair, gears| Mesh {
         pair,
@@ -256,21 +341,13 @@ fn tried(
             })
         });
     let bearing_holds = bearing.is_none_or(|bearing| {
-        // Moments about the main axis and about the planet's own.
         let centre = module * set.centre_distance() / 1e3;
         let wear: f64 = task
             .duty
             .iter()
             .map(|step| {
-                let sun = step.sun_torque.get::<newton_meter>().abs() * 1.1;
-                let carrier = sun * (1.0 + zr / zs);
-                let tangential = carrier / (p * centre);
-                let on_sun = sun / (p * centre * zs / (zs + zp));
-                let [a1, a2] =
-                    [set.sun_mesh(), set.ring_mesh()].map(|pair| libm::tan(pair.working_angle_rad()));
-                let radial = on_sun * a1 - (tangential - on_sun) * a2
-                    + planet_kg * centre * step.carrier_speed.get::<radian_per_second>().powi(2);
-                let load = Force::new::<newton>(libm::hypot(tangential, radial));
+                let load =
+                    Force::new::<newton>(bearing_load(set, step, planets, task.teeth, (centre, planet_kg)));
                 let speed = step.sun_speed * (zs / zp);
                 let life = basic_rating_life(bearing.rolling, bearing.load_rating, load, speed).unwrap();
                 life.map_or(0.0, |life| step.share / life.get::<hour>())
@@ -307,7 +384,11 @@ fn agrees(task: &Sizing) -> Result<usize, TestCaseError> {
     let mut held: Vec<&Tried> = tried.iter().filter(|one| one.holds).collect();
     held.sort_by(|one, other| {
         let [a, b] = [one, other].map(|tried| tried.objectives);
-        a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(one.place.cmp(&other.place))
+        one.rank
+            .cmp(&other.rank)
+            .then(a[0].total_cmp(&b[0]))
+            .then(a[1].total_cmp(&b[1]))
+            .then(one.place.cmp(&other.place))
     });
     let mut seen = vec![];
     held.retain(|one| {
@@ -322,6 +403,7 @@ fn agrees(task: &Sizing) -> Result<usize, TestCaseError> {
     prop_assert_eq!(all.not_reached, 0);
     prop_assert_eq!(all.left_out.total() + held.len() as u64, space);
     for (design, tried) in all.found.iter().zip(&held) {
+        prop_assert_eq!(design.is_usual, tried.rank == 0);
         let objectives = [design.mass.get::<kilogram>(), in_mm(design.ring_diameter.unwrap())];
         let [mass, ring] = match task.objective {
             Objective::Mass => tried.objectives,
@@ -347,6 +429,18 @@ fn the_best_is_that_of_every_trial() {
     let held = agrees(&hoist()).unwrap();
     assert!(held > 10, "{held}");
     assert!(agrees(&Sizing { objective: Objective::Ring, ..hoist() }).unwrap() > 10);
+    // Balls and rollers, wide and narrow faces: both ranks.
+    let practice = Some(epicyclic_judge::Limits::default());
+    let widths = [10.0, 20.0, 40.0, 60.0, 90.0].map(mm).to_vec();
+    let both = [listed(), listed_rollers()].concat();
+    let bearings = both.into_iter().filter(|bearing| in_mm(bearing.bore) >= 30.0).collect();
+    let space = Space { face_widths: widths, bearings, ..hoist().space };
+    let by_practice = Sizing { practice, space, required_contact: 0.8, ..hoist() };
+    let all = size_all(&by_practice, usize::MAX).unwrap();
+    let usual = all.found.iter().filter(|design| design.is_usual).count();
+    assert!(usual > 2 && usual < all.found.len() && all.left_out.practice > 0, "{usual} {}", all.found.len());
+    assert!(agrees(&by_practice).unwrap() > 10);
+    assert!(agrees(&Sizing { objective: Objective::Ring, ..by_practice }).unwrap() > 10);
 }
 
 #[test]

@@ -3,6 +3,7 @@
 pub mod several;
 
 use crate::analyze::answer as answers;
+use crate::analyze::answer::Input;
 use crate::analyze::answer::combinations::Combinations;
 use crate::analyze::answer::formulas::Formulas;
 use crate::analyze::answer::gear::OneGear;
@@ -13,10 +14,12 @@ use crate::analyze::answer::shifts::Shifts;
 use crate::analyze::table::inputs::map_csv;
 use crate::answer::write_json;
 use crate::desk::Call;
+use crate::error::Error;
 use crate::failure::Failure;
 use crate::output::{Format, OutputArgs};
 use crate::shared::gearbox::{self, Content, Gearbox};
 use crate::shared::gearbox_choice::{Choice, below_each_other, refuse, subject};
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::load::Load;
 use crate::shared::transmissions::answer as transmissions;
 use epicyclic_units::Number;
@@ -91,7 +94,7 @@ pub struct Request {
 #[derive(Debug)]
 pub enum Analysis<'g> {
     /// Overview of all gears.
-    Overview(Overview),
+    Overview(Box<Overview>),
     /// One gear with one input.
     Gear(Box<OneGear>),
     /// One gear at speeds of several links.
@@ -121,7 +124,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         };
     }
     match request.answer(&subject(choice, &read)?)? {
-        Analysis::Overview(answer) => output.deliver(call, &answer),
+        Analysis::Overview(answer) => output.deliver(call, &*answer),
         Analysis::Gear(answer) => output.deliver(call, &*answer),
         Analysis::Inputs(answer) => output.deliver(call, &answer),
         Analysis::Map(map) => deliver_map(call, output, &map),
@@ -167,10 +170,18 @@ impl Request {
             answers::shifts::answer(gearbox, input.speed).map(Analysis::Shifts)
         } else {
             let factor = self.progression.map(Number::get);
-            answers::overview::answer(gearbox, input, factor).map(Analysis::Overview)
+            overview(gearbox, input, factor).map(|all| Analysis::Overview(Box::new(all)))
         };
         answer.map_err(refuse)
     }
+}
+
+/// The overview of a gearbox, and what practice says of it.
+fn overview(gearbox: &Gearbox, input: Input, factor: Option<f64>) -> Result<Overview, Error> {
+    let mut overview = answers::overview::answer(gearbox, input, factor)?;
+    overview.judgement = Judgement::of(gearbox, None, None, None);
+    overview.warnings.extend(overview.judgement.warnings(&[]));
+    Ok(overview)
 }
 
 /// A map as it is calculated; as a table, which is put together before it is shown, up to a size.

@@ -6,6 +6,7 @@ use crate::design::answer::ways_out::{Limit, RelaxedLimit, WayOut};
 use crate::select::answer::reached::largest_deviation;
 use crate::select::answer::required::Objective;
 use crate::select::table::{percent, speeds_reached};
+use crate::shared::judgement::table as judgement;
 use crate::size::answer::records::{SizedDesign, SizedFamily, SizedSet};
 use crate::size::table::{designs, gears, left_out};
 use crate::strength::table::{Worn, over_duty};
@@ -62,6 +63,7 @@ pub(crate) fn parts_of_sizes(sizes: &SizesStep) -> Vec<Part> {
         parts.push(Part::Records(misses));
     }
     parts.push(Part::Records(left_out(sets)));
+    parts.extend(judgement::parts(&sizes.judgement));
     parts
 }
 

@@ -12,6 +12,7 @@ use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::fault::Fault;
 use crate::shared::gearbox::Gearbox;
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::places::Places;
 use epicyclic_train::drag::{Load, WithDrags};
 use epicyclic_train::{self as train, Analysis, Gear, InputLoad, InputsFault, OperatingFault};
@@ -55,6 +56,8 @@ pub struct Losses {
     pub heat: Option<Heat>,
     /// Gears whose losses cannot be computed.
     pub not_calculated: Vec<NotCalculated>,
+    /// Judgement of the gearbox by rules of practice.
+    pub judgement: Judgement,
     /// Warnings about the gearbox.
     pub warnings: Vec<Warning>,
 }
@@ -244,6 +247,7 @@ pub(crate) fn answer(
         losses,
         heat,
         not_calculated,
+        judgement: Judgement::default(),
         warnings: warned(subject),
     })
 }

@@ -7,6 +7,7 @@ use crate::losses::answer::{self as answers, Cooling, GivenLoad, LossMap, Losses
 use crate::output::OutputArgs;
 use crate::shared::gearbox::Gearbox;
 use crate::shared::gearbox_choice::{Choice, refuse};
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::places::Grid;
 use epicyclic_train::InputLoad;
 use epicyclic_units::Quantity;
@@ -87,7 +88,7 @@ impl Request {
         let load = self.load()?;
         let speed = self.speed.ok_or_else(|| Failure::missing("--speed", "the speed of the input is due"))?.0;
         let point = Point { speed, load };
-        answers::answer(gearbox, self.gear.as_deref(), point, self.cooling()).map_err(|error| match error {
+        self.judged(gearbox, point).map_err(|error| match error {
             Error::Cooling { quantity, .. } => {
                 let option = match quantity {
                     "cooler" => "--cooler",
@@ -109,6 +110,13 @@ impl Request {
         let gear = self.gear.as_ref().ok_or_else(|| due("--gear"))?;
         let (speeds, torques) = self.map.places().ok_or_else(|| due("--speeds"))?;
         answers::map(gearbox, gear, &speeds, &torques).map_err(refuse)
+    }
+
+    fn judged(&self, gearbox: &Gearbox, point: Point) -> Result<Losses, Error> {
+        let mut losses = answers::answer(gearbox, self.gear.as_deref(), point, self.cooling())?;
+        losses.judgement = Judgement::of(gearbox, None, None, losses.heat.as_ref());
+        losses.warnings.extend(losses.judgement.warnings(&[]));
+        Ok(losses)
     }
 
     fn load(&self) -> Result<GivenLoad, Failure> {

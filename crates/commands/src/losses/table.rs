@@ -1,6 +1,7 @@
 //! Losses as tables.
 
 use crate::losses::answer::{GearLosses, Heat, Loss, LossChapter, LossKind, LossMap, Losses, NotCalculated};
+use crate::shared::judgement::table as judgement;
 use crate::table::columns::Table;
 use crate::table::figure::Figure;
 use crate::table::figure::rpm;
@@ -14,7 +15,8 @@ impl AsReport for Losses {
     fn report(&self) -> Report {
         let tables = tables(&self.gears, &self.losses, &self.not_calculated);
         let heat = self.heat.as_ref().map(|heat| Part::Records(of_heat(heat)));
-        let parts = [Part::Facts(facts(self))].into_iter().chain(tables).chain(heat).collect();
+        let judged = judgement::parts(&self.judgement);
+        let parts = [Part::Facts(facts(self))].into_iter().chain(tables).chain(heat).chain(judged).collect();
         Report { title: Some(format!("{}: losses", self.gearbox)), parts, warnings: warned(&self.warnings) }
     }
 }

@@ -12,6 +12,7 @@ use crate::page::paper::{PICTURE_MM, SMALL_PLOT_MM};
 use crate::page::sheet::{Arrangement, Block, Section, Sheet};
 use crate::report::answer::gearbox::{GearOverK, GearboxReport, OverK, Shown};
 use crate::shared::drawability::table as drawability;
+use crate::shared::judgement::table as judgement;
 use crate::sheet::table as sheet;
 use crate::strength::page as strength;
 use crate::table::figure::Figure;
@@ -20,6 +21,7 @@ use crate::table::report::{Part, Records};
 use crate::table::text::Error;
 use crate::tolerance::{CIRCULATES, LEVEL, RESTS, SAME_RATIO};
 use crate::vibrate::page as vibration;
+use epicyclic_judge::Rule;
 use epicyclic_pictures::gearbox::scheme::{self, Scale, Show};
 use epicyclic_pictures::gearbox::{ladder, levers, speeds};
 use epicyclic_pictures::plot::{Curve, Plot};
@@ -68,6 +70,11 @@ pub fn sheet(
     figures.extend(report.gears.iter().filter_map(patterns));
     sections.push(Section::new("Figures of every gear", figures).arranged(Arrangement::Rows));
     sections.extend(strength::sections(&report.strength));
+    let judged = judgement::parts(&report.judgement);
+    if !judged.is_empty() {
+        let review = Block::Answer(Report { parts: judged, ..Report::default() });
+        sections.push(Section::new("Review by rules of practice", vec![review]).arranged(Arrangement::Rows));
+    }
     if let Some(of_page) = &report.losses {
         let blocks = vec![Block::Answer(losses::for_page(of_page))];
         sections.push(Section::new("Losses at the operating point", blocks).arranged(Arrangement::Rows));
@@ -231,6 +238,9 @@ fn objections(report: &GearboxReport) -> Vec<String> {
     let of_sheets = report.sheets.iter().flat_map(|sheets| &sheets.warnings);
     all.extend(of_sheets.filter(|warning| !is_told(warning.name)).map(|warning| warning.message.clone()));
     all.extend(strength::objections(&report.strength));
+    // Safeties and lives have objections of their own.
+    let own = [Rule::FlankSafety, Rule::RootSafety, Rule::BearingLife, Rule::CirculatingPower];
+    all.extend(report.judgement.warnings(&own).map(|warning| warning.message));
     if let Some(of_sets) = &report.vibration {
         all.extend(vibration::objections(of_sets, &report.gears));
     }

@@ -111,7 +111,7 @@ fn described(subject: &Gearbox, wanted: Option<&str>) -> Result<DataSheets, Erro
     let tooth_checks =
         ToothChecks::of(subject.tooth_checks(), |of| sets.iter().any(|set: &SetSheet| set.set == of));
     let of_sets = sets.iter().flat_map(SetSheet::warnings);
-    let judgement = Judgement::of(subject, wanted, None)?;
+    let judgement = Judgement::of(subject, wanted, None, None);
     let judged = judgement.warnings(&[]);
     let warnings = tooth_checks.warnings().chain(of_sets).chain(unstated).chain(judged).collect();
     let at_output =

@@ -179,7 +179,7 @@ pub(crate) fn answer(
     let tooth_checks = ToothChecks::of(sized.tooth_checks(), has_size);
     // Sets without a size would be judged by what the file lacks of them.
     let judgement = if sets.iter().all(|set| !set.found.is_empty()) {
-        Judgement::of(&sized, None, None)?
+        Judgement::of(&sized, None, None, None)
     } else {
         Judgement::default()
     };
@@ -273,6 +273,7 @@ fn simple(
         planet_mass: own.mass,
         least_planet_angle: set.set.least_planet_angle(),
         objective: task.objective,
+        practice: task.practice.clone(),
         space: Space {
             modules: set.data.modules[0].map_or_else(|| space.modules.clone(), |module| vec![module]),
             face_widths: task.face_widths[0].clone(),
@@ -365,6 +366,8 @@ fn task(
         planet_rim: request.planet_rim.get(),
         ring_rim: request.ring_rim.get(),
         objective: request.minimise,
+        has_stated_shifts: set.set.tooth_shape().shifts.is_some(),
+        practice: request.practice(),
     };
     (task, held.into_iter().filter(|(_, is_held)| *is_held).map(|(key, _)| key).collect())
 }

@@ -6,6 +6,7 @@ use epicyclic_formats::{RangeError, Span};
 use epicyclic_gears::involute::family::Aim;
 use epicyclic_gears::involute::set::Limits;
 use epicyclic_gears::mesh::USUAL_PLANET_GAP;
+use epicyclic_judge as judge;
 use epicyclic_strength::sizing::bearing::{Bearing, listed, listed_rollers};
 use epicyclic_strength::sizing::{Objective, STANDARD_MODULES_MM, Space};
 use epicyclic_strength::{self as strength, Quantity as Of};
@@ -35,8 +36,7 @@ pub struct Request {
     #[arg(long, value_name = "RANGE", default_value = "3..6", value_parser = planets)]
     pub planets: RangeInclusive<u32>,
 
-    /// Step of the centre distances, which are its multiples within one module of the natural one; planets of
-    /// several kinds on radii of their own have the natural ones.
+    /// Step of the centre distances, which are its multiples within one module of the natural one.
     #[arg(long, value_name = "LENGTH", default_value = "0.5mm", allow_hyphen_values = true)]
     pub centre_distance_step: Quantity<Length>,
 
@@ -63,7 +63,7 @@ pub struct Request {
 
     /// Which bearings of the tables are taken: deep groove ball bearings, cylindrical roller bearings, or
     /// both.
-    #[arg(long, value_enum, default_value_t = BearingType::Balls, conflicts_with_all = ["bearings", "no_bearings"])]
+    #[arg(long, value_enum, default_value_t = BearingType::Any, conflicts_with_all = ["bearings", "no_bearings"])]
     pub bearing_type: BearingType,
 
     /// Bearings side by side in a planet, at most: 1 or 2; a pair is rated by ISO 281 as one double-row
@@ -78,6 +78,11 @@ pub struct Request {
     /// What is least: the mass of the gears, or the outside diameter of the rings.
     #[arg(long, value_enum, default_value_t = Objective::Mass)]
     pub minimise: Objective,
+
+    /// Rank designs beyond usual practice with all others: wide or narrow gears, much sliding, unusual shifts,
+    /// balls under large loads. Without it they come last, and those that practice refuses are left out.
+    #[arg(long)]
+    pub beyond_practice: bool,
 
     /// How many designs of each set are shown.
     #[arg(long, value_name = "N", default_value = "3")]
@@ -126,6 +131,11 @@ impl Request {
         let pairs: Vec<Bearing> =
             single.iter().filter(|_| self.bearing_rows > 1).map(Bearing::pair).collect();
         [single, pairs].concat()
+    }
+
+    /// Limits of usual practice, if they count.
+    pub(crate) fn practice(&self) -> Option<judge::Limits> {
+        (!self.beyond_practice).then(judge::Limits::default)
     }
 
     pub(crate) fn limits(&self) -> Limits {

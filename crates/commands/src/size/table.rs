@@ -206,6 +206,7 @@ pub(crate) fn left_out(sets: &[SizedSet]) -> Records {
         .number("spacing", "spacing", |set| set.left_out.spacing as f64)
         .number("planets_touch", "touch", |set| set.left_out.planets_touch as f64)
         .number("geometry", "shifts", |set| set.left_out.geometry as f64)
+        .number("practice", "practice", |set| set.left_out.practice as f64)
         .number("width_ratio", "b/d", |set| set.left_out.width_ratio as f64)
         .number("rim", "rim", |set| set.left_out.rim as f64)
         .number("bearing_width", "B > b", |set| set.left_out.bearing_width as f64)
@@ -217,13 +218,13 @@ pub(crate) fn left_out(sets: &[SizedSet]) -> Records {
         .number("not_reached", "not reached", |set| set.not_reached as f64)
         .view(
             "Designs left out before their strength",
-            "set designs spacing planets_touch geometry width_ratio rim bearing_width",
+            "set designs spacing planets_touch geometry practice width_ratio rim bearing_width",
         )
         .view(
             "Designs left out by strength and life",
             "set held not_calculable flank root overload bearing_life not_reached",
         )
-        .note("spacing: planets not at equal angles. shifts: none without fault. b/d: wider than allowed. outside: beyond the standard. A design that misses several of S_H, S_F, overload and life counts where it misses most. not reached: no better than the last one found.")
+        .note("spacing: planets not at equal angles. shifts: none without fault. practice: refused by usual practice. b/d: wider than allowed. outside: beyond the standard. A design that misses several of S_H, S_F, overload and life counts where it misses most. not reached: no better than the last one found.")
         .records()
 }
 

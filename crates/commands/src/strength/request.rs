@@ -59,7 +59,7 @@ impl Request {
     fn judged(&self, gearbox: &Gearbox) -> Result<Strength, Error> {
         // The judge looks at factors, whether they are asked for or not.
         let mut strength = answers::answer(gearbox, &Self { factors: true, ..self.clone() })?;
-        strength.judgement = Judgement::of(gearbox, None, Some(&strength))?;
+        strength.judgement = Judgement::of(gearbox, None, Some(&strength), None);
         let teeth = ToothChecks::of(gearbox.tooth_checks(), |_| true);
         // Safeties and lives have warnings of their own.
         let judged = strength.judgement.warnings(&[Rule::FlankSafety, Rule::RootSafety, Rule::BearingLife]);

@@ -74,6 +74,7 @@ pub mod outline;
 pub mod pair;
 pub mod plain;
 pub mod play;
+pub mod practice;
 pub mod profile;
 #[cfg(test)]
 mod published;

@@ -71,6 +71,7 @@
 //! by side (two: [`Bearing::pair`](bearing::Bearing::pair)).
 
 pub mod bearing;
+mod practice;
 mod rated;
 mod search;
 mod simple;
@@ -157,6 +158,8 @@ pub struct LeftOut {
     pub planets_touch: u64,
     /// Centre distances without shifts that have no fault.
     pub geometry: u64,
+    /// Gears that usual practice refuses.
+    pub practice: u64,
     /// Face widths above the bound.
     pub width_ratio: u64,
     /// Planets to which no bearing leaves the least rim.
@@ -182,6 +185,7 @@ impl LeftOut {
         self.spacing
             + self.planets_touch
             + self.geometry
+            + self.practice
             + self.width_ratio
             + self.rim
             + self.bearing_width

@@ -1,18 +1,21 @@
 //! Designs in ascending order of the objective, until enough of them hold.
 
 use super::bearing::Bearing;
+use super::practice::{self, Practice};
 use super::rated::{Place, Ratings, rim_of};
 use super::task::{Body, Design, DesignedPlanet, Governing, Layout, Task};
 use super::{Found, LeftOut, Objective, Requirement, Tried};
 use crate::bearing::{BearingStep, Reliability, life_over_duty};
 use crate::{Error, Quantity};
 use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::life::Rolling;
+use epicyclic_judge::Severity;
 use epicyclic_units::Physical;
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 use std::f64::consts::FRAC_PI_4;
 use std::ops::ControlFlow;
-use uom::si::f64::{Force, Length, Mass, Time};
+use uom::si::f64::{Force, Length, Mass};
 
 /// The best `most` designs of these layouts, unless `goes_on`, which is called now and then, breaks. `tried`
 /// is what was left out before.
@@ -41,14 +44,15 @@ pub fn search(
         task,
         layouts,
         masses: layouts.iter().map(|layout| Masses::new(task, layout)).collect(),
+        practice: task.practice.as_ref().map_or_else(Vec::new, |limits| {
+            layouts.iter().map(|layout| Practice::of(task, layout, limits)).collect()
+        }),
         ratings: Ratings::new(task, layouts),
         left_out: tried.left_out,
     };
     let mut heap = BinaryHeap::new();
     for layout in 0..layouts.len() {
-        if let Some(first) = search.narrowest(layout) {
-            heap.push(Reverse(first));
-        }
+        heap.extend(search.narrowest(layout).into_iter().map(Reverse));
     }
     let (mut found, mut nearest): (Vec<Design>, Option<Design>) = (vec![], None);
     while found.len() < most {
@@ -61,11 +65,18 @@ pub fn search(
             continue;
         }
         // Wider designs are no lighter: they enter the queue only now, which keeps it short.
-        search.wider(&next).into_iter().for_each(|wider| heap.push(Reverse(wider)));
+        if !next.is_followed {
+            heap.extend(search.wider(&next).into_iter().map(Reverse));
+        }
+        if search.worst(next.layout, &search.widths(&next.widths)).0 == Some(Severity::Error) {
+            search.left_out.practice += 1;
+            continue;
+        }
         let Some(design) = search.judged(&next)? else { continue };
         if design.governing.ratio() >= 1.0 {
             // It waits until no other design can be better.
-            let key = search.objectives(design.mass, design.ring_diameter);
+            let worst = if design.is_usual { None } else { Some(Severity::Warning) };
+            let key = search.objectives(worst, design.mass, design.ring_diameter);
             heap.push(Reverse(Candidate { objectives: key, design: Some(Box::new(design)), ..next }));
             continue;
         }
@@ -95,10 +106,12 @@ pub fn search(
 /// A design in the order of the search: before it is judged with the objectives that it cannot be below.
 #[derive(Debug, Clone, PartialEq)]
 struct Candidate {
-    objectives: [f64; 2],
+    objectives: [f64; 3],
     layout: usize,
     /// Index of the face width of each family.
     widths: Vec<usize>,
+    /// Whether the wider ones are in the queue already.
+    is_followed: bool,
     /// The design, if it holds.
     design: Option<Box<Design>>,
 }
@@ -113,11 +126,9 @@ impl Eq for Candidate {}
 
 impl Ord for Candidate {
     fn cmp(&self, other: &Self) -> Ordering {
-        let [first, second] =
-            [0, 1].map(|place: usize| self.objectives[place].total_cmp(&other.objectives[place]));
+        let by = self.objectives.iter().zip(&other.objectives).map(|(one, other)| one.total_cmp(other));
         let rest = |one: &Self| (one.layout, one.design.is_some());
-        first
-            .then(second)
+        by.fold(Ordering::Equal, Ordering::then)
             .then_with(|| rest(self).cmp(&rest(other)))
             .then_with(|| self.widths.cmp(&other.widths))
     }
@@ -229,16 +240,18 @@ struct Search<'a> {
     task: &'a Task,
     layouts: &'a [Layout],
     masses: Vec<Masses>,
+    /// Empty where practice does not count.
+    practice: Vec<Practice>,
     ratings: Ratings<'a>,
     left_out: LeftOut,
 }
 
 impl Search<'_> {
-    fn objectives(&self, mass: Mass, ring: Option<Length>) -> [f64; 2] {
-        let ring = ring.map_or(0.0, Physical::si);
+    fn objectives(&self, worst: Option<Severity>, mass: Mass, ring: Option<Length>) -> [f64; 3] {
+        let (rank, ring) = (practice::rank(worst), ring.map_or(0.0, Physical::si));
         match self.task.objective {
-            Objective::Mass => [mass.si(), ring],
-            Objective::Ring => [ring, mass.si()],
+            Objective::Mass => [rank, mass.si(), ring],
+            Objective::Ring => [rank, ring, mass.si()],
         }
     }
 
@@ -246,13 +259,28 @@ impl Search<'_> {
         self.task.face_widths.iter().zip(widths).map(|(all, place)| all[*place].si()).collect()
     }
 
-    /// A design before it is judged. No bearing makes it lighter than the largest bore.
-    fn candidate(&self, layout: usize, widths: Vec<usize>) -> Candidate {
+    /// A design before it is judged, and those that follow it where it is too narrow for usual practice: a
+    /// wider one may be better. No bearing makes it lighter than the largest bore.
+    fn candidates(&self, layout: usize, widths: Vec<usize>, all: &mut Vec<Candidate>) {
         let masses = &self.masses[layout];
         let bores = masses.largest_bore.iter().copied();
-        let mass = masses.all(self.layouts[layout].planets, bores, &self.widths(&widths));
-        let objectives = self.objectives(Mass::from_si(mass), masses.ring);
-        Candidate { objectives, layout, widths, design: None }
+        let lengths = self.widths(&widths);
+        let mass = masses.all(self.layouts[layout].planets, bores, &lengths);
+        let (worst, is_followed) = self.worst(layout, &lengths);
+        let objectives = self.objectives(worst, Mass::from_si(mass), masses.ring);
+        let one = Candidate { objectives, layout, widths, is_followed, design: None };
+        if is_followed {
+            all.extend(self.wider(&one));
+        }
+        all.push(one);
+    }
+
+    /// The worst that gears and widths have by usual practice, and whether a wider one may be better.
+    fn worst(&self, layout: usize, widths: &[f64]) -> (Option<Severity>, bool) {
+        let Some(limits) = &self.task.practice else { return (None, false) };
+        let own = &self.practice[layout];
+        let (of_widths, is_narrow) = own.of_widths(limits, widths);
+        (own.geometry.max(of_widths), is_narrow)
     }
 
     /// How many of the face widths of each family the width ratio allows.
@@ -263,27 +291,38 @@ impl Search<'_> {
     }
 
     /// The narrowest design of a layout; those that the width ratio or the rims leave out are counted.
-    fn narrowest(&mut self, layout: usize) -> Option<Candidate> {
+    fn narrowest(&mut self, layout: usize) -> Vec<Candidate> {
         let all = self.task.designs_of_layout();
+        if self.practice.get(layout).is_some_and(|own| own.geometry == Some(Severity::Error)) {
+            self.left_out.practice += all;
+            return vec![];
+        }
         if self.masses[layout].largest_bore.contains(&f64::NEG_INFINITY) {
             self.left_out.rim += all;
-            return None;
+            return vec![];
         }
         let allowed: u64 = self.allowed(layout).iter().map(|count| *count as u64).product();
         self.left_out.width_ratio += all - allowed;
-        (allowed > 0).then(|| self.candidate(layout, vec![0; self.task.face_widths.len()]))
+        let mut first = vec![];
+        if allowed > 0 {
+            self.candidates(layout, vec![0; self.task.face_widths.len()], &mut first);
+        }
+        first
     }
 
     /// The designs that follow one in width: each is reached from one other alone.
     fn wider(&self, one: &Candidate) -> Vec<Candidate> {
         let allowed = self.allowed(one.layout);
         let last = one.widths.iter().rposition(|width| *width > 0).unwrap_or(0);
-        let next = |family: usize| {
+        let mut next = vec![];
+        for family in last..one.widths.len() {
             let mut widths = one.widths.clone();
             widths[family] += 1;
-            (widths[family] < allowed[family]).then(|| self.candidate(one.layout, widths))
-        };
-        (last..one.widths.len()).filter_map(next).collect()
+            if widths[family] < allowed[family] {
+                self.candidates(one.layout, widths, &mut next);
+            }
+        }
+        next
     }
 
     /// A design with its safeties and lives; `None` if it is left out for other reasons, which are counted.
@@ -336,7 +375,10 @@ impl Search<'_> {
             _ => None,
         };
         let ratio = |(width, diameter): (&f64, &f64)| width / diameter;
+        let (worst, _) = self.worst(one.layout, &widths);
+        let is_usual = practice::rank(worst) == 0.0 && planets.iter().all(|planet| planet.is_usual);
         Ok(Some(Design {
+            is_usual,
             mass: Mass::from_si(masses.all(own.planets, planets.iter().map(bore), &widths)),
             ring_diameter: masses.ring,
             rims: (0..own.gears.len()).map(rim).collect(),
@@ -351,7 +393,7 @@ impl Search<'_> {
     }
 
     /// Planets of each kind with the bearing of the largest bore that lives as long as required and leaves
-    /// the teeth strong enough; if there is none, with that which misses least.
+    /// the teeth strong enough, balls under more load than is usual after all others; if there is none, with that which misses least.
     fn planets(&mut self, one: &Candidate, widths: &[f64]) -> Result<Chosen, Error> {
         let kinds: Vec<usize> = (0..self.task.planets.len()).collect();
         if self.task.has_one_bearing {
@@ -374,7 +416,8 @@ impl Search<'_> {
     fn alike(&mut self, one: &Candidate, kinds: &[usize], widths: &[f64]) -> Result<Chosen, Error> {
         let (task, layouts) = (self.task, self.layouts);
         let own = &layouts[one.layout];
-        let made = |kind: usize, bearing: Option<&Bearing>, bore: f64, life| DesignedPlanet {
+        let made = |kind: usize, bearing: Option<&Bearing>, bore: f64, life, is_usual| DesignedPlanet {
+            is_usual,
             bearing: bearing.cloned(),
             bore: (bore > 0.0).then(|| Length::from_si(bore)),
             rim: (bore > 0.0).then(|| {
@@ -389,7 +432,7 @@ impl Search<'_> {
         };
         if sized.bearings.is_empty() {
             let bore = |kind: usize| task.planets[kind].bore.map_or(0.0, Physical::si);
-            let planets = kinds.iter().map(|kind| made(*kind, None, bore(*kind), None)).collect();
+            let planets = kinds.iter().map(|kind| made(*kind, None, bore(*kind), None, true)).collect();
             return Ok(Chosen::Planets(planets, vec![]));
         }
         let bore = |bearing: &Bearing| bearing.outside_diameter.si();
@@ -403,15 +446,27 @@ impl Search<'_> {
         // The sort is stable: of equal bores the first of the table stays first.
         bearings.sort_by(|one, other| bore(other).total_cmp(&bore(one)));
         let mut best: Option<(f64, Vec<DesignedPlanet>, Vec<Governing>)> = None;
+        // The first that holds, but with balls under more load than is usual.
+        let mut unusual: Option<(Vec<DesignedPlanet>, Vec<Governing>)> = None;
         let is_none = bearings.is_empty();
         'bearings: for bearing in bearings {
             let bore = bore(bearing);
             let (mut planets, mut of_bearing, mut ratio) = (vec![], vec![], f64::INFINITY);
+            let mut is_usual = true;
             for kind in kinds {
                 let own_mass = self.masses[one.layout].planet(*kind, bore, widths);
                 let mass = task.planets[*kind].mass.map_or(own_mass, Physical::si);
                 let sharing = task.planets[*kind].sharing.unwrap_or(own.sharing);
-                let life = bearing_life(own, *kind, bearing, (mass, sharing))?;
+                let duty = bearing_duty(own, *kind, (mass, sharing));
+                let greatest = duty.iter().map(|step| step.load.si()).fold(0.0, f64::max);
+                if let Some(limits) = task.practice.as_ref().filter(|_| bearing.rolling == Rolling::Balls) {
+                    is_usual &= !practice::is_overloaded(limits, greatest);
+                }
+                if !is_usual && unusual.is_some() {
+                    continue 'bearings;
+                }
+                let life =
+                    life_over_duty(bearing.rolling, bearing.load_rating, &duty, Reliability::Percent90)?;
                 of_bearing.extend(life.map(|life| Governing {
                     requirement: Requirement::BearingLife,
                     mesh: None,
@@ -419,19 +474,26 @@ impl Search<'_> {
                     value: libm::pow(life.hours() / task.life.hours(), 1.0 / bearing.rolling.exponent()),
                     required: 1.0,
                 }));
-                planets.push(made(*kind, Some(bearing), bore, life));
+                planets.push(made(*kind, Some(bearing), bore, life, is_usual));
                 let Some(of_teeth) = self.ratings.roots(one.place(), *kind, bore)? else {
                     continue 'bearings;
                 };
                 let all = of_teeth.iter().chain(&of_bearing).map(Governing::ratio);
                 ratio = all.fold(ratio, f64::min);
             }
+            if ratio >= 1.0 && !is_usual {
+                unusual = Some((planets, of_bearing));
+                continue;
+            }
+            if ratio >= 1.0 {
+                return Ok(Chosen::Planets(planets, of_bearing));
+            }
             if best.as_ref().is_none_or(|(least, ..)| ratio > *least) {
                 best = Some((ratio, planets, of_bearing));
             }
-            if ratio >= 1.0 {
-                break;
-            }
+        }
+        if let Some((planets, governing)) = unusual {
+            return Ok(Chosen::Planets(planets, governing));
         }
         Ok(match best {
             Some((_, planets, governing)) => Chosen::Planets(planets, governing),
@@ -450,13 +512,8 @@ enum Chosen {
     NotCalculable,
 }
 
-/// `L_10` over the duty.
-fn bearing_life(
-    own: &Layout,
-    planet: usize,
-    bearing: &Bearing,
-    (planet_kg, sharing): (f64, f64),
-) -> Result<Option<Time>, Error> {
+/// Loads and speeds of a planet's bearing over the duty.
+fn bearing_duty(own: &Layout, planet: usize, (planet_kg, sharing): (f64, f64)) -> Vec<BearingStep> {
     let steps = own.bearing_loads[planet].iter().map(|step| {
         let centrifugal = planet_kg * own.radii[planet].si() * step.carrier_speed.si().powi(2);
         let radial = sharing * step.radial.si() + centrifugal;
@@ -467,6 +524,5 @@ fn bearing_life(
             modification: 1.0,
         }
     });
-    let duty: Vec<BearingStep> = steps.collect();
-    life_over_duty(bearing.rolling, bearing.load_rating, &duty, Reliability::Percent90)
+    steps.collect()
 }

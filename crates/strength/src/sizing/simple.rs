@@ -22,6 +22,7 @@ use epicyclic_gears::involute::set::Limits;
 use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet};
 use epicyclic_gears::mesh::TipCircle;
 use epicyclic_gears::spacing::PlanetSpacing;
+use epicyclic_judge as judge;
 use epicyclic_units::Physical;
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -102,6 +103,8 @@ pub struct Sizing {
     pub least_planet_angle: Option<Angle>,
     /// Objective that is minimized.
     pub objective: Objective,
+    /// Limits of usual practice, as [`Task::practice`].
+    pub practice: Option<judge::Limits>,
     /// The space.
     pub space: Space,
 }
@@ -157,6 +160,8 @@ impl Sizing {
             planet_rim: self.planet_rim,
             ring_rim: self.ring_rim,
             objective: self.objective,
+            has_stated_shifts: self.held_shifts.is_some(),
+            practice: self.practice.clone(),
         }
     }
 

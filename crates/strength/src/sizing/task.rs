@@ -12,6 +12,7 @@ use crate::spectrum::{GearDuty, Step, Worn, check_shares};
 use crate::{Error, Quantity};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::{InvoluteGear, Pair};
+use epicyclic_judge::Limits;
 use epicyclic_units::Physical;
 use std::sync::Arc;
 use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length, Mass, Time, Torque};
@@ -151,6 +152,11 @@ pub struct Task {
     pub ring_rim: f64,
     /// Objective that is minimized.
     pub objective: Objective,
+    /// Whether the profile shifts are stated, not chosen.
+    pub has_stated_shifts: bool,
+    /// Limits of usual practice: designs beyond them come after all others, or are left out. `None` does not
+    /// look at them.
+    pub practice: Option<Limits>,
 }
 
 impl Task {
@@ -263,6 +269,8 @@ pub struct DesignedPlanet {
     pub bore: Option<Length>,
     /// The least rim between root circle and bore; `None` of solid ones.
     pub rim: Option<Length>,
+    /// Whether the bearing is usual for its load; true without a bearing.
+    pub is_usual: bool,
     /// `L_10` of the bearing over the duty; `None` without a bearing, and where it never turns under load.
     pub life: Option<Time>,
 }
@@ -288,6 +296,8 @@ pub struct Design {
     pub meshes: Vec<Option<[GearDuty<Worn>; 2]>>,
     /// The overload requirement that is met least; `None` where no overload loads the set.
     pub overload: Option<Governing>,
+    /// Whether usual practice is kept; true where nothing looks at it.
+    pub is_usual: bool,
     /// The requirement that is met least.
     pub governing: Governing,
 }

@@ -10,6 +10,7 @@ use super::{Input, OperatingPoint, Worked, pins, planets, warnings};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::gearbox::Gearbox;
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::tooth_checks::answer::ToothChecks;
 use epicyclic_train::{self as train, Analysis};
 use epicyclic_units::Physical as _;
@@ -46,6 +47,8 @@ pub struct Overview {
     pub planet_bearings: Vec<PlanetBearing>,
     /// Tooth checks of the sets.
     pub tooth_checks: ToothChecks,
+    /// Judgement of the gearbox by rules of practice; empty in a report and a comparison.
+    pub judgement: Judgement,
     /// Warnings about the gearbox and its gears.
     pub warnings: Vec<Warning>,
 }
@@ -135,6 +138,7 @@ pub fn answer(subject: &Gearbox, input: Input, progression_factor: Option<f64>) 
         planets: planets::OverGears::all(gearbox, &worked, &bearings),
         planet_bearings: bearings,
         tooth_checks: ToothChecks::of(subject.tooth_checks(), |_| true),
+        judgement: Judgement::default(),
         warnings: all,
         gears,
     })

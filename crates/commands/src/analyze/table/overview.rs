@@ -8,6 +8,7 @@ use crate::analyze::answer::planets::{self, LargestForce};
 use crate::analyze::answer::progression::Progression;
 use crate::analyze::answer::records::{GearFacts, Published, State};
 use crate::analyze::answer::warnings::state_in_words;
+use crate::shared::judgement::table as judgement;
 use crate::table::columns::Table;
 use crate::table::figure::Figure;
 use crate::table::report::AsReport;
@@ -39,6 +40,7 @@ impl AsReport for Overview {
         parts.extend(planets(self).map(Part::Records));
         let bearings = planet_bearings::records(&self.planet_bearings, &self.operating_point, false);
         parts.extend(bearings.map(Part::Records));
+        parts.extend(judgement::parts(&self.judgement));
         Report { title: Some(self.gearbox.clone()), parts, warnings: warned(&self.warnings) }
     }
 }

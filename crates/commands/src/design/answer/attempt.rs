@@ -80,7 +80,10 @@ impl Attempt {
         if let Some(design) = wanted.tooth_design.filter(|_| tried.is_empty() && listed > 0) {
             return Err(Error::NoSuchDesign { design, designs: listed });
         }
-        tried.sort_by(|one, other| one.objective().total_cmp(&other.objective()));
+        tried.sort_by(|one, other| {
+            let practice = one.beyond_practice().cmp(&other.beyond_practice());
+            practice.then(one.objective().total_cmp(&other.objective()))
+        });
         let mut taken = tried.iter().map(|one| one.taken.clone());
         let teeth = TeethStep {
             accepted,
@@ -177,6 +180,12 @@ impl Tried {
     /// Mass of the gears in kg; `None` unless every set has a size.
     fn mass_kg(&self) -> Option<f64> {
         self.size.mass_kg.filter(|_| self.is_whole())
+    }
+
+    /// Whether a set has no size, and then numbers of errors and of warnings by usual practice as 0 or 1.
+    fn beyond_practice(&self) -> [bool; 3] {
+        let [errors, warnings, _] = self.size.judgement.misses();
+        [!self.is_whole(), errors > 0, warnings > 0]
     }
 
     /// Objective to minimize; infinite if a set has no size.

@@ -5,6 +5,7 @@ use crate::select::answer::candidate::Candidate;
 use crate::select::answer::required::{Objective, Required};
 use crate::select::answer::teeth;
 use crate::shared::catalogue::KRange;
+use crate::shared::judgement::answer::Judgement;
 use crate::size::answer::Size;
 use crate::size::answer::records::{Governing, SizedSet};
 use epicyclic_selection::Mechanism;
@@ -192,6 +193,8 @@ pub struct SizesStep {
     pub sets: Vec<SizedSet>,
     /// Set with the least margin over a requirement, and this requirement; null if a set has no size.
     pub governing: Option<GoverningSet>,
+    /// Judgement of the gearbox with these sizes by rules of practice.
+    pub judgement: Judgement,
 }
 
 /// Requirement with the least margin in the gearbox.
@@ -219,6 +222,7 @@ impl SizesStep {
         let ratio = |one: &GoverningSet| one.requirement.value / one.requirement.required;
         let governing =
             best.and_then(|all| all.into_iter().min_by(|one, other| ratio(one).total_cmp(&ratio(other))));
-        Self { designs: size.designs, mass_kg: size.mass_kg, sets: size.sets, governing }
+        let Size { designs, mass_kg, sets, judgement, .. } = size;
+        Self { designs, mass_kg, sets, governing, judgement }
     }
 }

@@ -9,6 +9,7 @@ use crate::losses::answer::{self as losses, LossChapter};
 use crate::shared::drawability::answer::Conflict;
 use crate::shared::exciting::Exciting;
 use crate::shared::gearbox::Gearbox;
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::load::Load;
 use crate::shared::number::plain;
 use crate::sheet::answer::{self as sheet, DataSheets};
@@ -49,6 +50,8 @@ pub struct GearboxReport {
     /// Strength of the teeth at the operating point with load and speed, then over the duty of the file.
     /// Empty if the file lacks oil, life or the `strength` of a set.
     pub strength: Vec<Strength>,
+    /// Judgement of the gearbox by rules of practice, over the duty of the file.
+    pub judgement: Judgement,
     /// Losses by their sources at the operating point; null without speed and load, or if nothing loses
     /// power.
     pub losses: Option<LossChapter>,
@@ -131,6 +134,7 @@ pub(crate) fn answer<'g>(
             shifts => Some(shifts?),
         },
         strength: strength::chapters(subject, load)?,
+        judgement: Judgement::of(subject, None, None, None),
         losses: losses::chapter(subject, input)?,
         sheets: sheet::chapter(subject)?,
         vibration: vibration::chapter(subject, exciting, goes_on)?,

@@ -9,6 +9,9 @@ use serde::Serialize;
 /// Source of the limits of tooth checks.
 pub(super) const GEOMETRY: &str = "geometry";
 
+/// Rules that are named one by one at most; more are counted.
+const MOST_NAMED: usize = 2;
+
 /// Judgement of a gearbox by rules of practice.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
@@ -117,12 +120,38 @@ impl Judgement {
                 with_unit(nearest.limit),
             );
         }
-        let not_judged =
-            |of: &NotJudged| format!("{} of {} ({})", of.rules.join(", "), of.of, of.missing.join(", "));
-        if !self.not_judged.is_empty() {
-            let all: Vec<String> = self.not_judged.iter().map(not_judged).collect();
-            words += &format!(" Not judged: {}.", all.join("; "));
+        let groups = self.groups();
+        if !groups.is_empty() {
+            words += &format!(" Not judged: {}.", groups.join("; "));
         }
         words
+    }
+
+    /// What is not judged, by what is missing: `8 rules of P and Q (profile_shifts missing)`.
+    fn groups(&self) -> Vec<String> {
+        let mut groups: Vec<(&[String], Vec<&str>, Vec<&str>)> = vec![];
+        for NotJudged { of, rules, missing } in &self.not_judged {
+            let place = groups.iter().position(|(known, ..)| *known == missing.as_slice());
+            let place = place.unwrap_or_else(|| {
+                groups.push((missing, vec![], vec![]));
+                groups.len() - 1
+            });
+            let (_, known_rules, subjects) = &mut groups[place];
+            known_rules.extend(rules.iter().filter(|rule| !known_rules.contains(rule)).collect::<Vec<_>>());
+            if !subjects.contains(&of.as_str()) {
+                subjects.push(of);
+            }
+        }
+        let words = |(missing, rules, subjects): (&[String], Vec<&str>, Vec<&str>)| {
+            let rules = if rules.len() <= MOST_NAMED {
+                rules.join(" and ")
+            } else {
+                format!("{} rules", rules.len())
+            };
+            // A reason in words says what is missing by itself.
+            let lack = if missing.iter().any(|one| one.contains(' ')) { "" } else { " missing" };
+            format!("{rules} of {} ({}{lack})", subjects.join(" and "), missing.join(", "))
+        };
+        groups.into_iter().map(words).collect()
     }
 }

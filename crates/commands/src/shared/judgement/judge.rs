@@ -2,7 +2,8 @@
 
 use super::answer::{GEOMETRY, Judged, Judgement, NotJudged};
 use crate::shared::tooth_checks::answer::ToothChecks;
-use epicyclic_judge::{Bounds, Limits, Rule, Verdict};
+use crate::tolerance::APART;
+use epicyclic_judge::{Limits, Rule, Verdict};
 
 /// Collects verdicts.
 #[derive(Debug, Default)]
@@ -18,11 +19,6 @@ impl Judge {
         self.take(of, self.limits.judge(rule, value));
     }
 
-    /// Judges a value by bounds that follow from other values.
-    pub(super) fn see_by(&mut self, rule: Rule, bounds: Bounds, of: &[&str], value: f64) {
-        self.take(of, self.limits.judge_by(rule, bounds, value));
-    }
-
     /// Takes a verdict.
     pub(super) fn take(&mut self, of: &[&str], verdict: Verdict) {
         let rule = verdict.rule;
@@ -36,7 +32,7 @@ impl Judge {
             holds: verdict.holds(),
             source: rule.source(),
             message: verdict.miss(),
-            remedy: (!verdict.holds()).then(|| rule.remedy()),
+            remedy: (!verdict.holds()).then(|| verdict.remedy()),
         };
         // A rule without bounds has nothing to come near to.
         self.checks.push((judged, verdict.room));
@@ -46,6 +42,13 @@ impl Judge {
     pub(super) fn lacks(&mut self, of: &str, rules: &[Rule], missing: Vec<String>) {
         let rules = rules.iter().map(|rule| rule.name()).collect();
         self.not_judged.push(NotJudged { of: of.to_owned(), rules, missing });
+    }
+
+    /// Notes rules that cannot be judged for a reason, if there is one.
+    pub(super) fn lacks_if(&mut self, of: &str, rules: &[Rule], why: Option<String>) {
+        if let Some(why) = why {
+            self.lacks(of, rules, vec![why]);
+        }
     }
 
     pub(super) fn take_tooth_checks(&mut self, all: &ToothChecks) {
@@ -75,7 +78,8 @@ impl Judge {
     pub(super) fn judgement(mut self) -> Judgement {
         // Errors first; among equals the order of the checks, which is that of the sets.
         self.checks.sort_by_key(|(check, _)| (check.holds, std::cmp::Reverse(check.severity)));
-        let nearest = self.checks.iter().filter(|(check, room)| check.holds && room.is_finite());
+        let nearest =
+            self.checks.iter().filter(|(check, room)| check.holds && (APART..f64::INFINITY).contains(room));
         let nearest =
             nearest.min_by(|(_, one), (_, other)| one.total_cmp(other)).map(|(check, _)| check.clone());
         let checks: Vec<Judged> = self.checks.into_iter().map(|(check, _)| check).collect();

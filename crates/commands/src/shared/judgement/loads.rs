@@ -3,7 +3,6 @@
 use super::judge::Judge;
 use super::teeth::width_ratio;
 use crate::analyze::answer::{Input, Worked};
-use crate::error::Error;
 use crate::shared::gearbox::Gearbox;
 use crate::shared::toothed::toothed;
 use crate::strength::answer::duty::{WorkedStep, steps};
@@ -38,48 +37,45 @@ const FACE_LOAD: &str = "K_Hβ";
 const GRAVITY: f64 = 9.806_65;
 
 /// Judges what the file says of loads: over its duty, or at an operating point.
-///
-/// # Errors
-/// [`Error::Document`] for invalid data in the file, with the place.
 pub(super) fn judge(
     judge: &mut Judge,
     subject: &Gearbox,
     file: &GearboxFile,
     set: Option<&str>,
     strength: Option<&Strength>,
-) -> Result<(), Error> {
+) {
     of_gears(judge, subject);
-    let own;
-    let strength = match strength {
-        Some(strength) => Some(strength),
-        None => {
-            own = over_duty(subject, file)?;
-            own.as_ref()
+    let name = subject.train.name();
+    let is_wanted = |id: &str| set.is_none_or(|set| set == id);
+    let (own, why) = match strength {
+        Some(_) => (None, None),
+        None => match over_duty(subject, file) {
+            Ok(Some(strength)) => (Some(strength), None),
+            Ok(None) => (None, Some("duty, oil, life and the strength of sets".to_owned())),
+            Err(error) => (None, Some(error.to_string())),
+        },
+    };
+    judge.lacks_if(name, &OF_STRENGTH, why);
+    if let Some(strength) = strength.or(own.as_ref()) {
+        of_strength(judge, strength, &is_wanted);
+        for one in subject.train.sets().iter().filter(|set| is_wanted(set.id())) {
+            if let Some(data) = file.set_data(one) {
+                of_face_loads(judge, subject, strength, one, &data);
+            }
+        }
+    }
+    let why = match steps(subject, &file.duty) {
+        _ if file.duty.is_empty() => Some("duty".to_owned()),
+        Err(error) => Some(error.to_string()),
+        Ok(steps) => {
+            let sets = subject.train.sets().iter().enumerate();
+            for one in sets.filter(|(_, set)| is_wanted(set.id())) {
+                of_speeds(judge, subject, file, one, &steps);
+            }
+            None
         }
     };
-    let is_wanted = |id: &str| set.is_none_or(|set| set == id);
-    match strength {
-        Some(strength) => of_strength(judge, strength, &is_wanted),
-        None => judge.lacks(
-            subject.train.name(),
-            &OF_STRENGTH,
-            vec!["duty with oil, life and the strength of sets".to_owned()],
-        ),
-    }
-    for one in subject.train.sets().iter().filter(|set| is_wanted(set.id())) {
-        if let (Some(strength), Some(data)) = (strength, file.set_data(one)) {
-            of_face_loads(judge, subject, strength, one, &data)?;
-        }
-    }
-    if file.duty.is_empty() {
-        judge.lacks(subject.train.name(), &OF_DUTY, vec!["duty".to_owned()]);
-        return Ok(());
-    }
-    let steps = steps(subject, &file.duty)?;
-    for (place, set) in subject.train.sets().iter().enumerate().filter(|(_, set)| is_wanted(set.id())) {
-        of_speeds(judge, subject, file, (place, set), &steps)?;
-    }
-    Ok(())
+    judge.lacks_if(name, &OF_DUTY, why);
 }
 
 /// Circulating power and efficiency of each gear.
@@ -203,8 +199,8 @@ fn of_face_loads(
     strength: &Strength,
     set: &PlanetSet,
     data: &SetData<'_>,
-) -> Result<(), Error> {
-    let Ok(toothed) = toothed(subject, data, set)? else { return Ok(()) };
+) {
+    let Ok(Ok(toothed)) = toothed(subject, data, set) else { return };
     for mesh in &toothed.meshes {
         let name = MeshName::of(set, mesh.gears);
         let Some(width) = data.common_width(mesh.gears) else { continue };
@@ -217,12 +213,15 @@ fn of_face_loads(
             judge.see(Rule::FaceLoad, &of, given.greatest / (1.0 + 0.4 * ratio * ratio));
         }
     }
-    Ok(())
 }
 
 /// Life, static safety, speed and load of a planet bearing.
 fn of_bearing(judge: &mut Judge, strength: &Strength, bearing: &BearingOverDuty) {
-    let name = format!("bearing of the {}", bearing.planet);
+    // Planets of short sets have no name.
+    let name = match bearing.planet.parse::<u32>() {
+        Ok(_) => "planet bearing".to_owned(),
+        Err(_) => format!("bearing of the {}", bearing.planet),
+    };
     let of = [bearing.set.as_str(), name.as_str()];
     if let Some(life) = bearing.life_s() {
         judge.see(Rule::BearingLife, &of, life / strength.life_s);
@@ -230,10 +229,11 @@ fn of_bearing(judge: &mut Judge, strength: &Strength, bearing: &BearingOverDuty)
     match bearing.static_safety {
         Some(safety) => judge.see(Rule::BearingStaticSafety, &of, safety),
         None => {
-            judge.lacks(&name_of(&of), &[Rule::BearingStaticSafety], vec!["static_load_rating".to_owned()])
+            judge.lacks(&name_of(&of), &[Rule::BearingStaticSafety], vec!["static_load_rating".to_owned()]);
         }
     }
-    if let Some(force) = bearing.greatest_force_n.filter(|_| !bearing.rollers) {
+    let force = bearing.steps.iter().map(|step| step.force_n).fold(0.0, f64::max);
+    if !bearing.rollers && force > 0.0 {
         judge.see(Rule::BallLoad, &of, force / 1e3);
     }
     let loads = bearing.steps.iter().map(|step| step.equivalent_load_n).filter(|load| *load > 0.0);
@@ -259,13 +259,13 @@ fn of_speeds(
     file: &GearboxFile,
     (place, set): (usize, &PlanetSet),
     steps: &[WorkedStep<'_>],
-) -> Result<(), Error> {
-    let Some(data) = file.set_data(set) else { return Ok(()) };
-    let toothed = match toothed(subject, &data, set)? {
-        Ok(toothed) if data.modules.iter().any(Option::is_some) => toothed,
+) {
+    let Some(data) = file.set_data(set) else { return };
+    let toothed = match toothed(subject, &data, set) {
+        Ok(Ok(toothed)) if data.modules.iter().any(Option::is_some) => toothed,
         _ => {
-            judge.lacks(set.id(), &[Rule::SpurSpeed, Rule::OrbitAcceleration], vec!["module".to_owned()]);
-            return Ok(());
+            let rules = [Rule::SpurSpeed, Rule::HelicalSpeed, Rule::OrbitAcceleration];
+            return judge.lacks(set.id(), &rules, vec!["module".to_owned()]);
         }
     };
     let mut fastest = vec![0.0_f64; toothed.meshes.len()];
@@ -299,5 +299,4 @@ fn of_speeds(
             }
         }
     }
-    Ok(())
 }

@@ -6,9 +6,6 @@ use crate::table::figure::Figure;
 use crate::table::report::{Part, Records, Text};
 use epicyclic_judge::Severity;
 
-/// Significant digits of a value and its limit.
-const DECIMALS: usize = 3;
-
 /// The checks that do not hold, the worst first, and the judgement in words.
 pub(crate) fn parts(all: &Judgement) -> Vec<Part> {
     if all.checks.is_empty() {
@@ -23,8 +20,8 @@ fn missed(all: &Judgement) -> Records {
     Table::new("checks", all.checks.iter().filter(|check| !check.holds))
         .words("of", "of", |check| check.of.join(", "))
         .words("check", "check", |check| check.name)
-        .printed("value", "value", DECIMALS, |check| check.value)
-        .printed("limit", "limit", DECIMALS, |check| check.limit)
+        .number("value", "value", |check| check.value)
+        .number("limit", "limit", |check| check.limit)
         .words("unit", "unit", |check| Some(check.unit).filter(|unit| !unit.is_empty()))
         .words("severity", "severity", |check| severity(check.severity))
         .words("source", "limit by", |check| check.source)

@@ -1,14 +1,14 @@
 //! Rules for the gears and meshes of a set.
 
 use super::judge::Judge;
-use crate::error::Error;
 use crate::shared::gearbox::Gearbox;
 use crate::shared::toothed::{lacking, toothed};
 use crate::strength::answer::materials::{floating, given_sharing};
 use epicyclic_formats::gearbox::{GearboxFile, MaterialClass, SetData};
 use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::involute::practice::{of_mesh, of_shift, shift_rule};
 use epicyclic_gears::mesh::TipCircle;
-use epicyclic_judge::{Rule, Severity};
+use epicyclic_judge::Rule;
 use epicyclic_strength::load::{Floating, load_sharing};
 use epicyclic_strength::material::{self, Class};
 use epicyclic_train::PlanetSet;
@@ -30,28 +30,27 @@ const IN_MESH: [Rule; 8] = [
     Rule::RootClearance,
 ];
 
-/// Teeth by which a ring may exceed its planet at most for shifts beyond 1, which such pairs need.
-const CLOSE_TEETH: u32 = 6;
-
 /// Judges the teeth of a set.
-///
-/// # Errors
-/// [`Error::Document`] for gears that cannot mesh, with the place.
 pub(super) fn judge(
     judge: &mut Judge,
     subject: &Gearbox,
     file: &GearboxFile,
     set: &PlanetSet,
     data: &SetData<'_>,
-) -> Result<(), Error> {
+) {
     sharing(judge, set, data);
-    let toothed = match toothed(subject, data, set)? {
-        Ok(toothed) => toothed,
-        Err(missing) => {
+    // Tooth numbers alone describe a scheme, not gears that someone would cut.
+    let is_described = set.tooth_shape().shifts.is_some() || data.modules.iter().any(Option::is_some);
+    if !is_described {
+        return judge.lacks(set.id(), &IN_MESH, vec!["module".to_owned()]);
+    }
+    let toothed = match toothed(subject, data, set) {
+        Ok(Ok(toothed)) => toothed,
+        Ok(Err(missing)) => {
             let missing = missing.map_or_else(|| "bevel gears have no rules here".to_owned(), str::to_owned);
-            judge.lacks(set.id(), &IN_MESH, vec![missing]);
-            return Ok(());
+            return judge.lacks(set.id(), &IN_MESH, vec![missing]);
         }
+        Err(error) => return judge.lacks(set.id(), &IN_MESH, vec![error.to_string()]),
     };
     let of = Of { set, data, file, toothed: &toothed };
     of.gears(judge);
@@ -59,7 +58,6 @@ pub(super) fn judge(
     of.widths(judge);
     of.rims(judge);
     of.neighbours(judge);
-    Ok(())
 }
 
 /// A set with its gears in mesh.
@@ -89,19 +87,9 @@ impl Of<'_> {
             let Some(gear) = self.toothed.gear(*of) else { continue };
             let name = self.name(*of);
             let own = [self.set.id(), name.as_str()];
-            let rule = match (of, gear.kind()) {
-                _ if self.set.is_pair() => Rule::GearShift,
-                (GearOf::Planet(..), _) => Rule::PlanetShift,
-                (GearOf::Central(_), GearKind::Internal) => Rule::RingShift,
-                (GearOf::Central(_), _) => Rule::SunShift,
-            };
-            let verdict = judge.limits.judge(rule, gear.shift());
-            // Rings hardly larger than their planets close only so.
-            let is_close = self.toothed.meshes.iter().any(|mesh| {
-                let [one, other] = mesh.pair.gears().map(|gear| gear.teeth().get());
-                self.is_internal(mesh) && mesh.gears.contains(of) && other.abs_diff(one) <= CLOSE_TEETH
-            });
-            judge.take(&own, if is_close { verdict.no_worse_than(Severity::Warning) } else { verdict });
+            let rule = shift_rule(gear, matches!(of, GearOf::Planet(..)), self.set.is_pair());
+            let own_meshes = self.toothed.meshes.iter().filter(|mesh| mesh.gears.contains(of));
+            judge.take(&own, of_shift(&judge.limits, rule, gear, own_meshes.map(|mesh| &mesh.pair)));
             let material = materials.as_ref().and_then(|all| all[place]);
             if material.is_some_and(|material| self.is_case_hardened(material)) {
                 judge.see(Rule::HardenedTips, &own, gear.tip_thickness());
@@ -123,27 +111,16 @@ impl Of<'_> {
             let of = [self.set.id(), name.as_str()];
             let pair = &mesh.pair;
             let [one, other] = pair.gears();
-            let most = pair.specific_sliding().into_iter().flatten().map(f64::abs).fold(0.0, f64::max);
-            judge.see(Rule::SpecificSliding, &of, most);
-            let transverse = one.profile().transverse_angle_rad().to_degrees();
-            let working = pair.working_angle_rad().to_degrees();
-            let rule = if self.is_internal(mesh) { Rule::InternalAngle } else { Rule::ExternalAngle };
-            // The usual angles are those of teeth of 20°.
-            let bounds = rule.bounds().moved(transverse - 20.0);
-            judge.see_by(rule, bounds, &of, working);
-            if !self.is_internal(mesh) {
-                judge.see(Rule::ShiftSum, &of, one.shift() + other.shift());
+            for (gear, verdict) in of_mesh(&judge.limits, pair) {
+                let name = gear.map_or_else(
+                    || name.clone(),
+                    |gear| format!("tips of the {}", self.name(mesh.gears[gear])),
+                );
+                judge.take(&[self.set.id(), &name], verdict);
             }
-            let contact = pair.transverse_contact_ratio();
-            if one.profile().helix_angle.si() == 0.0 {
-                judge.see(Rule::SpurContact, &of, contact);
-            } else if let Some(width) = self.data.common_width(mesh.gears) {
-                let total = contact + pair.overlap_ratio(width.si() / mesh.module);
+            if let Some(width) = self.data.common_width(mesh.gears).filter(|_| one.profile().is_helical()) {
+                let total = pair.transverse_contact_ratio() + pair.overlap_ratio(width.si() / mesh.module);
                 judge.see(Rule::HelicalContact, &of, total);
-            }
-            for (gear, clearance) in mesh.gears.iter().zip(pair.tip_clearances()) {
-                let name = format!("tips of the {}", self.name(*gear));
-                judge.see(Rule::RootClearance, &[self.set.id(), &name], clearance);
             }
             let divisor = gcd(one.teeth().get(), other.teeth().get());
             judge.see(Rule::HuntingTooth, &of, f64::from(divisor));

@@ -135,6 +135,9 @@ enum Unmade {
 /// Check that fails, with the gears of the set in words.
 type Fault = Check<String>;
 
+/// What the aim picked for a group of gears, by the bits of the radii.
+type Known = HashMap<Vec<u64>, Result<Chosen, Option<Fault>>>;
+
 /// Combinations of modules and radii.
 #[derive(Default)]
 struct Places {
@@ -268,10 +271,9 @@ impl Making<'_> {
         let mut places = Places::default();
         for modules in combinations(&modules) {
             // Each group once at the radii of its own planets: combinations of several kinds repeat them.
-            let mut known: Vec<HashMap<Vec<u64>, Result<Chosen, Option<Fault>>>> =
-                vec![HashMap::new(); groups.len()];
+            let mut known: Vec<Known> = vec![HashMap::new(); groups.len()];
             for radii in combinations(&self.radii(&modules)) {
-                let of_group = |(group, known): (&Group, &mut HashMap<Vec<u64>, _>)| {
+                let of_group = |(group, known): (&Group, &mut Known)| {
                     let own = group.meshes.iter().map(|(_, axis)| radii[*axis].si().to_bits()).collect();
                     known.entry(own).or_insert_with(|| self.chosen(&modules, &radii, group)).clone()
                 };

@@ -114,6 +114,9 @@ pub struct LeftOut {
     pub planets_touch: u64,
     /// Centre distances without valid profile shifts.
     pub geometry: u64,
+    /// Designs whose gears or widths usual practice refuses: shifts beyond 1, faces wider than twice the
+    /// smaller gear.
+    pub practice: u64,
     /// Designs with face widths above the limit.
     pub width_ratio: u64,
     /// Designs with planets to which no bearing leaves a rim.
@@ -416,6 +419,7 @@ impl SizedSet {
                 spacing: out.spacing,
                 planets_touch: out.planets_touch,
                 geometry: out.geometry,
+                practice: out.practice,
                 width_ratio: out.width_ratio,
                 rim: out.rim,
                 bearing_width: out.bearing_width,

@@ -131,6 +131,10 @@ fn write(entry: &mut Mapping, is_short: bool, design: &SizedDesign) {
             });
             let newtons = |rating: f64| Value::from(format!("{} N", trimmed(rating, DIGITS)));
             keys.extend(bearing.static_load_rating_n.map(|rating| ("static_load_rating", newtons(rating))));
+            let diameters = bearing.bore_m.zip(*outside_diameter_m);
+            keys.extend(
+                diameters.map(|(bore, outside)| ("bearing_diameter", millimetres(bore.midpoint(outside)))),
+            );
         }
         for (key, value) in keys {
             of.insert(Value::from(key), value);

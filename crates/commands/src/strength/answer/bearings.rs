@@ -286,8 +286,8 @@ impl File<'_> {
             ("fatigue_limit", fatigue_limit.is_some()),
             ("bearing_diameter", diameter.is_some()),
         ];
-        // A file with none of these keys does not ask for a modified life.
-        if known.iter().all(|(_, is_known)| !is_known) {
+        // A file with none of these keys does not ask for a modified life; the diameter is known of any bearing.
+        if known.iter().all(|(key, is_known)| !is_known || *key == "bearing_diameter") {
             return Ok((None, vec![]));
         }
         Ok((None, lacking(&known)))
