@@ -154,6 +154,7 @@ pub(crate) fn designs<'s>(
     .words("bearing", "bearing", |(.., one)| bearings(one))
     .quantity("ring_diameter", "ring", Dimension::Length, |(.., one)| one.ring_diameter_m)
     .quantity("mass", "", Dimension::Mass, |(.., one)| one.mass_kg)
+    .words("usual", "usual", |(.., one)| one.usual)
     .words("governing", "governs", |(.., one)| governing(one))
     .printed("flank_safety", "S_H", 3, |(.., one)| least(one, |gear| gear.flank.safety))
     .printed("root_safety", "S_F", 3, |(.., one)| least(one, |gear| gear.root.safety))
@@ -167,8 +168,9 @@ pub(crate) fn designs<'s>(
     .note("b/d: face width over the reference diameter of the smallest sun, of a pair of the smaller gear; --width-ratio bounds it. A list has a value for each family of gears in mesh.")
     .view(
         format!("{title}: what governs, least safeties, bearing life"),
-        "set place governing flank_safety root_safety bearing_hours",
+        "set place governing flank_safety root_safety bearing_hours usual",
     )
+    .note("Usual: shifts, sliding, tips, widths and bearings keep to usual practice; others come last.")
     .the_answer_if(name == "designs")
     .records()
 }
