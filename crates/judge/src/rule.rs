@@ -49,8 +49,12 @@ pub enum Rule {
     NeighbourGapLength,
     /// Speed of a planet on its pin times the mean diameter of its bearing, in mm/min.
     PinSpeed,
+    /// The same of a bearing full of rollers, without a cage.
+    FullPinSpeed,
     /// Acceleration of the planets about the axis, in g.
     OrbitAcceleration,
+    /// The same of planets on caged needles.
+    NeedleAcceleration,
     /// Pitch-line speed of spur gears, in m/s.
     SpurSpeed,
     /// Pitch-line speed of helical gears, in m/s.
@@ -120,7 +124,10 @@ impl Rule {
             Self::RingRim | Self::PlanetRim => "rim below the roots",
             Self::NeighbourGap | Self::NeighbourGapLength => "gap between neighbouring planets",
             Self::PinSpeed => "bearing speed n·d_m",
-            Self::OrbitAcceleration => "acceleration of the planets about the axis",
+            Self::FullPinSpeed => "speed n·d_m of a bearing full of rollers",
+            Self::OrbitAcceleration | Self::NeedleAcceleration => {
+                "acceleration of the planets about the axis"
+            }
             Self::SpurSpeed | Self::HelicalSpeed => "pitch-line speed",
             Self::BearingLife => "bearing life over the required life",
             Self::BearingStaticSafety => "static safety of the bearing",
@@ -153,8 +160,8 @@ impl Rule {
             | Self::NeighbourGap => "modules",
             Self::NeighbourGapLength => "mm",
             Self::ExternalAngle | Self::InternalAngle => "°",
-            Self::PinSpeed => "mm/min",
-            Self::OrbitAcceleration => "g",
+            Self::PinSpeed | Self::FullPinSpeed => "mm/min",
+            Self::OrbitAcceleration | Self::NeedleAcceleration => "g",
             Self::SpurSpeed | Self::HelicalSpeed => "m/s",
             Self::BallLoad => "kN",
             Self::OilTemperature => "°C",
@@ -192,7 +199,9 @@ impl Rule {
             Self::NeighbourGap => Of::of(Warning, Range::at_least(0.5)),
             Self::NeighbourGapLength => Of::of(Warning, Range::at_least(1.0)),
             Self::PinSpeed => Of::of(Warning, Range::at_most(5e5)),
+            Self::FullPinSpeed => Of::of(Warning, Range::at_most(2e5)),
             Self::OrbitAcceleration => Of::of(Warning, Range::at_most(150.0)),
+            Self::NeedleAcceleration => Of::of(Warning, Range::at_most(3000.0)),
             Self::SpurSpeed => Of::of(Remark, Range::at_most(15.0)).and(Warning, Range::at_most(20.0)),
             Self::HelicalSpeed => Of::of(Remark, Range::at_most(15.0)).and(Warning, Range::at_most(50.0)),
             Self::BallLoad => Of::of(Warning, Range::at_most(10.0)),
@@ -226,7 +235,9 @@ impl Rule {
             Self::FlankSafety | Self::RootSafety | Self::BearingLife | Self::Ratio | Self::Direction => {
                 "what is required"
             }
-            Self::PinSpeed | Self::BearingStaticSafety | Self::BearingLeastLoad => "makers of bearings",
+            Self::PinSpeed | Self::FullPinSpeed | Self::BearingStaticSafety | Self::BearingLeastLoad => {
+                "makers of bearings"
+            }
             _ => PRACTICE,
         }
     }
@@ -249,8 +260,10 @@ impl Rule {
             Self::RingRim => "a larger outside diameter of the ring",
             Self::PlanetRim => "a smaller bore, or more planet teeth",
             Self::NeighbourGap | Self::NeighbourGapLength => "fewer planets, or shorter tips",
-            Self::PinSpeed => "a smaller bearing, or a slower planet: more planet teeth",
-            Self::OrbitAcceleration => "a smaller carrier radius, or a slower carrier",
+            Self::PinSpeed | Self::FullPinSpeed => "a smaller bearing, or a slower planet: more planet teeth",
+            Self::OrbitAcceleration | Self::NeedleAcceleration => {
+                "a smaller carrier radius, or a slower carrier"
+            }
             Self::SpurSpeed => "helical teeth, or smaller gears",
             Self::HelicalSpeed => "smaller gears",
             Self::BearingLife => "a bearing with a larger load rating, wider planets, or more of them",

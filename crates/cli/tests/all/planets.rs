@@ -71,7 +71,8 @@ fn stated_angles_are_the_angles_of_every_command() {
     let mut found: Vec<Value> = vec![];
     for file in &files {
         fs::write(folder.path().join("four.yaml"), file).unwrap();
-        assert_eq!(names(&json(folder.path(), &["analyze", "four.yaml"])), [""; 0]);
+        let warned = names(&json(folder.path(), &["analyze", "four.yaml"]));
+        assert!(!warned.iter().any(|name| ["teeth", "planet-angle"].contains(&name.as_str())), "{warned:?}");
         let set = json(folder.path(), &["analyze", "four.yaml"])["sets"][0].clone();
         let vibration = json(folder.path(), &["vibrate", "four.yaml"])["sets"][0].clone();
         assert_eq!(vibration["equally_spaced"], false);

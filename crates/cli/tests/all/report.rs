@@ -225,6 +225,7 @@ fn the_page_of_a_gearbox_has_each_gear() {
             "All gears",
             "Shifts",
             "Figures of every gear",
+            "Review by rules of practice",
             "Losses at the operating point",
             "Power flow of the gears",
             "Speeds of the gears",

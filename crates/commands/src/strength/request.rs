@@ -1,5 +1,6 @@
 //! The command `strength`: safeties of teeth by ISO 6336.
 
+use crate::analyze::answer::pins::OF_PINS;
 use crate::desk::Call;
 use crate::error::Error;
 use crate::failure::Failure;
@@ -61,8 +62,9 @@ impl Request {
         let mut strength = answers::answer(gearbox, &Self { factors: true, ..self.clone() })?;
         strength.judgement = Judgement::of(gearbox, None, Some(&strength), None);
         let teeth = ToothChecks::of(gearbox.tooth_checks(), |_| true);
-        // Safeties and lives have warnings of their own.
-        let judged = strength.judgement.warnings(&[Rule::FlankSafety, Rule::RootSafety, Rule::BearingLife]);
+        // Safeties, lives and speeds of planets have warnings of their own.
+        let own = [&[Rule::FlankSafety, Rule::RootSafety, Rule::BearingLife], &OF_PINS[..]].concat();
+        let judged = strength.judgement.warnings(&own);
         strength.warnings.extend(teeth.warnings().chain(judged));
         if !self.factors {
             strength.at_point.iter_mut().for_each(|one| one.factors.clear());

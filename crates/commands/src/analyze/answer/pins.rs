@@ -1,9 +1,8 @@
 //! Practical limits for planets on their pins, checked if the input speed and the bearing are known.
 //!
-//! ```text
-//! n·d_m ≤ 500 000 mm/min with a cage, 200 000 mm/min full of rollers
-//! a·ω_H² ≤ 150 g, caged needles 3000 g
-//! ```
+//! The limits are those of the rules [`PinSpeed`](Rule::PinSpeed), [`FullPinSpeed`](Rule::FullPinSpeed),
+//! [`OrbitAcceleration`](Rule::OrbitAcceleration) and [`NeedleAcceleration`](Rule::NeedleAcceleration): of `n·d_m`
+//! and `a·ω_H²`.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -18,20 +17,13 @@ use crate::answer::Warning;
 use crate::shared::gearbox::Gearbox;
 use crate::tolerance::rounded;
 use epicyclic_formats::gearbox::{GearboxFile, RollingEntry};
+use epicyclic_judge::Rule;
 use epicyclic_units::Physical;
 use epicyclic_units::format::trimmed;
 use uom::si::f64::{AngularVelocity, Length};
 
-/// Limits of speed times mean diameter in mm/min: a bearing with a cage, and a full-complement one.
-const CAGED: f64 = 500_000.0;
-const FULL: f64 = 200_000.0;
-
-/// Acceleration of a bearing in its orbit, over that of gravity; of caged needles the second.
-const ORBIT: f64 = 150.0;
-const ORBIT_OF_NEEDLES: f64 = 3000.0;
-
 /// Acceleration of gravity, m/s².
-const GRAVITY: f64 = 9.806_65;
+pub(crate) const GRAVITY: f64 = 9.806_65;
 
 /// Digits of a figure in a warning.
 const DIGITS: usize = 4;
@@ -69,8 +61,22 @@ pub(crate) fn warning(subject: &Gearbox, worked: &[&Worked<'_>]) -> Option<Warni
     })
 }
 
+/// Rules of which [`warning`] warns.
+pub(crate) const OF_PINS: [Rule; 4] =
+    [Rule::PinSpeed, Rule::FullPinSpeed, Rule::OrbitAcceleration, Rule::NeedleAcceleration];
+
+/// Rule for the speed of a bearing on its pin.
+pub(crate) fn speed_rule(rolling: RollingEntry) -> Rule {
+    if rolling == RollingEntry::FullComplement { Rule::FullPinSpeed } else { Rule::PinSpeed }
+}
+
+/// Rule for the acceleration of a bearing in its orbit.
+pub(crate) fn orbit_rule(rolling: RollingEntry) -> Rule {
+    if rolling == RollingEntry::Needles { Rule::NeedleAcceleration } else { Rule::OrbitAcceleration }
+}
+
 /// Rolling elements and mean diameter of a planet's bearing, from the file.
-fn stated(file: &GearboxFile, set: &str, planet: &str) -> Option<(RollingEntry, Option<Length>)> {
+pub(crate) fn stated(file: &GearboxFile, set: &str, planet: &str) -> Option<(RollingEntry, Option<Length>)> {
     if let Some(entry) = file.sets.iter().find(|entry| entry.id == set) {
         return Some((entry.bearing_rolling, entry.bearing_diameter.map(|of| of.0)));
     }
@@ -80,10 +86,8 @@ fn stated(file: &GearboxFile, set: &str, planet: &str) -> Option<(RollingEntry, 
 
 fn on_pin(of: &str, rolling: RollingEntry, speed: AngularVelocity, diameter: Length) -> Option<String> {
     let (speed_rpm, diameter_mm) = (speed.rpm(), diameter.mm());
-    let (most, kind) = match rolling {
-        RollingEntry::FullComplement => (FULL, "full of rollers"),
-        _ => (CAGED, "with a cage"),
-    };
+    let kind = if rolling == RollingEntry::FullComplement { "full of rollers" } else { "with a cage" };
+    let most = speed_rule(rolling).bounds().required().most;
     (speed_rpm * diameter_mm > most).then(|| {
         format!(
             "{of}: {} rpm on its pin, at most {} rpm for d_m {} mm {kind} (n·d_m {most} mm/min)",
@@ -96,7 +100,7 @@ fn on_pin(of: &str, rolling: RollingEntry, speed: AngularVelocity, diameter: Len
 
 fn in_orbit(of: &str, rolling: RollingEntry, carrier: AngularVelocity, radius: Length) -> Option<String> {
     let acceleration = radius.si() * carrier.si() * carrier.si() / GRAVITY;
-    let most = if rolling == RollingEntry::Needles { ORBIT_OF_NEEDLES } else { ORBIT };
+    let most = orbit_rule(rolling).bounds().required().most;
     (acceleration > most)
         .then(|| format!("{of}: {} g in its orbit, at most {most} g", trimmed(acceleration, DIGITS)))
 }

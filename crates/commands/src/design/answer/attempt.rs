@@ -109,7 +109,11 @@ impl Attempt {
             let subject = one(&document, &Choice::default())?;
             let steps = steps(&subject, &gearbox.duty)?;
             let turning: Vec<_> = steps.iter().filter_map(|step| step.1.as_ref()).collect();
-            warnings.extend(pins::warning(&subject, &turning));
+            // One warning of all planets, in place of one for each.
+            if let Some(warning) = pins::warning(&subject, &turning) {
+                warnings.retain(|one| pins::OF_PINS.iter().all(|rule| rule.name() != one.name));
+                warnings.push(warning);
+            }
         }
         Ok(Self { teeth, sizes: Some(SizesStep::of(size)), file, speeds, warnings })
     }

@@ -19,7 +19,7 @@ pub struct Judgement {
     /// Number of checks that hold.
     pub held: usize,
     /// Check that holds with the least room up to its limit; null if none has a limit.
-    pub nearest: Option<Judged>,
+    pub nearest: Option<Nearest>,
     /// Checks, those that do not hold first, the worst first of all.
     pub checks: Vec<Judged>,
     /// Checks that could not be made.
@@ -50,6 +50,22 @@ pub struct Judged {
     pub message: Option<String>,
     /// Remedy for the miss; null if the check holds.
     pub remedy: Option<&'static str>,
+}
+
+/// Check that holds, with the least room up to its limit.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Nearest {
+    /// Name of the rule.
+    pub name: &'static str,
+    /// What is judged: set, gears, gear of the gearbox.
+    pub of: Vec<String>,
+    /// Value.
+    pub value: f64,
+    /// Limit that it is nearest to.
+    pub limit: f64,
+    /// Unit of value and limit; empty for a plain number.
+    pub unit: &'static str,
 }
 
 /// Checks that could not be made.
@@ -116,7 +132,7 @@ impl Judgement {
                 " Nearest to its limit: {} of {}, {} ({}).",
                 nearest.name,
                 nearest.of.join(", "),
-                with_unit(nearest.value.unwrap_or_default()),
+                with_unit(nearest.value),
                 with_unit(nearest.limit),
             );
         }

@@ -1,6 +1,6 @@
 //! Collects verdicts.
 
-use super::answer::{GEOMETRY, Judged, Judgement, NotJudged};
+use super::answer::{GEOMETRY, Judged, Judgement, Nearest, NotJudged};
 use crate::shared::tooth_checks::answer::ToothChecks;
 use crate::tolerance::APART;
 use epicyclic_judge::{Limits, Rule, Verdict};
@@ -80,8 +80,13 @@ impl Judge {
         self.checks.sort_by_key(|(check, _)| (check.holds, std::cmp::Reverse(check.severity)));
         let nearest =
             self.checks.iter().filter(|(check, room)| check.holds && (APART..f64::INFINITY).contains(room));
-        let nearest =
-            nearest.min_by(|(_, one), (_, other)| one.total_cmp(other)).map(|(check, _)| check.clone());
+        let nearest = nearest.min_by(|(_, one), (_, other)| one.total_cmp(other)).map(|(check, _)| Nearest {
+            name: check.name,
+            of: check.of.clone(),
+            value: check.value.unwrap_or(check.limit),
+            limit: check.limit,
+            unit: check.unit,
+        });
         let checks: Vec<Judged> = self.checks.into_iter().map(|(check, _)| check).collect();
         let held = checks.iter().filter(|check| check.holds).count();
         Judgement { held, nearest, checks, not_judged: self.not_judged }

@@ -2,6 +2,7 @@
 
 use super::judge::Judge;
 use super::teeth::width_ratio;
+use crate::analyze::answer::pins::{GRAVITY, orbit_rule, speed_rule, stated};
 use crate::analyze::answer::{Input, Worked};
 use crate::shared::gearbox::Gearbox;
 use crate::shared::toothed::toothed;
@@ -9,7 +10,7 @@ use crate::strength::answer::duty::{WorkedStep, steps};
 use crate::strength::answer::load::SetLoad;
 use crate::strength::answer::records::{BearingOverDuty, MeshName};
 use crate::strength::answer::{Strength, over_duty};
-use epicyclic_formats::gearbox::{GearboxFile, SetData};
+use epicyclic_formats::gearbox::{GearboxFile, RollingEntry, SetData};
 use epicyclic_judge::Rule;
 use epicyclic_train::PlanetSet;
 use epicyclic_units::Physical;
@@ -33,9 +34,6 @@ const DYNAMIC: &str = "K_v";
 /// Symbol of the face load factor of flanks.
 const FACE_LOAD: &str = "K_Hβ";
 
-/// Gravity, m/s².
-const GRAVITY: f64 = 9.806_65;
-
 /// Judges what the file says of loads: over its duty, or at an operating point.
 pub(super) fn judge(
     judge: &mut Judge,
@@ -57,7 +55,7 @@ pub(super) fn judge(
     };
     judge.lacks_if(name, &OF_STRENGTH, why);
     if let Some(strength) = strength.or(own.as_ref()) {
-        of_strength(judge, strength, &is_wanted);
+        of_strength(judge, file, strength, &is_wanted);
         for one in subject.train.sets().iter().filter(|set| is_wanted(set.id())) {
             if let Some(data) = file.set_data(one) {
                 of_face_loads(judge, subject, strength, one, &data);
@@ -100,7 +98,7 @@ fn of_gears(judge: &mut Judge, subject: &Gearbox) {
 }
 
 /// Safeties, lives and load factors.
-fn of_strength(judge: &mut Judge, strength: &Strength, is_wanted: &dyn Fn(&str) -> bool) {
+fn of_strength(judge: &mut Judge, file: &GearboxFile, strength: &Strength, is_wanted: &dyn Fn(&str) -> bool) {
     for (set, mesh, gear, safeties) in safeties(strength) {
         if !is_wanted(set) {
             continue;
@@ -128,7 +126,7 @@ fn of_strength(judge: &mut Judge, strength: &Strength, is_wanted: &dyn Fn(&str) 
     }
     of_dynamics(judge, strength, is_wanted);
     for bearing in strength.bearings.iter().filter(|bearing| is_wanted(&bearing.set)) {
-        of_bearing(judge, strength, bearing);
+        of_bearing(judge, file, strength, bearing);
     }
 }
 
@@ -216,7 +214,9 @@ fn of_face_loads(
 }
 
 /// Life, static safety, speed and load of a planet bearing.
-fn of_bearing(judge: &mut Judge, strength: &Strength, bearing: &BearingOverDuty) {
+fn of_bearing(judge: &mut Judge, file: &GearboxFile, strength: &Strength, bearing: &BearingOverDuty) {
+    let rolling =
+        stated(file, &bearing.set, &bearing.planet).map_or(RollingEntry::default(), |(rolling, _)| rolling);
     // Planets of short sets have no name.
     let name = match bearing.planet.parse::<u32>() {
         Ok(_) => "planet bearing".to_owned(),
@@ -243,7 +243,7 @@ fn of_bearing(judge: &mut Judge, strength: &Strength, bearing: &BearingOverDuty)
     let fastest = bearing.steps.iter().map(|step| step.speed_rad_s).fold(0.0, f64::max);
     match bearing.mean_diameter_m {
         // Revolutions a minute times mm.
-        Some(diameter) => judge.see(Rule::PinSpeed, &of, fastest * 60.0 / TAU * 1e3 * diameter),
+        Some(diameter) => judge.see(speed_rule(rolling), &of, fastest * 60.0 / TAU * 1e3 * diameter),
         None => judge.lacks(&name_of(&of), &[Rule::PinSpeed], vec!["bearing_diameter".to_owned()]),
     }
 }
@@ -289,14 +289,12 @@ fn of_speeds(
     }
     if !set.is_pair() && carrier > 0.0 {
         for (planet, radius) in set.planets().iter().zip(&toothed.radii) {
-            if let Some(radius) = radius {
-                let of = [set.id(), planet.name.as_str()];
-                judge.see(
-                    Rule::OrbitAcceleration,
-                    &of[..1 + usize::from(!planet.name.is_empty())],
-                    radius * carrier * carrier / GRAVITY,
-                );
-            }
+            let Some(radius) = radius else { continue };
+            let of = [set.id(), planet.name.as_str()];
+            let rolling = stated(file, set.id(), &planet.name).map_or(RollingEntry::default(), |of| of.0);
+            // Planets of short sets have no name.
+            let of = &of[..1 + usize::from(!planet.name.is_empty())];
+            judge.see(orbit_rule(rolling), of, radius * carrier * carrier / GRAVITY);
         }
     }
 }
