@@ -125,6 +125,9 @@ struct Chosen {
     is_aim_met: bool,
 }
 
+/// Gears of a group, or what is in their way, by the bits of the radii of its planets.
+type Known = HashMap<Vec<u64>, Result<Chosen, Option<Fault>>>;
+
 /// Why a place makes no layout.
 enum Unmade {
     /// The first fault, where a check tells it.
@@ -268,10 +271,9 @@ impl Making<'_> {
         let mut places = Places::default();
         for modules in combinations(&modules) {
             // Each group once at the radii of its own planets: combinations of several kinds repeat them.
-            let mut known: Vec<HashMap<Vec<u64>, Result<Chosen, Option<Fault>>>> =
-                vec![HashMap::new(); groups.len()];
+            let mut known: Vec<Known> = vec![HashMap::new(); groups.len()];
             for radii in combinations(&self.radii(&modules)) {
-                let of_group = |(group, known): (&Group, &mut HashMap<Vec<u64>, _>)| {
+                let of_group = |(group, known): (&Group, &mut Known)| {
                     let own = group.meshes.iter().map(|(_, axis)| radii[*axis].si().to_bits()).collect();
                     known.entry(own).or_insert_with(|| self.chosen(&modules, &radii, group)).clone()
                 };
