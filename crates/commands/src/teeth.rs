@@ -5,7 +5,7 @@ pub mod options;
 pub mod request;
 pub mod table;
 
-pub use answer::arranged::ArrangedSets;
+pub use answer::arranged::{ArrangedNumbers, ArrangedSets};
 pub use answer::double_planet::DoublePlanetTeeth;
 pub use answer::shifted::ShiftedTeeth;
 pub use answer::{Teeth, ToothNumbers};

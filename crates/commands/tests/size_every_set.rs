@@ -162,6 +162,92 @@ fn the_saved_file_of_every_kind_has_what_was_found() {
     }
 }
 
+/// A saved file, sized again, has the design that it was saved with.
+#[test]
+fn a_saved_file_has_the_same_size_again() {
+    for text in every_kind() {
+        let first = sized(&text, &small());
+        let saved = |text: &str, size: &Size| {
+            size::saved(&Document::parse_one("box.yaml", text.as_bytes()).unwrap(), size).unwrap()
+        };
+        let text = saved(&text, &first);
+        let second = sized(&text, &small());
+        let [one, other] = [&first, &second]
+            .map(|size| size.sets[0].found.first().unwrap_or_else(|| panic!("{:?} {text}", size.warnings)));
+        let near = |one: f64, other: f64| assert!((one / other - 1.0).abs() < 1e-9, "{one} {other} {text}");
+        near(one.mass_kg, other.mass_kg);
+        assert_eq!(one.planets, other.planets);
+        for (one, other) in one.families.iter().zip(&other.families) {
+            near(one.module_m, other.module_m);
+        }
+        for (one, other) in one.gears.iter().zip(&other.gears) {
+            near(one.face_width_m, other.face_width_m);
+            assert!((one.profile_shift - other.profile_shift).abs() < 1e-9, "{text}");
+        }
+        for (one, other) in one.planet_sizes.iter().zip(&other.planet_sizes) {
+            let [one, other] = [one, other].map(|planet| planet.bearing.as_ref().unwrap());
+            near(one.load_rating_n, other.load_rating_n);
+            near(one.outside_diameter_m.unwrap(), other.outside_diameter_m.unwrap());
+            near(one.life_s.unwrap(), other.life_s.unwrap());
+        }
+        for (one, other) in safeties(one).iter().flatten().zip(safeties(other).iter().flatten()) {
+            near(*one, *other);
+        }
+    }
+}
+
+/// A stated bore takes bearings of this outside diameter; where there are none, it is said.
+#[test]
+fn bearings_fit_a_stated_bore_or_are_missed() {
+    let with = |bore: &str| {
+        let text = short("teeth: [24, 84]", &["sun", "planet", "ring"], &["ring"], 90.0);
+        sized(&text.replace("teeth: [24, 84]", &format!("teeth: [24, 84], planet_bore: {bore}")), &small())
+    };
+    let told = |size: &Size| {
+        let of = |warning: &epicyclic_commands::answer::Warning| warning.name == "no-bearing";
+        size.warnings.iter().find(|one| of(one)).map(|warning| warning.message.clone())
+    };
+    let fits = with("35 mm");
+    let bearing = fits.sets[0].found[0].planet_sizes[0].bearing.as_ref().unwrap();
+    assert!((bearing.outside_diameter_m.unwrap() - 0.035).abs() < 1e-12 && bearing.designation.is_some());
+    assert_eq!(told(&fits), None);
+    let none = with("36.5 mm");
+    assert_eq!(none.sets[0].found[0].planet_sizes[0].bearing, None);
+    assert!(told(&none).unwrap().contains("keep their bore of 36.5 mm without a bearing"), "{none:?}");
+    let solid = Request { no_bearings: true, ..small() };
+    let text = short("teeth: [24, 84], planet_bore: 36.5 mm", &["sun", "planet", "ring"], &["ring"], 90.0);
+    assert_eq!(told(&sized(&text, &solid)), None);
+}
+
+/// `size` and `strength` refuse the same values at the same place.
+#[test]
+fn sizes_and_strength_refuse_alike() {
+    let text = |keys: &str, speed: &str| {
+        let keys = format!("teeth: [24, 84], planet_teeth: [30], planets: 3, {keys}");
+        short(&keys, &["sun", "planet", "ring"], &["ring"], 90.0).replace("speed: 1500 rpm", speed)
+    };
+    let sized_keys = "module: 3 mm, face_width: 30 mm, profile_shifts: [0, 0, 0]";
+    let span = text(&format!("{sized_keys}, bearing_span: 0 mm"), "speed: 1500 rpm");
+    let still = text(sized_keys, "speed: 0 rpm");
+    let cases = [
+        (span, "sets[0].bearing_span: bearing_span must be above 0"),
+        (still, "duty[0].speed: speed 0 with a torque: a torque at standstill is a static load"),
+    ];
+    for (text, why) in cases {
+        let gearbox = Gearbox::parse("box.yaml", text.as_bytes()).unwrap();
+        let size = small().answer(&gearbox, &|| ControlFlow::Continue(())).unwrap_err().to_string();
+        let strength = strength::Request::default().answer(&gearbox).unwrap_err().to_string();
+        assert!(size.contains(why) && strength.contains(why), "{size}\n{strength}");
+    }
+    let gearbox = Gearbox::parse("box.yaml", text("module: 3 mm", "speed: 1500 rpm").as_bytes()).unwrap();
+    let rimless = Request { ring_rim: "0".parse().unwrap(), ..small() };
+    let refused = rimless.answer(&gearbox, &|| ControlFlow::Continue(())).unwrap_err().to_string();
+    assert!(
+        refused.starts_with("--ring-rim: rim of the ring is 0 modules; it must be finite and above 0"),
+        "{refused}"
+    );
+}
+
 /// A search without a size tells what most gears fail.
 #[test]
 fn the_usual_fault_of_gears_is_told() {

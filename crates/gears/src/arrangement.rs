@@ -26,11 +26,15 @@
 //! | Ravigneaux | `−1/z_a`, `+1/z_c`, `−1/z_b` |
 //! | pairs | `1/z_1`; `−1/z_2`, internal `+1/z_2` |
 
+mod bounds;
 mod numbers;
 mod search;
+mod shifts;
 
+pub use bounds::ArrangementBounds;
 pub use numbers::{ArrangedTeeth, ModuleRatio, least_angle_rad};
-pub use search::{ArrangedCandidate, ArrangementBounds};
+pub use search::ArrangedCandidate;
+pub use shifts::ArrangedShifts;
 
 use crate::quantity::SimpleGear;
 use std::fmt;

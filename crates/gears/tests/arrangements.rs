@@ -5,9 +5,17 @@
 #[path = "common/trial.rs"]
 mod trial;
 
-use epicyclic_gears::Error;
 use epicyclic_gears::arrangement::{ArrangedCandidate, ArrangedTeeth, Arrangement, ArrangementBounds};
+use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::involute::check::{Check, Severity};
+use epicyclic_gears::involute::checks::{Limits, gear_checks, mesh_checks};
+use epicyclic_gears::involute::family::Aim;
+use epicyclic_gears::involute::shifts::StatedDistance;
+use epicyclic_gears::involute::tree::MeshTree;
+use epicyclic_gears::involute::{InvoluteGear, Pair, Profile};
+use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_gears::synthesis::{Bounds, Placement, Ranked};
+use epicyclic_gears::{Error, ToothCount};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
 use trial::arranged_by_trial;
@@ -89,16 +97,85 @@ fn the_most_exact_and_then_the_smallest_come_first() {
     assert_eq!((few.found, &few.first[..]), (found.found, &found.first[..7]));
 }
 
+/// Meshes of a planet with central gears at its carrier radius, of two planets at their own distance.
+fn pairs(set: &ArrangedTeeth, gears: &[InvoluteGear]) -> Vec<Pair> {
+    let places = set.arrangement().gears();
+    let own = set.arrangement().meshes().iter();
+    let pair = |mesh: &[usize; 2]| {
+        let [one, other] = mesh.map(|gear| gears[gear]);
+        if mesh.iter().all(|gear| places[*gear].role == SimpleGear::Planet) {
+            return Pair::without_backlash(one, other).unwrap();
+        }
+        let planet = mesh.iter().find(|gear| places[**gear].role == SimpleGear::Planet).unwrap();
+        let ratio = set.module_ratio();
+        let module = f64::from(*ratio.numer()) / f64::from(*ratio.denom());
+        let module = if places[*planet].step == 0 { 1.0 } else { module };
+        Pair::at_centre_distance(one, other, set.carrier_radius(*planet) / module).unwrap()
+    };
+    own.map(pair).collect()
+}
+
+/// The first check of gears or meshes that fails, remarks apart.
+fn first_fault(gears: &[InvoluteGear], pairs: &[Pair], limits: &Limits) -> Option<Check<String>> {
+    let mut first = None;
+    let mut see = |check: Check<String>| {
+        let fails = check.rule.severity() > Severity::Remark && !check.holds();
+        if fails && first.is_none() {
+            first = Some(check);
+        }
+    };
+    for (place, gear) in gears.iter().enumerate() {
+        gear_checks(&format!("gear {place}"), gear, limits, &mut see);
+    }
+    for (place, pair) in pairs.iter().enumerate() {
+        let name = format!("mesh {place}");
+        mesh_checks(&name, &[name.clone(), name.clone()], pair, limits, &mut see);
+    }
+    first
+}
+
 #[test]
-fn shifts_of_the_central_gears_close_a_planet() {
-    let bounds = ArrangementBounds { offsets: -2..=2, ..usual(Arrangement::Wolfrom) };
-    let found = for_ratio(&bounds, 100.0, "ae^b", 0.001).unwrap();
-    let one_step = found.first.iter().filter(|set| set.teeth.has_one_step()).count();
-    assert!(one_step > 0);
-    for set in &found.first {
-        let shifts = set.teeth.profile_shifts(&bounds.rack).unwrap();
-        assert_eq!((shifts[1], shifts[3]), (0.0, 0.0));
-        assert_eq!(shifts.iter().all(|shift| *shift == 0.0), set.teeth.is_coaxial());
+fn shifts_of_all_gears_close_every_mesh_without_faults() {
+    let three_fifths = vec![1.into(), "3/5".parse().unwrap()];
+    let requests = [
+        (Arrangement::Wolfrom, 100.0, -2..=2, vec![1.into()]),
+        (Arrangement::Stepped, 14.0, -2..=1, three_fifths),
+        (Arrangement::SteppedRings, 25.0, -1..=1, vec![1.into()]),
+        (Arrangement::SteppedSuns, 40.0, -1..=1, vec![1.into()]),
+        (Arrangement::Ravigneaux, 1.5382, -1..=1, vec![1.into()]),
+    ];
+    for (arrangement, ratio, offsets, module_ratios) in requests {
+        for aim in [Aim::BalancedSliding, Aim::LeastTipAlteration] {
+            let limits = Limits { tip_thickness: 0.35, ..Limits::default() };
+            let bounds = ArrangementBounds {
+                offsets: offsets.clone(),
+                module_ratios: module_ratios.clone(),
+                aim,
+                limits,
+                ..usual(arrangement)
+            };
+            let found = for_ratio(&bounds, ratio, arrangement.usual_mode(), 0.0002).unwrap();
+            let (mut one_gear, mut shifted_planets) = (0, 0);
+            for set in &found.first {
+                let Some(shifts) = set.shifts else {
+                    assert!(set.teeth.is_coaxial(), "{}", set.teeth);
+                    continue;
+                };
+                assert!(!set.teeth.is_coaxial(), "{}", set.teeth);
+                let gears = set.teeth.shifted_gears(&shifts, &bounds.rack).unwrap();
+                let pairs = pairs(&set.teeth, &gears);
+                assert!(pairs.iter().all(|pair| pair.backlash().abs() < 1e-9), "{}", set.teeth);
+                assert_eq!(first_fault(&gears, &pairs, &limits), None, "{}", set.teeth);
+                if set.teeth.has_one_step() {
+                    one_gear += 1;
+                    let step = if arrangement == Arrangement::Wolfrom { 3 } else { 2 };
+                    assert_eq!(shifts.profile()[1], shifts.profile()[step], "{}", set.teeth);
+                }
+                shifted_planets += usize::from(shifts.profile()[1] != 0.0);
+            }
+            assert!(shifted_planets > 5, "{arrangement} {aim:?}: {shifted_planets}");
+            assert_eq!(one_gear > 0, arrangement == Arrangement::Wolfrom, "{arrangement}");
+        }
     }
 }
 
@@ -172,20 +249,51 @@ proptest! {
         let exact = ArrangedTeeth::new(arrangement, &exact, 1.into(), 3).unwrap().ratio(mode);
         let exact = exact.map(|ratio| *ratio.numer() as f64 / *ratio.denom() as f64).filter(|ratio| *ratio != 0.0);
         let wanted = exact.filter(|_| near).unwrap_or(wanted);
-        let mut by_trial = arranged_by_trial(&bounds, wanted, mode, tolerance);
-        by_trial.sort_unstable();
-        let (mut found, left_out) = match bounds.for_ratio(wanted, mode, tolerance, usize::MAX, |_| ControlFlow::Continue(())) {
+        let by_trial = arranged_by_trial(&bounds, wanted, mode, tolerance);
+        let (found, left_out): (Vec<ArrangedTeeth>, _) = match bounds.for_ratio(wanted, mode, tolerance, usize::MAX, |_| ControlFlow::Continue(())) {
             Ok(Ranked { first, left_out, .. }) => (first.iter().map(|one| one.teeth).collect(), left_out),
             Err(Error::NoArrangement { left_out, .. }) => (vec![], left_out),
             Err(error) => return Err(TestCaseError::fail(error.to_string())),
         };
-        found.sort_unstable();
+        let (mut plain, mut shifted): (Vec<ArrangedTeeth>, Vec<ArrangedTeeth>) = found.iter().partition(|set| set.is_coaxial());
+        plain.sort_unstable();
+        shifted.sort_unstable();
+        prop_assert_eq!(&shifted, &by_trial.shifted, "{:?}", bounds);
         let out = left_out.map_or(0, |left_out| left_out.count);
-        prop_assert_eq!(found.len() as u64 + out, by_trial.len() as u64, "{:?} {:?} {:?}", bounds, found, by_trial);
-        if out == 0 {
-            prop_assert_eq!(found, by_trial);
+        prop_assert_eq!(
+            plain.len() as u64 + out, by_trial.plain.len() as u64 + by_trial.left_out,
+            "{:?} {:?} {:?}", bounds, found, by_trial.plain
+        );
+        if out == by_trial.left_out {
+            prop_assert_eq!(plain, by_trial.plain);
         } else {
-            prop_assert!(found.iter().all(|set| by_trial.contains(set)));
+            prop_assert!(plain.iter().all(|set| by_trial.plain.contains(set)));
+        }
+    }
+
+    /// Against the trial of every shift of one gear, step by step: large sun, long planet and ring.
+    #[test]
+    fn a_tree_has_shifts_where_some_have_no_fault(
+        sun in 14..40_u32, planet in 14..40_u32, offset in -3..=3_i32, thick in 0.2..0.7_f64,
+        aim in prop::sample::select(vec![Aim::BalancedSliding, Aim::LeastTipAlteration]),
+    ) {
+        let ring = (sun + 2 * planet).checked_add_signed(offset).unwrap();
+        let gear = |kind, teeth| InvoluteGear::searched(kind, ToothCount::new(teeth).unwrap(), Profile::default()).unwrap();
+        let gears = vec![
+            gear(GearKind::External, sun), gear(GearKind::External, planet), gear(GearKind::Internal, ring),
+        ];
+        let distance = f64::from(sun + ring) / 4.0;
+        let meshes = [[0, 1], [1, 2]].map(|gears| StatedDistance { gears, distance }).to_vec();
+        let limits = Limits { tip_thickness: thick, ..Limits::default() };
+        let tree = MeshTree::new(gears, meshes).unwrap();
+        let is_free = |step: &i32| tree
+            .at(f64::from(*step) * 0.02)
+            .is_ok_and(|chosen| first_fault(&chosen.gears, &chosen.pairs, &limits).is_none());
+        let by_trial = (-150..150).filter(is_free).count();
+        match tree.choose(aim, &limits) {
+            Ok(chosen) => prop_assert_eq!(first_fault(&chosen.gears, &chosen.pairs, &limits), None),
+            // A stretch shorter than 1/64 of the range without undercut may be passed over.
+            Err(error) => prop_assert!(by_trial <= 4, "{} steps of 300, {:?}", by_trial, error),
         }
     }
 }

@@ -4,10 +4,15 @@
 //!   makes no smaller step.
 //! - `EDGE`: a centre distance beyond the reach of a search, over the step. The natural centre distance and
 //!   its multiples are rounded.
+//! - `RIM`: the shortfall of the rim of a planet from the least one, over it. A file states a rim with 14
+//!   digits.
 //! - `WHOLE`: difference of the shares of a duty from 1. Shares written with nine digits add up to 1.
 
 /// Newton's method has ended when its step is below this share of the value.
 pub(crate) const SAME: f64 = 1e-13;
+
+/// A rim that is smaller than the least one by this share of it is not.
+pub(crate) const RIM: f64 = 1e-12;
 
 /// Shares of time that sum to 1 within this are the whole time.
 pub(crate) const WHOLE: f64 = 1e-9;

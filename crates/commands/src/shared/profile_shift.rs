@@ -49,8 +49,7 @@ impl WantedShifts {
     /// Profile shift for these bounds, with their rack and their gap between planets.
     #[must_use]
     pub fn within(&self, bounds: &Bounds) -> ProfileShift {
-        let limits =
-            Limits { tip_thickness: self.tip_thickness, planet_gap: bounds.tip_gap, ..Limits::default() };
+        let limits = self.limits(bounds);
         let closing = Closing {
             profiles: Profile::of_rack(bounds.rack).into(),
             aim: self.aim,
@@ -58,6 +57,12 @@ impl WantedShifts {
             ..Closing::default()
         };
         ProfileShift { offsets: self.offsets.clone(), closing }
+    }
+
+    /// Limits of the gears, with the gap between planets of these bounds.
+    #[must_use]
+    pub fn limits(&self, bounds: &Bounds) -> Limits {
+        Limits { tip_thickness: self.tip_thickness, planet_gap: bounds.tip_gap, ..Limits::default() }
     }
 }
 

@@ -23,6 +23,7 @@ use crate::strength::answer::overload::{Peak, peaks};
 use crate::strength::answer::place::Fault;
 use crate::strength::answer::prepared::{SetToSize, sets_to_size};
 use crate::strength::answer::records::{NotRated, Reason, Required};
+use crate::tolerance::SAME;
 use epicyclic_formats::gearbox::{GearboxFile, PlanetData};
 use epicyclic_formats::{Document, Path};
 use epicyclic_gears::geometry::GearKind;
@@ -38,6 +39,7 @@ use epicyclic_strength::sizing::{
 use epicyclic_train::planet_set::GearOf;
 use epicyclic_train::set::SetKind;
 use epicyclic_units::Physical;
+use epicyclic_units::format::trimmed;
 use layouts::{Families, Making};
 use records::{HeldKey, NotSized, SizedSet, Sought};
 pub use saved::saved;
@@ -191,7 +193,9 @@ pub(crate) fn answer(
             set.set.id()
         ),
     });
-    let warnings = no_size.into_iter().chain(tilting(&helical)).chain(spanned);
+    let bearings = request.space().bearings;
+    let unfitted = to_size.iter().filter_map(|set| unfitted(set, &bearings));
+    let warnings = no_size.into_iter().chain(tilting(&helical)).chain(spanned).chain(unfitted);
     let judged = judgement.warnings(&[]);
     let warnings = warnings.chain(tooth_checks.warnings()).chain(judged).collect();
     Ok(Size {
@@ -339,7 +343,7 @@ fn task(
                 load_rating,
                 static_load_rating: None,
             }],
-            (None, Some(_)) => vec![],
+            (None, Some(bore)) => fitting(&space.bearings, bore),
             (None, None) => space.bearings.clone(),
         },
         bore: planet.bore,
@@ -370,6 +374,32 @@ fn task(
         practice: request.practice(),
     };
     (task, held.into_iter().filter(|(_, is_held)| *is_held).map(|(key, _)| key).collect())
+}
+
+/// Bearings with this outside diameter.
+fn fitting(bearings: &[Bearing], bore: Length) -> Vec<Bearing> {
+    let fits = |one: &&Bearing| (one.outside_diameter / bore).si() - 1.0;
+    bearings.iter().filter(|one| fits(one).abs() <= SAME).cloned().collect()
+}
+
+/// Warning of planets that get no bearing since none has the stated bore as its outside diameter.
+fn unfitted(set: &SetToSize<'_>, bearings: &[Bearing]) -> Option<Warning> {
+    let stated = set.data.planets.iter().enumerate().filter(|(_, planet)| planet.bearing.is_none());
+    let mut bores = stated.filter_map(|(place, planet)| Some((place, planet.bore?)));
+    let (place, bore) =
+        bores.find(|(_, bore)| !bearings.is_empty() && fitting(bearings, *bore).is_empty())?;
+    let planet = match set.set.planets() {
+        [_] => "planets".to_owned(),
+        several => several[place].name.clone(),
+    };
+    Some(Warning {
+        name: "no-bearing",
+        message: format!(
+            "set {}: the {planet} keep their bore of {} mm without a bearing, since none of the list has this outside diameter; state `load_rating`, leave the bore out, or give other bearings",
+            set.set.id(),
+            trimmed(bore.mm(), 6)
+        ),
+    })
 }
 
 /// Values of sun, planets and ring.

@@ -145,11 +145,15 @@ impl Request {
     /// Refuses an empty or impossible space, whatever the file contains.
     pub(crate) fn check(&self) -> Result<(), Error> {
         self.space().check()?;
-        for (quantity, value) in [(Of::LeastRim, self.planet_rim), (Of::RingRimInModules, self.ring_rim)] {
-            let value = value.get();
-            if !(value.is_finite() && value >= 0.0) {
-                return Err(strength::Error::Negative { quantity, value, unit: "modules" }.into());
-            }
+        let unit = "modules";
+        let (quantity, value) = (Of::LeastRim, self.planet_rim.get());
+        if !(value.is_finite() && value >= 0.0) {
+            return Err(strength::Error::Negative { quantity, value, unit }.into());
+        }
+        // A ring without a rim has no root to rate.
+        let (quantity, value) = (Of::RingRimInModules, self.ring_rim.get());
+        if !(value.is_finite() && value > 0.0) {
+            return Err(strength::Error::NotPositive { quantity, value, unit }.into());
         }
         Ok(self.limits().check()?)
     }

@@ -41,6 +41,7 @@ pub(crate) mod prepared;
 pub(crate) mod rated_set;
 pub mod records;
 mod sharing;
+mod spans;
 mod together;
 
 use crate::analyze::answer::pins;

@@ -15,7 +15,7 @@ use epicyclic_formats::Span;
 use epicyclic_formats::gearbox::{WrittenSize, written_with_sizes};
 use epicyclic_gears::Error;
 use epicyclic_gears::arrangement::{Arrangement, ArrangementBounds};
-use epicyclic_gears::involute::family::Aim;
+use epicyclic_gears::involute::set::Limits;
 use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::synthesis::{Bounds, Placement};
@@ -30,9 +30,6 @@ use uom::si::f64::Length;
 /// Sets shown in a table unless said otherwise.
 const SHOWN_IN_TABLE: usize = 20;
 
-/// Tip thickness unless `--tip-thickness` gives another.
-const USUAL_TIP_THICKNESS: f64 = 0.2;
-
 /// Range of `--k` unless given.
 const USUAL_K: &str = "1.3..10";
 
@@ -44,8 +41,8 @@ const USUAL_PLANETS: &str = "3..8";
 /// The tooth numbers of a set fit together: sun, planets and ring share one centre distance, the planets
 /// clear each other and assemble. Of a double-planet set the ratio leaves the planets open: each pair of sun
 /// and ring stands once, with one choice of planets. With --ring-offset the ring may depart from the rule of
-/// equal centre distances, and profile shifts make up for it; with stepped planets and in Ravigneaux sets it
-/// is the difference of two doubled centre distances in modules. The most exact sets come first. Ranges
+/// equal centre distances, and profile shifts of all gears make up for it; with stepped planets and in
+/// Ravigneaux sets it is the difference of two doubled centre distances in modules. The most exact sets come first. Ranges
 /// include both ends and may be open: 12..40, 17.., ..=200, 20.
 #[derive(Debug, clap::Args)]
 #[command(after_help = include_str!("examples.txt"))]
@@ -148,10 +145,7 @@ impl Request {
         refuse("--angles", is_pair && !self.angles.is_empty(), "sets with planets")?;
         refuse("--planets", is_pair && self.planets.to_string() != USUAL_PLANETS, "sets with planets")?;
         refuse("--spacing", is_pair && self.spacing != Placement::Equal, "sets with planets")?;
-        refuse("--k", !simple && self.k.to_string() != USUAL_K, "simple and double-planet sets")?;
-        refuse("--aim", !simple && self.shifts.aim != Aim::BalancedSliding, "simple sets")?;
-        let is_usual = self.shifts.tip_thickness.get() == USUAL_TIP_THICKNESS;
-        refuse("--tip-thickness", !simple && !is_usual, "simple sets")
+        refuse("--k", !simple && self.k.to_string() != USUAL_K, "simple and double-planet sets")
     }
 
     fn arrangement_bounds(&self, arrangement: Arrangement) -> Result<ArrangementBounds, Failure> {
@@ -173,10 +167,14 @@ impl Request {
                 if self.no_undercut && !is_ring { bounds.rack.least_teeth_without_undercut() } else { 1 };
             teeth[place] = (*range.start()).max(least)..=*range.end();
         }
+        let shifts = self.shifts.wanted();
+        let limits = shifts.as_ref().map_or_else(Limits::default, |shifts| shifts.limits(&bounds));
         Ok(ArrangementBounds {
             teeth,
             module_ratios: self.module_ratio.iter().copied().collect::<BTreeSet<_>>().into_iter().collect(),
             offsets: self.shifts.ring_offset.clone().unwrap_or(0..=0),
+            aim: self.shifts.aim,
+            limits,
             angles: self.angles.iter().map(|angle| angle.0).collect(),
             no_undercut: self.no_undercut,
             ..usual

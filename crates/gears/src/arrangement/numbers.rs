@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! centre distances   2·R = m·(z_c + z_p) of a sun, m·(z_c − z_p) of a ring: equal for all meshes of a planet,
-//!                    or closed by profile shift of the central gears
+//!                    or closed by profile shift
 //! assembly           N divides G
 //! neighbours alike   2·R·sin(γ/2) > m·(z_p + 2·h_a* + s)        each step of a planet
 //! ```
@@ -20,11 +20,11 @@
 //!
 //! # Profile shift
 //! Where the centre distances of a planet differ, its carrier radius is the middle of the least and the
-//! greatest. The planet has no shift, each central gear the one that leaves no backlash.
+//! greatest, and its gears are [shifted](crate::arrangement::ArrangedShifts). Gaps are then those of the shifted gears.
 
 use super::{Arrangement, ArrangementMode, MOST_GEARS};
 use crate::gear_kind::GearKind;
-use crate::involute::{InvoluteGear, Pair, Profile};
+use crate::involute::{InvoluteGear, Profile};
 use crate::mesh::{Gear, TipCircle};
 use crate::quantity::SimpleGear;
 use crate::rack::BasicRack;
@@ -49,6 +49,12 @@ pub struct ArrangedTeeth {
     pub(super) teeth: [u32; MOST_GEARS],
     pub(super) module_ratio: ModuleRatio,
     pub(super) planets: u32,
+}
+
+/// Tip radii of the gears, each in its module, and the centre distance of planets in mesh.
+pub(super) struct Shape {
+    pub(super) tips: [f64; MOST_GEARS],
+    pub(super) planet_distance: f64,
 }
 
 /// Teeth in the order of the gears, and the number of planets: `32/34/100/30/96 ×3`.
@@ -136,7 +142,7 @@ impl ArrangedTeeth {
     }
 
     /// Module of a gear over that of the first step.
-    fn module(&self, gear: usize) -> f64 {
+    pub(super) fn module(&self, gear: usize) -> f64 {
         match self.arrangement.gears()[gear].step {
             0 => 1.0,
             _ => f64::from(*self.module_ratio.numer()) / f64::from(*self.module_ratio.denom()),
@@ -179,6 +185,11 @@ impl ArrangedTeeth {
         (least + greatest) as f64 / (4.0 * f64::from(*self.module_ratio.denom()))
     }
 
+    /// Whether every mesh has a centre distance, an internal one the larger gear outside.
+    pub(super) fn has_centres(&self) -> bool {
+        self.arrangement.meshes().iter().all(|mesh| self.doubled_distance(*mesh) > 0)
+    }
+
     /// Whether every planet has equal centre distances without profile shift.
     #[must_use]
     pub fn is_coaxial(&self) -> bool {
@@ -189,7 +200,7 @@ impl ArrangedTeeth {
     }
 
     /// Places of the planets' gears.
-    fn planet_gears(&self) -> impl Iterator<Item = usize> + use<> {
+    pub(super) fn planet_gears(&self) -> impl Iterator<Item = usize> + use<> {
         let gears = self.arrangement.gears();
         (0..gears.len()).filter(|gear| gears[*gear].role == SimpleGear::Planet)
     }
@@ -222,17 +233,24 @@ impl ArrangedTeeth {
             .then(|| PlanetSpacing::of_positions(positions, self.planets))
     }
 
+    /// Shape of the gears without profile shift.
+    fn plain_shape(&self, rack: &BasicRack) -> Shape {
+        let mut tips = [0.0; MOST_GEARS];
+        for ((tip, place), teeth) in tips.iter_mut().zip(self.arrangement.gears()).zip(self.teeth()) {
+            let kind = if place.role == SimpleGear::Ring { GearKind::Internal } else { GearKind::External };
+            *tip = Gear::new(kind, f64::from(*teeth)).tip_radius(rack);
+        }
+        Shape { tips, planet_distance: f64::from(self.teeth[1] + self.teeth[2]) / 2.0 }
+    }
+
     /// Least gap between tip circles of planets, and of gears that share a plane and do not mesh, at an angle
     /// of neighbouring planets; in modules of the gears. `None` where planets in mesh do not reach each
     /// other.
-    pub(super) fn gap(&self, rack: &BasicRack, neighbours_rad: f64) -> Option<f64> {
+    pub(super) fn gap(&self, shape: &Shape, neighbours_rad: f64) -> Option<f64> {
         let half_sine = libm::sin(neighbours_rad / 2.0);
-        let circle = |gear: usize| {
-            let module = self.module(gear);
-            TipCircle {
-                centre_radius: self.carrier_radius(gear) / module,
-                tip_radius: Gear::external(f64::from(self.teeth[gear])).tip_radius(rack),
-            }
+        let circle = |gear: usize| TipCircle {
+            centre_radius: self.carrier_radius(gear) / self.module(gear),
+            tip_radius: shape.tips[gear],
         };
         let alike = self.planet_gears().map(|gear| circle(gear).gap_to_alike(half_sine));
         let least = alike.fold(f64::INFINITY, f64::min);
@@ -241,29 +259,29 @@ impl ArrangedTeeth {
         }
         let [short, long] = [1, 2].map(circle);
         let (r_g, r_f) = (short.centre_radius, long.centre_radius);
-        let distance = f64::from(self.teeth[1] + self.teeth[2]) / 2.0;
+        let distance = shape.planet_distance;
         let cosine = (r_g * r_g + r_f * r_f - distance * distance) / (2.0 * r_g * r_f);
         if cosine.is_nan() || cosine.abs() > 1.0 {
             return None;
         }
         let psi = libm::acos(cosine);
         let next = short.gap(long, neighbours_rad - psi);
-        let in_ring = Gear::internal(f64::from(self.teeth[4])).tip_radius(rack) - r_g - short.tip_radius;
-        let over_sun = r_f - long.tip_radius - Gear::external(f64::from(self.teeth[0])).tip_radius(rack);
+        let in_ring = shape.tips[4] - r_g - short.tip_radius;
+        let over_sun = r_f - long.tip_radius - shape.tips[0];
         Some(least.min(next).min(in_ring).min(over_sun))
     }
 
-    /// Least gap between tip circles of gears in one plane that do not mesh, in modules of the gears; `None`
-    /// of a pair.
+    /// Least gap between tip circles of gears in one plane that do not mesh, without profile shift, in modules
+    /// of the gears; `None` of a pair.
     #[must_use]
     pub fn planet_gap(&self, rack: &BasicRack) -> Option<f64> {
-        self.gap(rack, self.spacing()?.smallest_gap().si())
+        self.gap(&self.plain_shape(rack), self.spacing()?.smallest_gap().si())
     }
 
     /// Least gap as by [`planet_gap`](Self::planet_gap), of planets at stated angles.
     #[must_use]
     pub fn gap_at(&self, rack: &BasicRack, angles: &[Angle]) -> Option<f64> {
-        self.gap(rack, least_angle_rad(angles)?)
+        self.gap(&self.plain_shape(rack), least_angle_rad(angles)?)
     }
 
     /// Whether planets at stated angles are all at assembly positions, counted from the first.
@@ -278,62 +296,33 @@ impl ArrangedTeeth {
     }
 
     /// Whether the planets assemble, equally spaced or not, and gears that do not mesh are apart by more than
-    /// `gap` modules. A pair always does, an internal one with the larger gear outside.
+    /// `gap` modules without profile shift. A pair always does, an internal one with the larger gear outside.
     #[must_use]
     pub fn fits(&self, rack: &BasicRack, gap: f64) -> bool {
-        if self.arrangement.meshes().iter().any(|mesh| self.doubled_distance(*mesh) <= 0) {
+        if !self.has_centres() {
             return false;
         }
         self.arrangement.is_pair() || self.planet_gap(rack).is_some_and(|own| own > gap + TOUCH)
     }
 
-    /// Profile shifts of the gears; for a ring positive inwards.
-    ///
-    /// # Errors
-    /// Those of [`InvoluteGear::searched`] and [`Pair::shift_sum`].
-    pub fn profile_shifts(&self, rack: &BasicRack) -> Result<Vec<f64>, Error> {
-        let mut shifts = vec![0.0; self.teeth().len()];
-        if self.arrangement.is_pair() || self.is_coaxial() {
-            return Ok(shifts);
-        }
-        let gears = self.arrangement.gears();
-        for &mesh in self.arrangement.meshes() {
-            let Some(central) = mesh.into_iter().find(|gear| gears[*gear].role != SimpleGear::Planet) else {
-                continue;
-            };
-            let planet = mesh[0] + mesh[1] - central;
-            let distance = self.carrier_radius(planet) / self.module(planet);
-            // An equal distance leaves no shift, not one of rounding.
-            if 2.0 * distance != self.doubled_distance(mesh) as f64 {
-                let [one, other] = self.gears_of_mesh(mesh, &shifts, rack);
-                shifts[central] = Pair::shift_sum(&one?, &other?, distance)?;
-            }
-        }
-        Ok(shifts)
-    }
-
-    /// Gears of a mesh with their shifts.
+    /// Gears of a mesh without profile shift.
     pub(super) fn gears_of_mesh(
         &self,
         mesh: [usize; 2],
-        shifts: &[f64],
         rack: &BasicRack,
     ) -> [Result<InvoluteGear, Error>; 2] {
         let profile = Profile::of_rack(*rack);
         let second = if self.is_internal(mesh) { GearKind::Internal } else { GearKind::External };
-        let gear = |kind, gear: usize| {
-            let own = InvoluteGear::searched(kind, ToothCount::new(self.teeth[gear])?, profile)?;
-            if shifts[gear] == 0.0 { Ok(own) } else { own.with_shift(shifts[gear]) }
-        };
+        let gear =
+            |kind, gear: usize| InvoluteGear::searched(kind, ToothCount::new(self.teeth[gear])?, profile);
         [gear(GearKind::External, mesh[0]), gear(second, mesh[1])]
     }
 
-    /// Whether the rack undercuts a gear with its profile shift.
+    /// Whether the rack undercuts a gear without profile shift.
     #[must_use]
-    pub fn is_undercut(&self, gear: usize, shifts: &[f64], rack: &BasicRack) -> bool {
-        let cuts = BasicRack { addendum: rack.addendum - shifts[gear], ..*rack };
+    pub fn is_undercut(&self, gear: usize, rack: &BasicRack) -> bool {
         self.arrangement.gears()[gear].role != SimpleGear::Ring
-            && self.teeth[gear] < cuts.least_teeth_without_undercut()
+            && self.teeth[gear] < rack.least_teeth_without_undercut()
     }
 
     /// Greatest common divisor of the teeth of each mesh: 1 where every tooth meets every other (hunting

@@ -12,51 +12,22 @@
 //! `F(t, w_1)·F(t, w_2) ≤ 0`. The zeros of both therefore bound the pieces in which `t` lies. Every `t` in such
 //! a piece and beside a zero is tried by its exact ratio: rounding loses none.
 
+use super::bounds::ArrangementBounds;
 use super::numbers::{ArrangedTeeth, ModuleRatio, least_angle_rad};
-use super::{Arrangement, ArrangementMode, GearPlace, MOST_GEARS};
-use crate::checks::not_negative;
+use super::shifts::{ArrangedShifts, Choices, Spot};
+use super::{Arrangement, ArrangementMode, MOST_GEARS};
 use crate::error::Error;
-use crate::involute::check::{Check, Rule};
+use crate::involute::check::Check;
 use crate::involute::left_out::LeftOut;
 use crate::involute::plain::{Places, pair_miss};
-use crate::involute::set::Limits;
 use crate::nearest::Search;
-use crate::quantity::{Quantity, SimpleGear};
-use crate::rack::BasicRack;
+use crate::quantity::SimpleGear;
 use crate::simple_set::Fraction;
-use crate::synthesis::{Bounds, MOST_TEETH, Placement, Ranked};
+use crate::synthesis::{Placement, Ranked};
 use crate::tolerance::{BESIDE, TOUCH, WITHIN};
+use epicyclic_units::Physical;
 use std::collections::BTreeMap;
-use std::fmt;
 use std::ops::{ControlFlow, RangeInclusive};
-use uom::si::f64::Angle;
-
-/// Bounds of a search for tooth numbers of an arrangement. All ranges include their ends.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ArrangementBounds {
-    /// Arrangement of the gears.
-    pub arrangement: Arrangement,
-    /// Teeth of each gear, in the order of the gears.
-    pub teeth: Vec<RangeInclusive<u32>>,
-    /// Number of planets, from 2 to 8; without effect on pairs.
-    pub planets: RangeInclusive<u32>,
-    /// Modules of the second step over that of the first.
-    pub module_ratios: Vec<ModuleRatio>,
-    /// Differences of the doubled centre distances of a planet's meshes from the first of them, in modules of
-    /// the first step, that profile shift closes.
-    pub offsets: RangeInclusive<i32>,
-    /// Basic rack of all gears.
-    pub rack: BasicRack,
-    /// Least gap between tip circles of gears that do not mesh, in modules.
-    pub tip_gap: f64,
-    /// Permissible placement of the planets.
-    pub placement: Placement,
-    /// Stated angles of the planets about the axis, which then give their number; empty for those of the
-    /// placement.
-    pub angles: Vec<Angle>,
-    /// Leaves out sets with undercut gears.
-    pub no_undercut: bool,
-}
 
 /// Set that meets a target ratio, with its ratio and ratio error.
 #[derive(Debug, Clone, PartialEq)]
@@ -69,77 +40,11 @@ pub struct ArrangedCandidate {
     pub ratio: f64,
     /// Relative error of the ratio, `i/i_wanted − 1`.
     pub ratio_error: f64,
-}
-
-/// Place of a check in an arrangement.
-#[derive(Debug, Clone, Copy)]
-enum Spot {
-    Gear(GearPlace),
-    Mesh([GearPlace; 2]),
-    Tips([GearPlace; 2]),
-}
-
-impl fmt::Display for Spot {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Gear(gear) => write!(f, "the {gear}"),
-            Self::Mesh([one, other]) => write!(f, "the mesh of {one} and {other}"),
-            Self::Tips([of, with]) => write!(f, "the tips of the {of}, mesh with the {with},"),
-        }
-    }
+    /// Profile shifts; `None` where equal centre distances need none.
+    pub shifts: Option<ArrangedShifts>,
 }
 
 impl ArrangementBounds {
-    /// Bounds with the teeth, rack, gap and planets of `bounds`, equal modules and no profile shift.
-    #[must_use]
-    pub fn of(arrangement: Arrangement, bounds: &Bounds) -> Self {
-        let teeth = arrangement.gears().iter().map(|gear| match gear.role {
-            SimpleGear::Sun => bounds.sun.clone(),
-            SimpleGear::Planet => bounds.planet.clone(),
-            SimpleGear::Ring => bounds.ring.clone(),
-        });
-        Self {
-            arrangement,
-            teeth: teeth.collect(),
-            planets: bounds.planets.clone(),
-            module_ratios: vec![ModuleRatio::from(1)],
-            offsets: 0..=0,
-            rack: bounds.rack,
-            tip_gap: bounds.tip_gap,
-            placement: bounds.placement,
-            angles: vec![],
-            no_undercut: false,
-        }
-    }
-
-    fn check(&self) -> Result<(), Error> {
-        let gears = self.arrangement.gears();
-        // Ranges that hold a gear each, of the rest the same as for simple sets.
-        let usual = Bounds { planets: self.planets.clone(), rack: self.rack, ..Bounds::default() };
-        usual.check()?;
-        for (place, gear) in gears.iter().enumerate() {
-            let range = self.teeth.get(place).ok_or(Error::NoTeeth)?;
-            let (from, to) = (*range.start(), *range.end());
-            if from == 0 {
-                return Err(Error::NoTeeth);
-            }
-            if range.is_empty() || to > MOST_TEETH {
-                return Err(Error::ToothRange { gear: gear.role, from, to, most: MOST_TEETH });
-            }
-        }
-        if !self.angles.is_empty() && least_angle_rad(&self.angles).is_none_or(|least| least <= 0.0) {
-            return Err(Error::PlanetAngles { given: self.angles.len() });
-        }
-        for &ratio in &self.module_ratios {
-            let is_one = ratio == ModuleRatio::from(1);
-            if *ratio.numer() == 0 || !is_one && !self.arrangement.has_steps() {
-                return Err(Error::ModuleRatio { arrangement: self.arrangement, ratio });
-            }
-        }
-        not_negative(Quantity::TipGap, self.tip_gap, "modules")?;
-        Ok(())
-    }
-
     /// Number of sets with a ratio within `tolerance` (relative) of `wanted`, and the first `most` of them:
     /// the most exact first, equally exact ones by size, then by teeth and number of planets.
     ///
@@ -160,7 +65,7 @@ impl ArrangementBounds {
     ///
     /// # Errors
     /// [`Error::NoTeeth`], [`Error::ToothRange`], [`Error::PlanetNumber`], [`Error::PlanetAngles`],
-    /// [`Error::ModuleRatio`],
+    /// [`Error::ModuleRatio`], [`Error::RingOffset`],
     /// [`Error::Negative`] for invalid bounds; [`Error::Tolerance`], [`Error::Ratio`];
     /// [`Error::NoArrangement`]; [`Error::Cancelled`].
     pub fn for_ratio(
@@ -187,6 +92,7 @@ impl ArrangementBounds {
                 exact_ratio,
                 ratio: as_f64(exact_ratio),
                 ratio_error: held.error,
+                shifts: held.shifts,
             })
         };
         let first = run.held.into_iter().filter_map(candidate).collect();
@@ -212,22 +118,6 @@ impl ArrangementBounds {
         }
         Ok(None)
     }
-
-    /// Number of combinations of the gears that are gone through.
-    ///
-    /// # Errors
-    /// Those of invalid bounds as for [`for_ratio`](Self::for_ratio).
-    pub fn space(&self) -> Result<u64, Error> {
-        self.check()?;
-        let count = |gear: usize| u64::from(self.teeth[gear].end() - self.teeth[gear].start()) + 1;
-        let offsets = u64::from(self.offsets.end().abs_diff(*self.offsets.start())) + 1;
-        Ok(match self.arrangement {
-            Arrangement::Ravigneaux => count(2) * count(3) * offsets,
-            Arrangement::ExternalPair | Arrangement::InternalPair => count(0),
-            Arrangement::Wolfrom => count(0) * count(1) * offsets * offsets,
-            _ => count(0) * count(1) * offsets * self.module_ratios.len() as u64,
-        })
-    }
 }
 
 /// Factors off a ratio that no set has, within which the nearest one is looked for.
@@ -242,6 +132,7 @@ struct Held {
     error: f64,
     size: f64,
     teeth: ArrangedTeeth,
+    shifts: Option<ArrangedShifts>,
 }
 
 impl Held {
@@ -251,8 +142,8 @@ impl Held {
     }
 }
 
-/// A mesh by its place, its teeth and the bits of its shifts.
-type MeshKey = (usize, [u32; 2], [u64; 2]);
+/// A mesh by its place and its teeth.
+type MeshKey = (usize, [u32; 2]);
 
 /// Search under way.
 struct Run<'a> {
@@ -267,7 +158,9 @@ struct Run<'a> {
     held: Vec<Held>,
     found: u64,
     left_out: Option<Box<LeftOut>>,
+    /// Meshes without profile shift.
     meshes: BTreeMap<MeshKey, Option<Check<Spot>>>,
+    choices: Choices,
 }
 
 impl<'a> Run<'a> {
@@ -283,7 +176,20 @@ impl<'a> Run<'a> {
         let ends = [wanted * (1.0 - off), wanted * (1.0 + off)];
         let (held, meshes) = (vec![], BTreeMap::new());
         let is_wide = false;
-        Ok(Self { bounds, mode, search, ends, is_wide, most, held, found: 0, left_out: None, meshes })
+        let choices = Choices::new(bounds.rack, bounds.aim, bounds.limits);
+        Ok(Self {
+            bounds,
+            mode,
+            search,
+            ends,
+            is_wide,
+            most,
+            held,
+            found: 0,
+            left_out: None,
+            meshes,
+            choices,
+        })
     }
 
     fn range(&self, gear: usize) -> RangeInclusive<u32> {
@@ -385,7 +291,7 @@ impl<'a> Run<'a> {
                 let smalls = self.range(0);
                 for small in self.near(i64::from(*smalls.start())..=i64::from(*smalls.end()), at) {
                     let small = small as u32;
-                    let [least, most] = short_planets([small, large, ring]);
+                    let [least, most] = self.short_planets([small, 0, long, large, ring]);
                     let shorts = self.range(1);
                     for short in least.max(*shorts.start())..=most.min(*shorts.end()) {
                         self.see([small, short, long, large, ring], ModuleRatio::from(1))?;
@@ -454,7 +360,7 @@ impl<'a> Run<'a> {
     /// Sets with these teeth, for every number of planets.
     fn see(&mut self, teeth: [u32; MOST_GEARS], module_ratio: ModuleRatio) -> Result<(), Error> {
         let bounds = self.bounds;
-        let mut set = ArrangedTeeth { arrangement: bounds.arrangement, teeth, module_ratio, planets: 1 };
+        let set = ArrangedTeeth { arrangement: bounds.arrangement, teeth, module_ratio, planets: 1 };
         let Some(ratio) = set.ratio(self.mode).map(as_f64) else { return Ok(()) };
         let is_near = if self.is_wide {
             self.ends[0] * ratio > 0.0 && self.search.is_nearer(ratio)
@@ -464,16 +370,26 @@ impl<'a> Run<'a> {
         if !is_near || bounds.arrangement == Arrangement::Stepped && set.has_one_step() {
             return Ok(());
         }
-        let mut miss: Option<Option<Check<Spot>>> = None;
         let stated = bounds.angles.len() as u32;
         let planets = match stated {
             _ if bounds.arrangement.is_pair() => 1..=1,
             0 => bounds.planets.clone(),
             stated => stated..=stated,
         };
+        if set.is_coaxial() { self.plain(set, ratio, planets) } else { self.shifted(set, ratio, planets) }
+    }
+
+    /// Sets without profile shift, for every number of planets.
+    fn plain(
+        &mut self,
+        mut set: ArrangedTeeth,
+        ratio: f64,
+        planets: RangeInclusive<u32>,
+    ) -> Result<(), Error> {
+        let mut miss: Option<Option<Check<Spot>>> = None;
         for planets in planets {
             set.planets = planets;
-            if !self.fits(&set) {
+            if !self.is_placed(&set) || !self.is_apart(&set) {
                 continue;
             }
             let miss = match miss {
@@ -483,51 +399,98 @@ impl<'a> Run<'a> {
                     Err(Undercut) => return Ok(()),
                 }),
             };
-            if let Some(check) = miss {
-                LeftOut::add(&mut self.left_out, || set.to_string(), &check);
-            } else if let Some(error) = self.search.take(ratio) {
-                self.found += 1;
-                self.held.push(Held { error, size: set.size(), teeth: set });
-                if self.held.len() >= self.most.saturating_mul(2).max(1) {
-                    self.rank();
+            match miss {
+                Some(check) => LeftOut::add(&mut self.left_out, || set.to_string(), &check),
+                None => self.take(set, ratio, None),
+            }
+        }
+        Ok(())
+    }
+
+    /// Sets with profile shift, for every number of planets. Without a choice of shifts a set is left out if
+    /// its gears would be apart without shift; else it is none.
+    fn shifted(
+        &mut self,
+        mut set: ArrangedTeeth,
+        ratio: f64,
+        planets: RangeInclusive<u32>,
+    ) -> Result<(), Error> {
+        let bounds = self.bounds;
+        let mut choice = None;
+        for planets in planets {
+            set.planets = planets;
+            if !self.is_placed(&set) {
+                continue;
+            }
+            let is_apart = self.is_apart(&set);
+            let Some(neighbours) = self.neighbours_rad(&set) else { continue };
+            if !is_apart && !set.may_clear(&bounds.rack, bounds.tip_gap, neighbours) {
+                continue;
+            }
+            match choice.get_or_insert_with(|| self.choices.of(&set)) {
+                Err(check) if is_apart => LeftOut::add(&mut self.left_out, || set.to_string(), check),
+                Err(_) => {}
+                Ok(choice) => {
+                    let gap = self.choices.gap(&set, choice, neighbours);
+                    if gap.is_some_and(|gap| gap > bounds.tip_gap + TOUCH) {
+                        let shifts = choice.shifts;
+                        self.take(set, ratio, Some(shifts));
+                    }
                 }
             }
         }
         Ok(())
     }
 
-    /// Whether the planets can be put in at their angles, and gears that do not mesh are apart.
-    fn fits(&self, set: &ArrangedTeeth) -> bool {
-        let bounds = self.bounds;
-        if set.arrangement.is_pair() {
-            return set.fits(&bounds.rack, bounds.tip_gap);
+    fn take(&mut self, set: ArrangedTeeth, ratio: f64, shifts: Option<ArrangedShifts>) {
+        let Some(error) = self.search.take(ratio) else { return };
+        self.found += 1;
+        self.held.push(Held { error, size: set.size(), teeth: set, shifts });
+        if self.held.len() >= self.most.saturating_mul(2).max(1) {
+            self.rank();
         }
-        if bounds.angles.is_empty() {
-            let is_placed = set
-                .spacing()
-                .is_some_and(|spacing| spacing.is_equal() || bounds.placement == Placement::LeastUnequal);
-            return is_placed && set.fits(&bounds.rack, bounds.tip_gap);
-        }
-        set.assembles_at(&bounds.angles)
-            && set.gap_at(&bounds.rack, &bounds.angles).is_some_and(|gap| gap > bounds.tip_gap + TOUCH)
     }
 
-    /// The first check of the meshes that does not hold and is an error; [`Undercut`] where the bounds
-    /// exclude the set.
+    /// Whether all meshes have centre distances, and the planets can be put in at their angles.
+    fn is_placed(&self, set: &ArrangedTeeth) -> bool {
+        let bounds = self.bounds;
+        let is_placed = || match bounds.angles.is_empty() {
+            true => set
+                .spacing()
+                .is_some_and(|spacing| spacing.is_equal() || bounds.placement == Placement::LeastUnequal),
+            false => set.assembles_at(&bounds.angles),
+        };
+        set.has_centres() && (set.arrangement.is_pair() || is_placed())
+    }
+
+    /// Least angle between neighbouring planets, in rad; `None` of a pair.
+    fn neighbours_rad(&self, set: &ArrangedTeeth) -> Option<f64> {
+        if self.bounds.angles.is_empty() {
+            return Some(set.spacing()?.smallest_gap().si());
+        }
+        least_angle_rad(&self.bounds.angles)
+    }
+
+    /// Whether gears that do not mesh are apart without profile shift.
+    fn is_apart(&self, set: &ArrangedTeeth) -> bool {
+        let bounds = self.bounds;
+        let gap = || match bounds.angles.is_empty() {
+            true => set.planet_gap(&bounds.rack),
+            false => set.gap_at(&bounds.rack, &bounds.angles),
+        };
+        set.arrangement.is_pair() || gap().is_some_and(|gap| gap > bounds.tip_gap + TOUCH)
+    }
+
+    /// The first check of the meshes without profile shift that does not hold and is an error; [`Undercut`]
+    /// where the bounds exclude the set.
     fn miss(&mut self, set: &ArrangedTeeth) -> Result<Result<Option<Check<Spot>>, Undercut>, Error> {
         let rack = &self.bounds.rack;
         let gears = set.arrangement.gears();
-        let Ok(shifts) = set.profile_shifts(rack) else {
-            // No shift closes a centre distance at which the gears have no line of action.
-            let limit = Limits::default().contact_ratio;
-            let place = Spot::Gear(gears[1]);
-            return Ok(Ok(Some(Check { rule: Rule::ContactRatio, place, value: 0.0, limit })));
-        };
-        if self.bounds.no_undercut && (0..gears.len()).any(|gear| set.is_undercut(gear, &shifts, rack)) {
+        if self.bounds.no_undercut && (0..gears.len()).any(|gear| set.is_undercut(gear, rack)) {
             return Ok(Err(Undercut));
         }
         for (place, &mesh) in set.arrangement.meshes().iter().enumerate() {
-            let key = (place, mesh.map(|gear| set.teeth[gear]), mesh.map(|gear| shifts[gear].to_bits()));
+            let key = (place, mesh.map(|gear| set.teeth[gear]));
             let miss = match self.meshes.get(&key) {
                 Some(known) => *known,
                 None => {
@@ -537,7 +500,7 @@ impl<'a> Run<'a> {
                         mesh: Spot::Mesh([one, other]),
                         tips: [Spot::Tips([one, other]), Spot::Tips([other, one])],
                     };
-                    let miss = pair_miss(set.gears_of_mesh(mesh, &shifts, rack), &places, true)?;
+                    let miss = pair_miss(set.gears_of_mesh(mesh, rack), &places, true)?;
                     self.meshes.insert(key, miss);
                     miss
                 }
@@ -549,6 +512,30 @@ impl<'a> Run<'a> {
         Ok(Ok(None))
     }
 
+    /// Least and most teeth of a short planet between these gears, whose place is 0: it reaches the long
+    /// one, and stays inside the ring. With profile shift those that may do so with any shifts count too.
+    ///
+    /// ```text
+    /// R_f − R_g ≤ d               is  z_g ≥ (z_c + z_b)/4 − (z_a + z_f)/2
+    /// R_g + z_g/2 < z_b/2         is  z_g < (z_b − z_a)/2
+    /// ```
+    fn short_planets(&mut self, teeth: [u32; MOST_GEARS]) -> [u32; 2] {
+        let [small, _, long, large, ring] = teeth;
+        let least = (large + ring).saturating_sub(2 * (small + long)) / 4;
+        let most = ring.saturating_sub(small).div_ceil(2);
+        let set = ArrangedTeeth {
+            arrangement: Arrangement::Ravigneaux,
+            teeth,
+            module_ratio: ModuleRatio::from(1),
+            planets: 1,
+        };
+        if ring == large + 2 * long {
+            return [least, most];
+        }
+        let with_shifts = self.choices.short_planets(&set);
+        with_shifts.map_or([least, most], |[low, high]| [least.min(low), most.max(high)])
+    }
+
     fn rank(&mut self) {
         self.held.sort_by(Held::order);
         self.held.truncate(self.most);
@@ -557,13 +544,3 @@ impl<'a> Run<'a> {
 
 /// Set that the bounds exclude for undercut.
 struct Undercut;
-
-/// Least and most teeth of a short planet: it reaches the long one, and stays inside the ring.
-///
-/// ```text
-/// R_f − R_g ≤ d               is  z_g ≥ (z_c − z_a)/2
-/// R_g + z_g/2 < z_b/2         is  z_g < (z_b − z_a)/2
-/// ```
-fn short_planets([small, large, ring]: [u32; 3]) -> [u32; 2] {
-    [large.saturating_sub(small) / 2, ring.saturating_sub(small).div_ceil(2)]
-}

@@ -334,6 +334,9 @@ pub(super) fn nearest<T, F: Clone>(
         Err(first) => first,
     };
     let step = (range.end() - range.start()) / f64::from(PARTS);
+    if step <= 0.0 {
+        return Err(first);
+    }
     let sides = |part: u32| [-1.0, 1.0].map(|side| (wanted + side * f64::from(part) * step, side * step));
     for (shift, step) in (1..=PARTS).flat_map(sides) {
         if !(range.start() - TOUCH..=range.end() + TOUCH).contains(&shift) {

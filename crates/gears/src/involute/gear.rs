@@ -100,7 +100,7 @@ impl InvoluteGear {
 
     /// Gear with another shift and other tips, whether or not that leaves teeth.
     #[inline]
-    pub(super) fn altered(self, shift: f64, tip_alteration: f64) -> Self {
+    pub(crate) fn altered(self, shift: f64, tip_alteration: f64) -> Self {
         let cut = if shift.to_bits() == self.shift.to_bits() {
             self.cut
         } else {
@@ -110,7 +110,7 @@ impl InvoluteGear {
     }
 
     #[inline]
-    pub(super) fn checked(self) -> Result<Self, Error> {
+    pub(crate) fn checked(self) -> Result<Self, Error> {
         let fault = |fault: ShiftFault| Error::ShiftOutOfRange {
             teeth: self.teeth.get(),
             kind: self.kind,

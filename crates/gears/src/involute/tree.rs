@@ -109,33 +109,38 @@ impl MeshTree {
     /// [`Error::ShiftOutOfRange`] where a gear has no teeth left; those of [`Pair::at_centre_distance`].
     pub fn at(&self, first: f64) -> Result<Chosen, Error> {
         let shifts = self.shifts(first);
-        let paired = |gears: &[InvoluteGear]| -> Result<Vec<Pair>, Error> {
-            let pair = |mesh: &StatedDistance| {
-                let [one, other] = mesh.gears;
-                Pair::at_centre_distance(gears[one], gears[other], mesh.distance)
-            };
-            self.meshes.iter().map(pair).collect()
-        };
+        // Tips change neither the cut of a gear nor the working angle of a mesh: both are calculated once.
+        let cut: Vec<InvoluteGear> =
+            self.gears.iter().zip(&shifts).map(|(gear, shift)| gear.altered(*shift, 0.0)).collect();
+        let mut tips = vec![0.0_f64; cut.len()];
         let shifted = |tips: &[f64]| -> Result<Vec<InvoluteGear>, Error> {
-            let all = self.gears.iter().zip(&shifts).zip(tips);
-            all.map(|((gear, shift), tip)| gear.altered(*shift, *tip).checked()).collect()
+            cut.iter().zip(tips).map(|(gear, tip)| gear.altered(gear.shift(), *tip).checked()).collect()
         };
-        let mut tips = vec![0.0_f64; self.gears.len()];
-        for (mesh, pair) in self.meshes.iter().zip(paired(&shifted(&tips)?)?) {
+        let full = shifted(&tips)?;
+        let pair = |mesh: &StatedDistance| {
+            let [one, other] = mesh.gears;
+            Pair::at_centre_distance(full[one], full[other], mesh.distance)
+        };
+        let mut pairs: Vec<Pair> = self.meshes.iter().map(pair).collect::<Result<_, _>>()?;
+        for (mesh, pair) in self.meshes.iter().zip(&pairs) {
             for gear in mesh.gears.into_iter().filter(|_| !pair.is_internal()) {
                 tips[gear] = tips[gear].min(pair.tip_alteration());
             }
         }
         let clear = shifted(&tips)?;
-        for (mesh, pair) in self.meshes.iter().zip(paired(&clear)?) {
-            let [first, second] = *pair.gears();
+        for (mesh, pair) in self.meshes.iter().zip(&mut pairs) {
+            let [first, second] = mesh.gears.map(|gear| clear[gear]);
+            *pair = pair.with_gears([first, second]);
             let curvatures = [pair.of_mate(second.cut().end), pair.mate(first.cut().end)];
             for (gear, curvature) in mesh.gears.into_iter().zip(curvatures) {
                 tips[gear] = tips[gear].min(clear[gear].shortened_to(curvature));
             }
         }
         let gears = shifted(&tips)?;
-        Ok(Chosen { pairs: paired(&gears)?, gears, is_aim_met: true })
+        for (mesh, pair) in self.meshes.iter().zip(&mut pairs) {
+            *pair = pair.with_gears(mesh.gears.map(|gear| gears[gear]));
+        }
+        Ok(Chosen { gears, pairs, is_aim_met: true })
     }
 
     /// The gears that an aim picks among those without faults.
@@ -195,7 +200,8 @@ impl MeshTree {
             // Rings without external mates have no clearance to keep, and hardly any alteration.
             Some((shift, if aim == Aim::LeastTipAlteration { by } else { [by[1], by[0]] }))
         };
-        let best = (0..=PARTS)
+        let parts = if step > 0.0 { PARTS } else { 0 };
+        let best = (0..=parts)
             .filter_map(measured)
             .min_by(|(_, one), (_, other)| one[0].total_cmp(&other[0]).then(one[1].total_cmp(&other[1])));
         best.map(|(shift, _)| shift)

@@ -6,6 +6,7 @@ use super::rated::{Place, Ratings, rim_of};
 use super::task::{Body, Design, DesignedPlanet, Governing, Layout, Task};
 use super::{Found, LeftOut, Objective, Requirement, Tried};
 use crate::bearing::{BearingStep, Reliability, life_over_duty};
+use crate::tolerance::RIM;
 use crate::{Error, Quantity};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::life::Rolling;
@@ -224,7 +225,8 @@ fn leaves_rim(task: &Task, layout: &Layout, planet: usize, bore: f64) -> bool {
         let stated = task.gears[gear].gear.rim.map_or(0.0, Physical::si);
         (task.planet_rim * layout.module(task, gear).si()).max(stated)
     };
-    bore == 0.0 || task.gears_of(planet).all(|gear| rim_of(task, layout, gear, bore) >= least(gear))
+    let leaves = |gear: usize| rim_of(task, layout, gear, bore) >= least(gear) * (1.0 - RIM);
+    bore == 0.0 || task.gears_of(planet).all(leaves)
 }
 
 impl Task {

@@ -173,7 +173,7 @@ impl Task {
             }
         }
         not_negative(Quantity::LeastRim, self.planet_rim, "modules")?;
-        not_negative(Quantity::RingRimInModules, self.ring_rim, "modules")?;
+        positive(Quantity::RingRimInModules, self.ring_rim, "modules")?;
         for bore in self.planets.iter().filter_map(|planet| planet.bore) {
             positive(Quantity::PlanetBore, bore.mm(), "mm")?;
         }

@@ -125,6 +125,9 @@ struct Chosen {
     is_aim_met: bool,
 }
 
+/// Gears of a group, or what is in their way, by the bits of the radii of its planets.
+type Known = HashMap<Vec<u64>, Result<Chosen, Option<Fault>>>;
+
 /// Why a place makes no layout.
 enum Unmade {
     /// The first fault, where a check tells it.

@@ -17,6 +17,7 @@ use super::duty::WorkedStep;
 use super::materials::{floating, given_sharing};
 use super::overload::Peak;
 use super::records::{BearingOverDuty, BearingStepFigures, ModifiedLife};
+use super::spans::above_0;
 use crate::analyze::answer::Worked;
 use crate::analyze::answer::records::planet_name;
 use crate::error::Error;
@@ -143,7 +144,7 @@ impl File<'_> {
             None => load_sharing(bearing.planets.unwrap_or(1), floating).ok(),
         };
         let (conditions, mut missing) = self.conditions(&given)?;
-        let span = self.of(&given, "bearing_span", given.bearing_span)?;
+        let span = given.bearing_span.map(|span| span.0);
         let rows = span.map(|span| self.rows(set, span)).transpose()?;
         let mut row = BearingOverDuty {
             set: set.id().to_owned(),
@@ -306,11 +307,7 @@ impl File<'_> {
     }
 
     fn above_0(&self, value: impl Physical, path: &Path, key: &str) -> Result<(), Error> {
-        if value.si() > 0.0 {
-            return Ok(());
-        }
-        let why = Named("not-positive", format!("{key} must be above 0"));
-        Err(refused(&self.subject.document, path, &[key], &why))
+        above_0(&self.subject.document, value, path, key)
     }
 
     /// Rows of the bearings of a planet at this distance; the keys missing for the moment on them.

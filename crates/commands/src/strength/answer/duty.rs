@@ -24,8 +24,8 @@ pub(crate) struct WorkedStep<'g>(pub(crate) &'g DutyEntry, pub(crate) Option<Wor
 /// Computes the steps of a duty.
 ///
 /// # Errors
-/// [`Error::Document`] for shares that do not add up to the whole time, and for gears that do not exist or
-/// cannot carry the load.
+/// [`Error::Document`] for shares that do not add up to the whole time, for gears that do not exist or
+/// cannot carry the load, and for torques at standstill.
 pub(crate) fn steps<'g>(subject: &'g Gearbox, duty: &'g [DutyEntry]) -> Result<Vec<WorkedStep<'g>>, Error> {
     let root = Path::root();
     check_shares(duty.iter().map(|step| step.share.0.si()))
@@ -38,7 +38,11 @@ pub(crate) fn steps<'g>(subject: &'g Gearbox, duty: &'g [DutyEntry]) -> Result<V
 
 fn worked<'g>(subject: &'g Gearbox, step: &DutyEntry, path: &Path) -> Result<Option<Worked<'g>>, Error> {
     let input = Input { speed: Some(step.speed.0), load: Some(InputLoad::Torque(step.torque.0)) };
-    let idle = step.share.0.si() == 0.0 || step.torque.0.si() == 0.0 || step.speed.0.si() == 0.0;
+    let idle = step.share.0.si() == 0.0 || step.torque.0.si() == 0.0;
+    if !idle && step.speed.0.si() == 0.0 {
+        let message = "speed 0 with a torque: a torque at standstill is a static load without cycles; write a speed other than 0, or `torque: 0 N·m` here and the torque as an `overload`";
+        return Err(refused(&subject.document, path, &["speed"], &Named("no-cycles", message)));
+    }
     // A gear that does not exist is refused even in a step without load.
     let input = if idle { Input::default() } else { input };
     let worked = Worked::new(&subject.train, &step.gear, input).map_err(|error| {

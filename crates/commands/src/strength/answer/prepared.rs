@@ -3,6 +3,7 @@
 use super::materials::check_materials;
 use super::rated_set::{Of, check_factors};
 use super::records::{NotRated, Reason};
+use super::spans::check_spans;
 use crate::error::Error;
 use crate::shared::gearbox::Gearbox;
 use crate::shared::toothed::lacking;
@@ -41,6 +42,7 @@ pub(crate) fn sets_to_size<'g>(
 ) -> Result<(Vec<SetToSize<'g>>, Vec<NotRated>), Error> {
     check_materials(&subject.document, file)?;
     check_factors(subject, file)?;
+    check_spans(&subject.document, file)?;
     let (mut all, mut not_rated) = (vec![], vec![]);
     for (place, set) in subject.train.sets().iter().enumerate() {
         let Some(data) = file.set_data(set) else { continue };

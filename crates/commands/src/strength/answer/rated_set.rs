@@ -4,6 +4,7 @@ use super::factors;
 use super::materials::{check_materials, floating, material};
 use super::names::MeshName;
 use super::records::{NotRated, Reason};
+use super::spans::check_spans;
 use crate::error::Error;
 use crate::shared::gearbox::Gearbox;
 use crate::shared::toothed::{lacking, toothed};
@@ -67,6 +68,7 @@ pub(crate) fn sets<'g>(
 ) -> Result<(Vec<RatedSet<'g>>, Vec<NotRated>), Error> {
     check_materials(&subject.document, file)?;
     check_factors(subject, file)?;
+    check_spans(&subject.document, file)?;
     let (mut all, mut not_rated) = (vec![], vec![]);
     for (place, set) in subject.train.sets().iter().enumerate() {
         let Some(data) = file.set_data(set) else { continue };

@@ -4,6 +4,7 @@ use super::{Listed, gearbox, listed};
 use crate::answer::Answer;
 use crate::error::Error;
 use crate::shared::records::Fraction;
+use crate::shared::tool::CuttingTool;
 use crate::shared::tooth_checks::answer::{TeethLeftOut, ToothChecks};
 use crate::teeth::options::Request;
 use crate::tolerance::{ROUNDED, rounded};
@@ -12,6 +13,7 @@ use epicyclic_gears::arrangement::{
     least_angle_rad,
 };
 use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::involute::family::Aim;
 use epicyclic_gears::quantity::SimpleGear;
 use epicyclic_gears::spacing::imbalance;
 use epicyclic_train::compound::{CentralKind, CompoundSpec};
@@ -36,6 +38,10 @@ pub struct ArrangedSets {
     pub mode: ArrangedMotion,
     /// Allowed relative deviation of the ratio.
     pub tolerance: f64,
+    /// Aim of the profile shifts; null without ring offsets.
+    pub aim: Option<Aim>,
+    /// Minimum normal tip thickness of gears with profile shift, in modules; null without ring offsets.
+    pub least_tip_thickness_in_modules: Option<f64>,
     /// Number of sets found.
     pub found: u64,
     /// Sets of this ratio that are left out because a tooth check fails; null if no set is left out.
@@ -90,6 +96,9 @@ pub struct ArrangedNumbers {
     /// Least gap between tip circles of planets, and of other gears in one plane that do not mesh, in
     /// modules; null of a pair.
     pub planet_gap_in_modules: Option<f64>,
+    /// Whether the aim of the profile shifts is met; otherwise it is met only as far as the limits allow. Null
+    /// of a set without profile shift.
+    pub aim_met: Option<bool>,
     /// Angle of each planet about the axis, in rad; empty for a pair.
     pub planet_angles_rad: Vec<f64>,
     /// Whether the planets are equally spaced.
@@ -111,6 +120,10 @@ pub struct ArrangedGear {
     pub teeth: u32,
     /// Profile shift coefficient; of a ring positive inwards.
     pub profile_shift: f64,
+    /// Tip alteration, in modules; negative for shorter teeth.
+    pub tip_alteration: f64,
+    /// Tool that cuts the gear; null of a set without profile shift, for which it is open.
+    pub tool: Option<CuttingTool>,
     /// Whether the rack undercuts the gear.
     pub undercut: bool,
 }
@@ -138,11 +151,14 @@ pub(in crate::teeth) fn answer(
         ArrangedNumbers::gearbox,
     )?;
     let [input, output, fixed] = mode.members().map(ArrangementMember::name);
+    let shifts = request.shifts.wanted();
     Ok(ArrangedSets {
         ratio,
         arrangement,
         mode: ArrangedMotion { letters: mode.to_string(), input, output, fixed },
         tolerance,
+        aim: shifts.as_ref().map(|shifts| shifts.aim),
+        least_tip_thickness_in_modules: shifts.map(|shifts| shifts.tip_thickness),
         found,
         left_out,
         shown: sets.len(),
@@ -169,16 +185,19 @@ impl ArrangedNumbers {
         let (rack, stated) = (&bounds.rack, &bounds.angles);
         let set = &found.teeth;
         let arrangement = set.arrangement();
-        // Every set found is closed by its shifts.
-        let shifts = set.profile_shifts(rack).unwrap_or_else(|_| vec![0.0; set.teeth().len()]);
+        let shifted = found.shifts.as_ref();
+        // Every set found has the gears that its shifts leave.
+        let involutes = shifted.and_then(|shifts| set.shifted_gears(shifts, rack).ok());
         let gears = arrangement.gears().iter().zip(set.teeth()).enumerate().map(|(place, (gear, &teeth))| {
-            let undercut = set.is_undercut(place, &shifts, rack);
+            let of = involutes.as_ref().map(|gears| &gears[place]);
             ArrangedGear {
                 gear: gear.name,
                 letter: gear.symbol,
                 teeth,
-                profile_shift: rounded(shifts[place]),
-                undercut,
+                profile_shift: of.map_or(0.0, |gear| rounded(gear.shift())),
+                tip_alteration: of.map_or(0.0, |gear| rounded(gear.tip_alteration())),
+                tool: of.map(CuttingTool::of),
+                undercut: of.is_none() && set.is_undercut(place, rack),
             }
         });
         let spacing = set.spacing().filter(|_| stated.is_empty());
@@ -197,7 +216,11 @@ impl ArrangedNumbers {
             size_in_modules: set.size(),
             common_divisors: set.common_divisors(),
             assembly_positions: Some(set.assembly_positions()).filter(|positions| *positions > 0),
-            planet_gap_in_modules: set.gap_at(rack, &angles),
+            planet_gap_in_modules: match shifted {
+                Some(shifts) => set.shifted_gap_at(shifts, rack, &angles),
+                None => set.gap_at(rack, &angles),
+            },
+            aim_met: shifted.map(|shifts| shifts.is_aim_met),
             planet_angles_rad: angles.into_iter().map(Physical::si).collect(),
             equal_spacing: is_equal,
             imbalance: if imbalance < ROUNDED { 0.0 } else { imbalance },
@@ -243,8 +266,8 @@ impl ArrangedNumbers {
             (0..places.len()).filter(|gear| places[*gear].role == SimpleGear::Planet).collect();
         let is_one = self.has_one_step(&steps, arrangement);
         let mut set = CompoundSpec::new(gearbox::NAME, link("carrier"));
-        // Central gears come first, as their shifts do.
-        let mut shifts = vec![];
+        // Central gears come first, then those of the planets.
+        let mut order: Vec<&ArrangedGear> = vec![];
         for (place, gear) in places.iter().zip(&self.gears) {
             let kind = match place.role {
                 SimpleGear::Planet => continue,
@@ -252,9 +275,10 @@ impl ArrangedNumbers {
                 _ => CentralKind::Sun,
             };
             set = set.central(kind, link(gear.gear), f64::from(gear.teeth));
-            shifts.push(gear.profile_shift);
+            order.push(gear);
         }
-        let [first, second] = [self.gears[steps[0]], self.gears[steps[1]]];
+        let [first, second] = [&self.gears[steps[0]], &self.gears[steps[1]]];
+        order.extend(if is_one { vec![first] } else { vec![first, second] });
         let names = match arrangement {
             Arrangement::Ravigneaux => {
                 set = set.planet(first.gear, &[first.teeth]).planet(second.gear, &[second.teeth]);
@@ -276,8 +300,15 @@ impl ArrangedNumbers {
         for [one, other] in arrangement.meshes() {
             set = set.mesh(name(*one), name(*other), MeshEfficiency::IDEAL);
         }
-        set.tooth_shape.shifts =
-            shifts.iter().any(|shift| *shift != 0.0).then(|| Shifts { profile: shifts.clone(), tips: None });
+        if order.iter().any(|gear| gear.tool.is_some()) {
+            let of = |value: fn(&ArrangedGear) -> f64| order.iter().map(|gear| value(gear)).collect();
+            set.tooth_shape.shifts = Some(Shifts {
+                profile: of(|gear| gear.profile_shift),
+                tips: Some(of(|gear| gear.tip_alteration)),
+            });
+            let cutting = |gear: &&ArrangedGear| gear.tool.map(|tool| tool.cutting()).unwrap_or_default();
+            set.tooth_shape.cutting = order.iter().map(cutting).collect();
+        }
         let set = self.planets.map_or(set.clone(), |planets| set.planet_count(planets));
         let stated = || request.angles.iter().map(|angle| angle.0).collect();
         set.spaced(if request.angles.is_empty() {

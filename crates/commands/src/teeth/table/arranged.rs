@@ -1,5 +1,6 @@
 //! Sets of an arrangement of gears for a ratio, as tables.
 
+use super::shifted::{aim, limited};
 use super::{count, left_out, parts, percent, undercut};
 use crate::table::columns::Table;
 use crate::table::report::AsReport;
@@ -65,13 +66,32 @@ fn sets(answer: &ArrangedSets) -> Records {
             let shift = |gear: &ArrangedGear| trimmed(gear.profile_shift, 5);
             set.gears.iter().map(shift).collect::<Vec<_>>().join(" ")
         })
+        .words("tip_alterations", "tip alterations", |set| {
+            let tip = |gear: &ArrangedGear| trimmed(gear.tip_alteration, 5);
+            set.gears.iter().map(tip).collect::<Vec<_>>().join(" ")
+        })
+        .each(places.iter().enumerate(), |table, (place, gear)| {
+            let [shift, tip] = shift_keys(gear.name);
+            table
+                .printed(shift, &format!("x {gear}"), 4, move |set| set.gears[place].profile_shift)
+                .for_people()
+                .printed(tip, &format!("k {gear}"), 4, move |set| set.gears[place].tip_alteration)
+                .for_people()
+        })
+        .words("aim_met", "aim met", |set| set.aim_met)
         .words("equal_spacing", "equal", |set| set.equal_spacing)
         .list("planet_angles", "", Dimension::Angle, |set| set.planet_angles_rad.clone())
         .number("imbalance", "imbalance", |set| set.imbalance)
         .view_of("Tooth numbers", &main)
         .note(note(is_pair));
-    if has_shifts {
-        table = table.view_of("Profile shifts of the gears in their order", &with(&["profile_shifts"]));
+    if let Some(wanted) = answer.aim.filter(|_| has_shifts) {
+        let has_tips = sets.iter().any(|set| set.gears.iter().any(|gear| gear.tip_alteration != 0.0));
+        let shifts = places.iter().map(|gear| shift_keys(gear.name)[0]);
+        let tips = places.iter().map(|gear| shift_keys(gear.name)[1]).filter(|_| has_tips);
+        let shown: Vec<&'static str> = shifts.chain(tips).chain(["aim_met"]).collect();
+        let (aim, limited) = (aim(wanted), limited(sets.iter().all(|set| set.aim_met != Some(false))));
+        let what = "x: profile shift, of a ring above 0 inwards; k: tip alteration, in modules";
+        table = table.view_of("Profile shifts", &with(&shown)).note(format!("{what}. Aim: {aim}{limited}."));
     }
     if sets.iter().any(|set| !set.equal_spacing) {
         table = table.view_of(
@@ -80,6 +100,20 @@ fn sets(answer: &ArrangedSets) -> Records {
         );
     }
     table.the_answer().records()
+}
+
+/// Keys of the profile shift and the tip alteration of a gear.
+fn shift_keys(gear: &str) -> [&'static str; 2] {
+    macro_rules! keys {
+        ($($name:literal)*) => {
+            match gear {
+                $($name => [concat!("profile_shift_", $name), concat!("tip_alteration_", $name)],)*
+                _ => ["profile_shift", "tip_alteration"],
+            }
+        };
+    }
+    keys!("sun" "first_step" "second_step" "ring" "first_sun" "second_sun" "first_ring" "second_ring"
+        "small_sun" "short_planet" "long_planet" "large_sun")
 }
 
 const fn note(is_pair: bool) -> &'static str {

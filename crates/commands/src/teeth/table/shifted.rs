@@ -32,13 +32,14 @@ pub(crate) const fn aim(aim: Aim) -> &'static str {
     }
 }
 
+/// Explanation of sets that do not meet their aim.
+pub(super) const fn limited(is_met: bool) -> &'static str {
+    if is_met { "" } else { "; `no` where the limits keep the aim from being met in full" }
+}
+
 fn sets(teeth: &ShiftedTeeth) -> Records {
     let aim = aim(teeth.aim);
-    let limited = if teeth.tooth_numbers.iter().all(|set| set.aim_met) {
-        ""
-    } else {
-        "; `no` where the limits keep the aim from being met in full"
-    };
+    let limited = limited(teeth.tooth_numbers.iter().all(|set| set.aim_met));
     let is_unequal = teeth.tooth_numbers.iter().any(|set| !set.equal_spacing);
     Table::new("tooth_numbers", &teeth.tooth_numbers)
         .number("sun", "sun", |set| set.sun)
