@@ -138,9 +138,6 @@ enum Unmade {
 /// Check that fails, with the gears of the set in words.
 type Fault = Check<String>;
 
-/// What the aim picked for a group of gears, by the bits of the radii.
-type Known = HashMap<Vec<u64>, Result<Chosen, Option<Fault>>>;
-
 /// Combinations of modules and radii.
 #[derive(Default)]
 struct Places {
