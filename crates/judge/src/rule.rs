@@ -85,10 +85,6 @@ pub enum Rule {
     StageEfficiency,
     /// Temperature of the oil, in °C.
     OilTemperature,
-    /// Deviation of a ratio or speed from the one asked, over what is allowed.
-    Ratio,
-    /// Whether the output turns as asked: 1 where it does.
-    Direction,
     /// Scuffing of the flanks, which nothing here calculates.
     Scuffing,
     /// Micropitting of the flanks, which nothing here calculates.
@@ -142,8 +138,6 @@ impl Rule {
             Self::CirculatingPower => "circulating power over the power that enters",
             Self::StageEfficiency => "efficiency of a stage",
             Self::OilTemperature => "oil temperature",
-            Self::Ratio => "deviation over the allowed one",
-            Self::Direction => "output turning as asked",
             Self::Scuffing => "scuffing",
             Self::Micropitting => "micropitting",
         }
@@ -210,10 +204,7 @@ impl Rule {
             Self::DynamicFactor => Of::of(Warning, Range::at_most(1.3)).and(Error, Range::at_most(2.0)),
             Self::Resonance => Of::of(Warning, Range::at_least(0.15)),
             Self::LoadSharing | Self::FaceLoad => Of::of(Warning, Range::at_least(1.0)),
-            Self::BearingLife | Self::FlankSafety | Self::RootSafety | Self::Direction => {
-                Of::of(Error, Range::at_least(1.0))
-            }
-            Self::Ratio => Of::of(Error, Range::at_most(1.0)),
+            Self::BearingLife | Self::FlankSafety | Self::RootSafety => Of::of(Error, Range::at_least(1.0)),
             Self::CirculatingPower => Of::of(Warning, Range::at_most(0.5)),
             Self::StageEfficiency => {
                 Of::of(Remark, Range::at_least(0.97)).and(Warning, Range::at_least(0.95))
@@ -232,9 +223,7 @@ impl Rule {
             Self::DynamicFactor | Self::Resonance => "ISO 6336-1",
             Self::LoadSharing => "ISO 6336-1:2019 and IEC 61400-4",
             Self::FaceLoad => "the textbook rule 1 + 0.4·(b/d_1)²",
-            Self::FlankSafety | Self::RootSafety | Self::BearingLife | Self::Ratio | Self::Direction => {
-                "what is required"
-            }
+            Self::FlankSafety | Self::RootSafety | Self::BearingLife => "what is required",
             Self::PinSpeed | Self::FullPinSpeed | Self::BearingStaticSafety | Self::BearingLeastLoad => {
                 "makers of bearings"
             }
@@ -278,8 +267,6 @@ impl Rule {
             Self::CirculatingPower => "another scheme: circulating power loads teeth and costs power",
             Self::StageEfficiency => "better meshes, or another scheme",
             Self::OilTemperature => "a cooler, or a larger housing",
-            Self::Ratio => "other tooth numbers",
-            Self::Direction => "another scheme",
             Self::Scuffing => "rate it by ISO/TS 6336-20 or -21",
             Self::Micropitting => "rate it by ISO/TS 6336-22",
         }

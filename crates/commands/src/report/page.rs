@@ -70,7 +70,7 @@ pub fn sheet(
     figures.extend(report.gears.iter().filter_map(patterns));
     sections.push(Section::new("Figures of every gear", figures).arranged(Arrangement::Rows));
     sections.extend(strength::sections(&report.strength));
-    let judged = judgement::parts(&report.judgement);
+    let judged = judgement::parts(&report.overview.judgement);
     if !judged.is_empty() {
         let review = Block::Answer(Report { parts: judged, ..Report::default() });
         sections.push(Section::new("Review by rules of practice", vec![review]).arranged(Arrangement::Rows));
@@ -240,7 +240,7 @@ fn objections(report: &GearboxReport) -> Vec<String> {
     all.extend(strength::objections(&report.strength));
     // Safeties and lives have objections of their own.
     let own = [Rule::FlankSafety, Rule::RootSafety, Rule::BearingLife, Rule::CirculatingPower];
-    all.extend(report.judgement.warnings(&own).map(|warning| warning.message));
+    all.extend(report.overview.judgement.warnings(&own).map(|warning| warning.message));
     if let Some(of_sets) = &report.vibration {
         all.extend(vibration::objections(of_sets, &report.gears));
     }

@@ -113,7 +113,7 @@ pub struct Strength {
     pub axial_forces: Vec<AxialForce>,
     /// Sets that are not rated.
     pub not_rated: Vec<NotRated>,
-    /// Judgement of the gearbox by rules of practice, at this load; empty in a report, which has its own.
+    /// Judgement of the gearbox by rules of practice, at this load.
     pub judgement: Judgement,
     /// Warnings about the strength.
     pub warnings: Vec<Warning>,

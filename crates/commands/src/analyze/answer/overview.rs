@@ -47,7 +47,7 @@ pub struct Overview {
     pub planet_bearings: Vec<PlanetBearing>,
     /// Tooth checks of the sets.
     pub tooth_checks: ToothChecks,
-    /// Judgement of the gearbox by rules of practice; empty in a report and a comparison.
+    /// Judgement of the gearbox by rules of practice; empty in a comparison.
     pub judgement: Judgement,
     /// Warnings about the gearbox and its gears.
     pub warnings: Vec<Warning>,

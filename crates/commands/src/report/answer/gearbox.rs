@@ -50,8 +50,6 @@ pub struct GearboxReport {
     /// Strength of the teeth at the operating point with load and speed, then over the duty of the file.
     /// Empty if the file lacks oil, life or the `strength` of a set.
     pub strength: Vec<Strength>,
-    /// Judgement of the gearbox by rules of practice, over the duty of the file.
-    pub judgement: Judgement,
     /// Losses by their sources at the operating point; null without speed and load, or if nothing loses
     /// power.
     pub losses: Option<LossChapter>,
@@ -126,15 +124,17 @@ pub(crate) fn answer<'g>(
     };
     let report = GearboxReport {
         sets: gearbox.sets().iter().map(|set| set.id().to_owned()).collect(),
-        overview: overview::answer(subject, input, None)?,
+        overview: Overview {
+            judgement: Judgement::of(subject, None, None, None),
+            ..overview::answer(subject, input, None)?
+        },
         gears: names().map(|gear| gear::answer(subject, gear, input)).collect::<Result<_, Error>>()?,
         shifts: match shifts::answer(subject, input.speed) {
             // A page without the shifts is better than no page.
             Err(Error::ManyGears { .. }) => None,
             shifts => Some(shifts?),
         },
-        strength: strength::chapters(subject, load)?,
-        judgement: Judgement::of(subject, None, None, None),
+        strength: judged(subject, strength::chapters(subject, load)?),
         losses: losses::chapter(subject, input)?,
         sheets: sheet::chapter(subject)?,
         vibration: vibration::chapter(subject, exciting, goes_on)?,
@@ -143,6 +143,13 @@ pub(crate) fn answer<'g>(
     };
     let gears = names().map(|gear| analysis(gearbox, gear)).collect::<Result<_, Error>>()?;
     Ok((report, Shown { gearbox, gears, layout }))
+}
+
+/// Strength with the judgement at each load.
+fn judged(subject: &Gearbox, chapters: Vec<Strength>) -> Vec<Strength> {
+    let judged =
+        |one: Strength| Strength { judgement: Judgement::of(subject, None, Some(&one), None), ..one };
+    chapters.into_iter().map(judged).collect()
 }
 
 fn over_k(gearbox: &train::Gearbox) -> Vec<OverK> {
