@@ -85,14 +85,14 @@ impl Bounds {
         Self(all)
     }
 
-    /// These bounds with a range of another severity.
+    /// Adds the range of another severity.
     #[must_use]
     pub const fn and(mut self, severity: Severity, range: Range) -> Self {
         self.0[severity as usize] = range;
         self
     }
 
-    /// All ends moved.
+    /// Moves all ends.
     #[must_use]
     pub fn moved(self, by: f64) -> Self {
         Self(self.0.map(|range| range.moved(by)))
@@ -112,7 +112,7 @@ impl Bounds {
         Some((*worst, self.0[*worst as usize].nearest_end(value)))
     }
 
-    /// Range that a good value has: that of warnings, of errors where there is none, else that of remarks.
+    /// Range of good values: the range of warnings; without one that of errors; without both that of remarks.
     #[must_use]
     pub fn required(self) -> Range {
         let [remark, warning, error] = self.0;

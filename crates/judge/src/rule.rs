@@ -49,11 +49,11 @@ pub enum Rule {
     NeighbourGapLength,
     /// Speed of a planet on its pin times the mean diameter of its bearing, in mm/min.
     PinSpeed,
-    /// The same of a bearing full of rollers, without a cage.
+    /// Speed times mean diameter of a bearing full of rollers, without a cage, in mm/min.
     FullPinSpeed,
     /// Acceleration of the planets about the axis, in g.
     OrbitAcceleration,
-    /// The same of planets on caged needles.
+    /// Acceleration of planets on caged needles about the axis, in g.
     NeedleAcceleration,
     /// Pitch-line speed of spur gears, in m/s.
     SpurSpeed,
@@ -231,7 +231,7 @@ impl Rule {
         }
     }
 
-    /// What helps against a value that is too large, or too small.
+    /// Remedy for a value that is too large, or too small.
     #[must_use]
     pub const fn remedy(self, is_too_large: bool) -> &'static str {
         match self {

@@ -14,6 +14,6 @@ pub enum Severity {
 }
 
 impl Severity {
-    /// All severities, the mildest first.
+    /// The severities, the mildest first.
     pub const ALL: [Self; 3] = [Self::Remark, Self::Warning, Self::Error];
 }

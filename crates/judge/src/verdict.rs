@@ -58,7 +58,7 @@ impl Verdict {
         format!("{} {}, {side} {} by {}", rule.what(), unit(*value), unit(*limit), rule.source())
     }
 
-    /// What helps against the miss.
+    /// Remedy for the miss.
     #[must_use]
     pub const fn remedy(&self) -> &'static str {
         self.rule.remedy(self.value > self.limit)
@@ -90,7 +90,7 @@ impl Limits {
         self.instead_of(rule, rule.bounds())
     }
 
-    /// These bounds of a rule, unless a range is stated.
+    /// The bounds of a rule, or the stated range in their place.
     fn instead_of(&self, rule: Rule, bounds: Bounds) -> Bounds {
         let stated = self.stated.iter().find(|(of, _)| *of == rule);
         stated.map_or(bounds, |(_, range)| bounds.stated(*range))

@@ -292,7 +292,7 @@ impl ArrangedTeeth {
         })
     }
 
-    /// Both steps of a planet that is one gear.
+    /// The two steps of a planet that is one gear.
     fn one_planet(&self) -> Option<[usize; 2]> {
         let planets: Vec<usize> = self.planet_gears().collect();
         (self.has_one_step() && planets.len() == 2).then(|| [planets[0], planets[1]])

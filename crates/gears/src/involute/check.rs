@@ -164,7 +164,7 @@ pub struct Check<P = Place> {
 }
 
 impl<P> Check<P> {
-    /// The same check of a part with another name.
+    /// Gives the part of the check another name.
     #[must_use]
     pub fn at<Q>(&self, place: Q) -> Check<Q> {
         let Self { rule, value, limit, .. } = *self;

@@ -395,7 +395,8 @@ impl Search<'_> {
     }
 
     /// Planets of each kind with the bearing of the largest bore that lives as long as required and leaves
-    /// the teeth strong enough, balls under more load than is usual after all others; if there is none, with that which misses least.
+    /// the teeth strong enough. Balls under more load than is usual come after all others. If no bearing
+    /// holds, the one that misses least is taken.
     fn planets(&mut self, one: &Candidate, widths: &[f64]) -> Result<Chosen, Error> {
         let kinds: Vec<usize> = (0..self.task.planets.len()).collect();
         if self.task.has_one_bearing {

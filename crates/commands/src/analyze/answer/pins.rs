@@ -61,7 +61,7 @@ pub(crate) fn warning(subject: &Gearbox, worked: &[&Worked<'_>]) -> Option<Warni
     })
 }
 
-/// Rules of which [`warning`] warns.
+/// Rules whose misses [`warning`] tells.
 pub(crate) const OF_PINS: [Rule; 4] =
     [Rule::PinSpeed, Rule::FullPinSpeed, Rule::OrbitAcceleration, Rule::NeedleAcceleration];
 

@@ -130,7 +130,7 @@ type Known = HashMap<Vec<u64>, Result<Chosen, Option<Fault>>>;
 
 /// Why a place makes no layout.
 enum Unmade {
-    /// The first fault, where a check tells it.
+    /// The first check that fails; `None` where the gears cannot mesh at all.
     Geometry(Option<Fault>),
     PlanetsTouch,
 }
@@ -141,7 +141,7 @@ type Fault = Check<String>;
 /// Combinations of modules and radii.
 #[derive(Default)]
 struct Places {
-    /// Those whose shifts have no fault.
+    /// Combinations whose shifts have no fault.
     good: Vec<Place>,
     /// The faults of the others.
     bad: Vec<Option<Fault>>,
