@@ -5,6 +5,7 @@ use crate::{documents, layouts};
 use epicyclic_commands::adjust::AdjustableNumber;
 use epicyclic_commands::analyze::answer as analyze;
 use epicyclic_commands::analyze::answer::Input;
+use epicyclic_commands::analyze::request::overview;
 use epicyclic_commands::shared::drawability::table as drawability;
 use epicyclic_commands::shared::gearbox::{Choice, Content, Gearbox, read};
 use epicyclic_commands::shared::transmissions::answer as transmissions;
@@ -127,7 +128,7 @@ pub(crate) fn look(file: &str, question: &str) -> Result<String, Failure> {
 }
 
 fn of_one(subject: &Gearbox, question: &Question) -> Result<String, Failure> {
-    let overview = analyze::overview::answer(subject, question.input()?, None).map_err(refused)?;
+    let overview = overview(subject, question.input()?, None).map_err(refused)?;
     let mut parts = vec![("analyze", json(&overview)?), ("adjust", json(&adjust::answer(subject))?)];
     if question.list
         && let Content::Several(all) = all_of(subject)?

@@ -179,7 +179,10 @@ impl Request {
 }
 
 /// The overview of a gearbox, and what practice says of it.
-fn overview(gearbox: &Gearbox, input: Input, factor: Option<f64>) -> Result<Overview, Error> {
+///
+/// # Errors
+/// Those of [`answers::overview::answer`].
+pub fn overview(gearbox: &Gearbox, input: Input, factor: Option<f64>) -> Result<Overview, Error> {
     let mut overview = answers::overview::answer(gearbox, input, factor)?;
     overview.judgement = Judgement::of(gearbox, None, None, None);
     let is_told = overview.warnings.iter().any(|warning| warning.name == "planet-speed");
