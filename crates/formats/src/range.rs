@@ -26,6 +26,13 @@ pub struct Span<T> {
     to: Option<T>,
 }
 
+impl<T> From<RangeInclusive<T>> for Span<T> {
+    fn from(range: RangeInclusive<T>) -> Self {
+        let (from, to) = range.into_inner();
+        Self { from: Some(from), to: Some(to) }
+    }
+}
+
 /// Value at the ends of a [`Span`].
 pub trait End: Copy + PartialOrd + fmt::Display + sealed::Sealed {
     /// Name of the value in messages: `a whole number`.

@@ -79,6 +79,7 @@ fn set(teeth: [u32; 3], steps: [[f64; 4]; 3]) -> Sizing {
             centre_distance_step: mm(0.5),
             reach: 1.0,
             width_ratio: Some(1.2),
+            largest_ring: None,
             bearings: listed().to_vec(),
         },
     }

@@ -58,6 +58,7 @@ epicyclic_gears::words! {
         CentreDistanceStep "step of the centre distances"
         CentreDistanceReach "reach of the centre distances"
         WidthRatio "face width over the sun's diameter"
+        LargestRing "largest ring"
         LeastRim "least rim of the planets"
         RingRimInModules "rim of the ring"
         PlanetBore "bore of the planets"

@@ -18,6 +18,7 @@
 //! | [`bearing_rows`] | both rows of a planet's bearings under a tilting moment |
 //! | [`loss`] | loss of a mesh by sliding |
 //! | [`sizing`] | module, face width, planets, centre distance and bearing of a set that holds over a duty |
+//! | [`series`] | the lightest stages in series for one ratio |
 //!
 //! Method B, external and internal gears, spur and helical. Editions are named in every answer
 //! ([`factor::Edition`]). Each factor names the clause or formula that it follows, or that it was given.
@@ -46,6 +47,7 @@ pub mod planets;
 mod prepared;
 pub mod rating;
 pub mod root;
+pub mod series;
 pub mod sizing;
 pub mod spectrum;
 mod symbol;

@@ -107,6 +107,7 @@ fn hoist() -> Sizing {
             centre_distance_step: mm(1.0),
             reach: 1.0,
             width_ratio: None,
+            largest_ring: None,
             bearings: listed().iter().filter(|bearing| in_mm(bearing.bore) >= 25.0).cloned().collect(),
         },
     }

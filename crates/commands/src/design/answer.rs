@@ -1,16 +1,21 @@
 //! Design of a gearbox from speeds and power: its scheme, tooth numbers and sizes with sufficient strength.
 //!
+//! - [`application`]: values that are usual of what the gearbox is for.
 //! - [`basis`]: assumed materials, factors, oil and life.
 //! - [`records`]: steps, each with its choice and the next best.
+//! - [`stages`]: stages in series for one ratio.
 //! - [`ways_out`]: limits to relax if no gearbox is found, each with the gearbox that is then found.
 //!
 //! Each step keeps only the best result of the previous step, so that a person can follow it and choose
 //! otherwise; combinations are not searched. If no tooth numbers of a scheme have sizes, the next scheme is
 //! taken. Another scheme, or other tooth numbers, may give a lighter gearbox.
 
+pub mod application;
 mod attempt;
+mod making;
 pub mod basis;
 pub mod records;
+pub mod stages;
 pub mod ways_out;
 
 use crate::answer::{Answer, Warning};

@@ -1,6 +1,8 @@
 //! The command `design`: from speeds and power to a gearbox whose sizes hold.
 
+use crate::design::answer::application::Application;
 use crate::design::answer::basis::Basis;
+use crate::design::answer::stages::{self, Stages, WantedStages};
 use crate::design::answer::{Design, Wanted, answer};
 use crate::design::table::way_out;
 use crate::desk::Call;
@@ -24,13 +26,15 @@ use crate::shared::selection::{Criteria, RatioOptions, Speeds, refuse_selection,
 use crate::size::Request as SizeRequest;
 use crate::size::request::{self as sizing, BearingsFile};
 use crate::strength::answer::factors::twice;
-use epicyclic_formats::{Document, Span};
+use epicyclic_formats::{Document, RangeError, Span};
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_selection::{Mechanism, Objective, Order, Rating, Signs};
 use epicyclic_strength::factor::Symbol;
 use epicyclic_strength::load::{Floating, load_sharing};
+use epicyclic_strength::series::Teeth;
+use epicyclic_units::format::trimmed;
 use epicyclic_units::{Number, Physical, Quantity};
-use std::ops::RangeInclusive;
+use std::ops::{ControlFlow, RangeInclusive};
 use std::path::PathBuf;
 use std::str::FromStr;
 use uom::si::f64::{AngularVelocity, Power, Ratio, Time, Torque};
@@ -45,7 +49,11 @@ use uom::si::f64::{AngularVelocity, Power, Ratio, Time, Torque};
 /// materials and load factors, are listed; --basis and --factors change them. Where nothing is left, the
 /// limits that would have to give are listed, each with its option and the gearbox found with it.
 #[derive(Debug, clap::Args)]
-#[command(after_help = include_str!("examples.txt"))]
+#[command(
+    after_help = include_str!("examples.txt"),
+    group(clap::ArgGroup::new("asked").required(true).args(["speeds", "ratios", "ratio", "output_speed"])),
+    group(clap::ArgGroup::new("load").required(true).args(["power", "torque", "output_torque"])),
+)]
 pub struct Args {
     #[command(flatten)]
     request: Request,
@@ -81,8 +89,30 @@ pub struct Request {
     #[arg(long, visible_alias = "speed", value_name = "SPEED", allow_hyphen_values = true)]
     pub input: Quantity<AngularVelocity>,
 
+    /// One ratio, input speed over output speed: planetary stages in series, whose split, teeth and sizes are
+    /// chosen together.
+    #[arg(long, value_name = "NUMBER", conflicts_with_all = OF_SPEEDS, allow_hyphen_values = true, help_heading = STAGES)]
+    pub ratio: Option<Number>,
+
+    /// Speed of the output, in place of --ratio.
+    #[arg(long, value_name = "SPEED", conflicts_with_all = OF_SPEEDS, allow_hyphen_values = true, help_heading = STAGES)]
+    pub output_speed: Option<Quantity<AngularVelocity>>,
+
+    /// Torque on the output at --ratio, without losses, in place of --power.
+    #[arg(long, value_name = "TORQUE", conflicts_with_all = ["speeds", "ratios"], allow_hyphen_values = true, help_heading = STAGES)]
+    pub output_torque: Option<Quantity<Torque>>,
+
+    /// Numbers of stages, from 1 to 4. Default: 1..4.
+    #[arg(long, value_name = "RANGE", conflicts_with_all = ["speeds", "ratios"], value_parser = stages, help_heading = STAGES)]
+    pub stages: Option<RangeInclusive<u32>>,
+
+    /// What the gearbox is for: usual K_A, life and safeties, for what --basis, --factors and --life do not
+    /// say.
+    #[arg(long, value_enum)]
+    pub application: Option<Application>,
+
     /// Power into the input in every gear.
-    #[arg(long, required_unless_present = "torque", conflicts_with = "torque", allow_hyphen_values = true)]
+    #[arg(long, allow_hyphen_values = true)]
     pub power: Option<Quantity<Power>>,
 
     /// Torque on the input in every gear, in place of --power.
@@ -116,17 +146,17 @@ pub struct Request {
     #[arg(long, value_name = "N")]
     pub tooth_design: Option<usize>,
 
-    /// Teeth of the suns.
-    #[arg(long, value_name = "RANGE", default_value = "17..60")]
-    pub sun: Span<u32>,
+    /// Teeth of the suns. Default: 17..60; of stages in series 17..30.
+    #[arg(long, value_name = "RANGE")]
+    pub sun: Option<Span<u32>>,
 
-    /// Teeth of the planets.
-    #[arg(long, value_name = "RANGE", default_value = "17..80")]
-    pub planet: Span<u32>,
+    /// Teeth of the planets. Default: 17..80.
+    #[arg(long, value_name = "RANGE")]
+    pub planet: Option<Span<u32>>,
 
-    /// Teeth of the rings.
-    #[arg(long, value_name = "RANGE", default_value = "50..140")]
-    pub ring: Span<u32>,
+    /// Teeth of the rings. Default: 50..140; of stages in series 50..160.
+    #[arg(long, value_name = "RANGE")]
+    pub ring: Option<Span<u32>>,
 
     /// Simple sets with profile shift: teeth of the ring less those of the sun and twice those of a planet, a
     /// range from -9 to 9; --aim and --tip-thickness decide which close. Without it only sets that need no
@@ -172,6 +202,25 @@ pub struct Request {
     pub basis: Option<Basis>,
 }
 
+/// Heading of the options for one ratio.
+const STAGES: &str = "One ratio: stages in series";
+
+/// Stages that are tried at most.
+const MOST_STAGES: u32 = 4;
+
+/// Options that concern several speeds.
+const OF_SPEEDS: [&str; 20] = [
+    "speeds", "ratios", "all_structures", "shares", "scheme", "order", "tries", "tooth_design", "brakes", "signs", "prefer",
+    "efficiency", "least_efficiency", "link_speed", "planet_speed", "clutch_slip", "circulation", "allow_crossing",
+    "may_reverse", "same_direction",
+];
+
+/// Numbers of stages within those that are tried.
+fn stages(text: &str) -> Result<RangeInclusive<u32>, String> {
+    let range: Span<u32> = text.parse().map_err(|error: RangeError| error.to_string())?;
+    range.within(1..=MOST_STAGES).map_err(|error| error.to_string())
+}
+
 /// A mechanism by its name.
 fn named(name: &str) -> Result<Mechanism, String> {
     Mechanism::named(name).ok_or_else(|| {
@@ -211,6 +260,9 @@ impl FromStr for Factor {
 pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     args.page.only_of_a_page(args.output.is_page())?;
     let request = args.request(call)?;
+    if request.is_of_stages() {
+        return run_stages(call, args, &request);
+    }
     let shown = Progress::new(call);
     let design = request.answer(&|at| shown.at(at.share))?;
     drop(shown);
@@ -219,7 +271,8 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         _ => vec![],
     };
     if args.output.is_page() {
-        let sheet = crate::design::page::sheet(&design, own_page(call, &design)?, &imprint::command(call));
+        let own = own_page(call, design.file.as_deref())?;
+        let sheet = crate::design::page::sheet(&design, own, &imprint::command(call));
         args.output.deliver_page(call, files, &design, Ok(sheet), &args.page.imprint())?;
     } else {
         args.output.deliver_with(call, files, &design)?;
@@ -240,15 +293,38 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     }
 }
 
+/// Runs the command for stages in series.
+fn run_stages(call: &Call<'_>, args: &Args, request: &Request) -> Result<(), Failure> {
+    let stages = request.answer_stages(&|| call.goes_on())?;
+    let files = match (&args.save, &stages.file) {
+        (Some(file), Some(text)) => vec![(file.clone(), text.clone().into_bytes())],
+        _ => vec![],
+    };
+    if args.output.is_page() {
+        let own = own_page(call, stages.file.as_deref())?;
+        let sheet = crate::design::page::sheet_of_stages(&stages, own, &imprint::command(call));
+        args.output.deliver_page(call, files, &stages, Ok(sheet), &args.page.imprint())?;
+    } else {
+        args.output.deliver_with(call, files, &stages)?;
+    }
+    match stages.file {
+        Some(_) => Ok(()),
+        None => Err(Failure::NothingFound(
+            "no stages that hold were found; a larger --max-ring or --tolerance, other --planets, --sun or --stages may give some"
+                .to_owned(),
+        )),
+    }
+}
+
 /// The page of the gearbox that was designed.
-fn own_page(call: &Call<'_>, design: &Design) -> Result<Option<Sheet>, Failure> {
-    let Some(file) = &design.file else { return Ok(None) };
+fn own_page(call: &Call<'_>, file: Option<&str>) -> Result<Option<Sheet>, Failure> {
+    let Some(file) = file else { return Ok(None) };
     let document = Document::parse_one("the gearbox of the design", file.as_bytes())?;
     let subject = one(&document, &crate::shared::gearbox::Choice::default())?;
     let (report, shown) =
         gearbox::answer(&subject, Default::default(), &Default::default(), &|| call.goes_on())
             .map_err(refuse)?;
-    Ok(Some(crate::report::page::sheet(&report, &shown, None, file.clone())?))
+    Ok(Some(crate::report::page::sheet(&report, &shown, None, file.to_owned())?))
 }
 
 impl Args {
@@ -292,7 +368,7 @@ impl Request {
         let bounds = Bounds {
             planets: (*planets.start()).max(2)..=(*planets.end()).max(2),
             ring_to_sun_ratio: k,
-            ..options::proposed([self.sun, self.planet, self.ring])?
+            ..self.teeth([17..=60, 17..=80, 50..=140])?
         };
         Ok(Wanted {
             selection: select::Wanted {
@@ -316,6 +392,73 @@ impl Request {
         })
     }
 
+    /// Designs stages in series. The closure is called now and then, and may end the search.
+    ///
+    /// # Errors
+    /// As of [`Self::answer`].
+    pub fn answer_stages(&self, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Stages, Failure> {
+        stages::answer(&self.wanted_stages()?, goes_on).map_err(refuse_of)
+    }
+
+    fn wanted_stages(&self) -> Result<WantedStages, Failure> {
+        let due = || Failure::missing("--ratio", "the ratio, or the speed of the output, is due");
+        let speed = self.input.0.abs();
+        let ratio = match (self.ratio, self.output_speed) {
+            (Some(ratio), _) => ratio.get(),
+            (None, Some(output)) => (speed / output.0).si(),
+            (None, None) => return Err(due()),
+        };
+        if !(ratio.is_finite() && ratio.abs() > 1.0) {
+            let message = format!(
+                "{}: stages in series turn more slowly than their input; a ratio above 1 is due",
+                trimmed(ratio, 6)
+            );
+            let option = if self.ratio.is_some() { "--ratio" } else { "--output-speed" };
+            return Err(Failure::invalid(option, message));
+        }
+        let ratio = ratio.abs();
+        let load = match (self.torque, self.output_torque, self.power) {
+            (Some(torque), ..) => Some(Load::Torque(torque.0)),
+            (_, Some(torque), _) => Some(Load::Torque(torque.0 / ratio)),
+            (.., power) => power.map(|power| Load::Power(power.0)),
+        };
+        let duty = Duty { input_speed: Some(self.input.0), load };
+        let tolerance = self.tolerance.0.si();
+        if !(0.0..1.0).contains(&tolerance) {
+            return Err(Failure::invalid("--tolerance", format!("{}: 0 to below 1, or 100 %, is due", self.tolerance)));
+        }
+        let bounds = self.teeth([17..=30, 17..=80, 50..=160])?;
+        let stages = self.stages.clone().unwrap_or(1..=MOST_STAGES);
+        Ok(WantedStages {
+            ratio,
+            tolerance,
+            stages: *stages.start() as usize..=*stages.end() as usize,
+            teeth: Teeth {
+                suns: bounds.sun,
+                planets: bounds.planet,
+                rings: bounds.ring,
+                ring_offsets: self.ring_offset.clone().unwrap_or(0..=0),
+                ring_to_sun_ratio: self.criteria.k(Bounds::default().ring_to_sun_ratio)?,
+            },
+            speed,
+            torque: duty.torque().map_err(refuse_of)?.ok_or(Error::NoLoad).map_err(refuse_of)?,
+            overload: self.overload()?,
+            basis: self.basis()?,
+            size: self.sizes.clone(),
+        })
+    }
+
+    /// Whether stages in series are asked for.
+    fn is_of_stages(&self) -> bool {
+        self.ratio.is_some() || self.output_speed.is_some()
+    }
+
+    /// Bounds of tooth numbers, with those that are usual where none are given.
+    fn teeth(&self, usual: [RangeInclusive<u32>; 3]) -> Result<Bounds, Failure> {
+        let [sun, planet, ring] = usual.map(Span::from);
+        options::proposed([self.sun.unwrap_or(sun), self.planet.unwrap_or(planet), self.ring.unwrap_or(ring)])
+    }
+
     /// The factor of the overload.
     fn overload(&self) -> Result<Option<f64>, Failure> {
         let factor = self.overload.map(|factor| factor.0.si());
@@ -330,7 +473,11 @@ impl Request {
 
     /// The basis with the factors and the life of the request.
     fn basis(&self) -> Result<Basis, Failure> {
-        let mut basis = self.basis.clone().map(Basis::completed).unwrap_or_default();
+        let usual = self.application.map_or_else(Basis::default, Application::basis);
+        let mut basis = match &self.basis {
+            Some(own) => own.clone().completed_by(usual),
+            None => usual,
+        };
         if let Some(factors) = &self.factors {
             // A factor has several spellings, as `K_A` and `KA`, so symbols are compared, not names.
             for (place, of) in factors.0.iter().enumerate() {

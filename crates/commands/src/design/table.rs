@@ -1,4 +1,6 @@
-//! A design from speeds and power, step by step.
+//! A design from speeds and power, step by step; [`stages`] for one ratio.
+
+pub(crate) mod stages;
 
 use crate::design::answer::Design;
 use crate::design::answer::records::{BasisKey, SchemeStep, SizesStep, TeethStep, TeethTaken};
@@ -178,6 +180,7 @@ fn option(one: &RelaxedLimit) -> String {
         Limit::WidthRatio => format!("--width-ratio {greatest}"),
         Limit::Modules => "without --modules".to_owned(),
         Limit::FaceWidths => "without --face-widths".to_owned(),
+        Limit::LargestRing => "without --max-ring".to_owned(),
         Limit::Planets => format!("--planets ..{greatest}"),
     }
 }
@@ -305,7 +308,7 @@ fn strength(step: &SizesStep) -> Option<[String; 5]> {
     Some(["strength".to_owned(), taken, String::new(), String::new(), "--basis, --factors".to_owned()])
 }
 
-fn basis(keys: &[BasisKey]) -> Records {
+pub(super) fn basis(keys: &[BasisKey]) -> Records {
     let note = "As keys of the gearbox file, which --save writes; lists of sun, planets and ring. Factors given are not calculated.";
     Table::new("basis", keys.iter())
         .text("key", "key", |key| &key.key)

@@ -45,7 +45,10 @@ const PAIRS_IN_A_SECOND: f64 = 3e6;
 /// criteria, the order of objectives chooses the first. The non-dominated designs are those that no other
 /// beats in everything.
 #[derive(Debug, clap::Args)]
-#[command(after_help = include_str!("examples.txt"))]
+#[command(
+    after_help = include_str!("examples.txt"),
+    group(clap::ArgGroup::new("asked").required(true).args(["speeds", "ratios"])),
+)]
 pub struct Args {
     #[command(flatten)]
     request: Request,

@@ -18,7 +18,7 @@ use uom::si::f64::{Ratio, Velocity};
 #[derive(Debug, Clone, clap::Args)]
 pub struct Speeds {
     /// Speeds of the machine, the slowest first.
-    #[arg(long, required_unless_present = "ratios", conflicts_with = "ratios", allow_hyphen_values = true)]
+    #[arg(long, conflicts_with = "ratios", allow_hyphen_values = true)]
     pub speeds: Option<Quantities<Velocity>>,
 
     /// Ratios of the braked gears, in place of speeds: one or two. 2.5,1.5 or 2,5; 1,5.

@@ -216,6 +216,26 @@ pub(crate) fn answer(
     })
 }
 
+/// The first set of a gearbox as a search for a simple set sees it.
+///
+/// # Errors
+/// As of [`answer`]; [`Error::NothingToSize`] if it has no simple set with all data.
+pub(crate) fn sizing_of(subject: &Gearbox, request: &Request) -> Result<Sizing, Error> {
+    request.check()?;
+    let file: GearboxFile = subject.document.read()?;
+    let (to_size, others) = sets_to_size(subject, &file)?;
+    let Asked { life, viscosity, required } = Asked::of(&subject.document, &file)?;
+    let steps = steps(subject, &file.duty)?;
+    let peaks = peaks(subject, &file.overload, None)?;
+    let space = request.space();
+    let sized = to_size.first().and_then(|set| {
+        let (task, _) = task(set, &Families::of(set), &Asked { life, viscosity, required }, request, &space);
+        simple(set, (&task, &space), (&steps, &peaks), subject, request)?.ok()
+    });
+    let sets = || others.into_iter().map(|other| NotSized::of(other).told()).collect();
+    sized.ok_or_else(|| Error::NothingToSize { sets: sets() })
+}
+
 /// Name of the resized gearbox in error messages.
 const SIZED: &str = "the gearbox with its sizes";
 
@@ -363,6 +383,7 @@ fn task(
         has_one_bearing: set.set.short().is_some(),
         face_widths: (0..families.count).map(widths).collect(),
         width_ratio: space.width_ratio,
+        largest_ring: space.largest_ring,
         viscosity: set.viscosity,
         life: asked.life,
         required_contact: asked.required.flank,

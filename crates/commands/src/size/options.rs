@@ -28,7 +28,7 @@ pub struct Request {
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     pub modules: Option<Quantities<Module>>,
 
-    /// Face widths. Default: 10 to 80 mm in steps of 5 mm.
+    /// Face widths. Default: 10 to 80 mm in steps of 5 mm, to 200 mm of 10 mm, to 600 mm of 25 mm.
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     pub face_widths: Option<Quantities<Length>>,
 
@@ -44,6 +44,10 @@ pub struct Request {
     /// gear. Default: no bound.
     #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
     pub width_ratio: Option<Number>,
+
+    /// The greatest outside diameter of a ring, with its rim. Default: no bound.
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub max_ring: Option<Quantity<Length>>,
 
     /// What picks the shifts, of which the sums are fixed.
     #[arg(long, value_enum, default_value_t = Aim::BalancedSliding)]
@@ -115,6 +119,7 @@ impl Request {
             centre_distance_step: self.centre_distance_step.0,
             reach: REACH,
             width_ratio: self.width_ratio.map(Number::get),
+            largest_ring: self.max_ring.map(|ring| ring.0),
             bearings: self.bearings(),
         }
     }
@@ -165,9 +170,11 @@ fn usual_modules() -> Vec<Length> {
     usual.map(Length::from_mm).collect()
 }
 
-/// Face widths that are allowed unless others are requested: 10 to 80 mm in steps of 5 mm.
+/// Face widths that are allowed unless others are requested.
 fn usual_face_widths() -> Vec<Length> {
-    (2..=16).map(|fives| Length::from_mm(5.0 * f64::from(fives))).collect()
+    let [fine, middle, coarse] = [(2..=16, 5.0), (9..=20, 10.0), (9..=24, 25.0)]
+        .map(|(counts, step)| counts.map(move |count: u32| Length::from_mm(step * f64::from(count))));
+    fine.chain(middle).chain(coarse).collect()
 }
 
 /// Numbers of planets within those that sizes are known for.

@@ -59,6 +59,7 @@ fn facts(size: &Size) -> Section {
         centre_distance_step_m,
         reach_in_modules,
         width_ratio,
+        largest_ring_m,
         least_tip_thickness_in_modules,
         planet_rim_in_modules,
         ring_rim_in_modules,
@@ -83,6 +84,12 @@ fn facts(size: &Size) -> Section {
             "greatest face width over diameter",
             "b/d",
             [width_ratio.map_or(Figure::None, Figure::Number)],
+        ),
+        Row::new(
+            "largest_ring",
+            "greatest outside diameter of a ring",
+            "",
+            [largest_ring_m.map_or(Figure::None, |ring| quantity(Dimension::Length, ring))],
         ),
         Row::new("bearings", "bearings", "", [number(*bearings as f64)]),
         Row::new("tip_thickness", "least tips, in modules", "", [number(*least_tip_thickness_in_modules)]),
@@ -210,6 +217,7 @@ pub(crate) fn left_out(sets: &[SizedSet]) -> Records {
         .number("geometry", "shifts", |set| set.left_out.geometry as f64)
         .number("practice", "practice", |set| set.left_out.practice as f64)
         .number("width_ratio", "b/d", |set| set.left_out.width_ratio as f64)
+        .number("ring", "ring", |set| set.left_out.ring as f64)
         .number("rim", "rim", |set| set.left_out.rim as f64)
         .number("bearing_width", "B > b", |set| set.left_out.bearing_width as f64)
         .number("not_calculable", "outside", |set| set.left_out.not_calculable as f64)
@@ -220,13 +228,13 @@ pub(crate) fn left_out(sets: &[SizedSet]) -> Records {
         .number("not_reached", "not reached", |set| set.not_reached as f64)
         .view(
             "Designs left out before their strength",
-            "set designs spacing planets_touch geometry practice width_ratio rim bearing_width",
+            "set designs spacing planets_touch geometry practice width_ratio ring rim bearing_width",
         )
         .view(
             "Designs left out by strength and life",
             "set held not_calculable flank root overload bearing_life not_reached",
         )
-        .note("spacing: planets not at equal angles. shifts: none without fault. practice: refused by usual practice. b/d: wider than allowed. outside: beyond the standard. A design that misses several of S_H, S_F, overload and life counts where it misses most. not reached: no better than the last one found.")
+        .note("spacing: planets not at equal angles. shifts: none without fault. practice: refused by usual practice. b/d: wider than allowed. ring: larger than allowed. outside: beyond the standard. A design that misses several of S_H, S_F, overload and life counts where it misses most. not reached: no better than the last one found.")
         .records()
 }
 

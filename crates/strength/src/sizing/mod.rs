@@ -24,6 +24,7 @@
 //!   [`Limits`](epicyclic_gears::involute::set::Limits), such as undercut, thin tips, interference or planets
 //!   that touch.
 //! - Face width: `b ≤ (b/d_s)_max·m·z_s`, where [`Task::width_ratio`] bounds it.
+//! - Ring: `D_r ≤ D_max`, where [`Task::largest_ring`] bounds it.
 //! - Bearing fits: `(d_fp − D)/2 ≥` the least rim of each gear of the planet, `B ≤` the sum of their widths.
 //! - Flanks, roots: `S_H`, `S_F` of both gears of each mesh over the duty
 //!   ([`rate_duty`](crate::spectrum::rate_duty)).
@@ -76,6 +77,7 @@ mod rated;
 mod search;
 mod simple;
 mod task;
+pub(crate) mod trial;
 
 use bearing::Bearing;
 use epicyclic_gears::involute::check::{Check, Rule};
@@ -103,6 +105,8 @@ pub struct Space {
     pub reach: f64,
     /// The greatest face width over the sun's reference diameter; `None` without bound.
     pub width_ratio: Option<f64>,
+    /// The greatest outside diameter of a ring; `None` without bound.
+    pub largest_ring: Option<Length>,
     /// Bearings of the planets; empty if planets have no bearing of a table.
     pub bearings: Vec<Bearing>,
 }
@@ -162,6 +166,8 @@ pub struct LeftOut {
     pub practice: u64,
     /// Face widths above the bound.
     pub width_ratio: u64,
+    /// Rings above the bound.
+    pub ring: u64,
     /// Planets to which no bearing leaves the least rim.
     pub rim: u64,
     /// Planets narrower than any bearing that leaves the least rim.
@@ -187,6 +193,7 @@ impl LeftOut {
             + self.geometry
             + self.practice
             + self.width_ratio
+            + self.ring
             + self.rim
             + self.bearing_width
             + self.not_calculable

@@ -142,9 +142,9 @@ impl PartialOrd for Candidate {
 }
 
 /// Masses of the gears of a layout over their face width.
-struct Masses {
+pub(super) struct Masses {
     /// Gears of each family together, planets solid, kg/m.
-    solid: Vec<f64>,
+    pub(super) solid: Vec<f64>,
     /// One solid planet of each kind, by family, kg/m.
     planets: Vec<Vec<f64>>,
     /// Number of planets times their density, of each kind and family, kg/m³.
@@ -157,7 +157,7 @@ struct Masses {
 }
 
 impl Masses {
-    fn new(task: &Task, layout: &Layout) -> Self {
+    pub(super) fn new(task: &Task, layout: &Layout) -> Self {
         let families = task.face_widths.len();
         let mut own = Self {
             solid: vec![0.0; families],
@@ -301,6 +301,11 @@ impl Search<'_> {
         }
         if self.masses[layout].largest_bore.contains(&f64::NEG_INFINITY) {
             self.left_out.rim += all;
+            return vec![];
+        }
+        let is_above = |ring: Length| self.task.largest_ring.is_some_and(|largest| ring > largest * (1.0 + RIM));
+        if self.masses[layout].ring.is_some_and(is_above) {
+            self.left_out.ring += all;
             return vec![];
         }
         let allowed: u64 = self.allowed(layout).iter().map(|count| *count as u64).product();

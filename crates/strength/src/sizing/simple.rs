@@ -136,7 +136,7 @@ pub fn size(task: &Sizing, most: usize, goes_on: &dyn Fn() -> ControlFlow<()>) -
 
 impl Sizing {
     /// The set as the search sees it: one family, meshes of sun and planets, of planets and ring.
-    fn general(&self, face_widths: Vec<Length>) -> Task {
+    pub(super) fn general(&self, face_widths: Vec<Length>) -> Task {
         let bodies = [Body::Central, Body::Planet(0), Body::Central];
         let gear = |place: usize| SizedGear { gear: self.gears[place], body: bodies[place], family: 0 };
         Task {
@@ -153,6 +153,7 @@ impl Sizing {
             has_one_bearing: false,
             face_widths: vec![face_widths],
             width_ratio: self.space.width_ratio,
+            largest_ring: self.space.largest_ring,
             viscosity: self.viscosity,
             life: self.life,
             required_contact: self.required_contact,
@@ -166,7 +167,7 @@ impl Sizing {
     }
 
     /// Loads of both meshes, and `K_γ` of the bearings.
-    fn loads(&self, planets: u32) -> Result<(Arc<[MeshLoads]>, f64), Error> {
+    pub(super) fn loads(&self, planets: u32) -> Result<(Arc<[MeshLoads]>, f64), Error> {
         let teeth = [self.teeth[0], self.teeth[1]];
         let none = || MeshLoads { steps: vec![], flanks: vec![], contacts: [1.0; 2], overloads: vec![] };
         let mut both = [none(), none()];
@@ -247,6 +248,9 @@ impl Space {
         if let Some(ratio) = self.width_ratio {
             positive(Quantity::WidthRatio, ratio, "")?;
         }
+        if let Some(ring) = self.largest_ring {
+            positive(Quantity::LargestRing, ring.mm(), "mm")?;
+        }
         Ok(())
     }
 }
@@ -308,7 +312,7 @@ fn do_touch(task: &Sizing, set: &PlanetSet) -> bool {
 }
 
 /// The gears at every centre distance of the space, and how many were left out.
-fn layouts(
+pub(super) fn layouts(
     task: &Sizing,
     modules_mm: &[f64],
     general: &Task,

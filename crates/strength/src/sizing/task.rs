@@ -138,6 +138,8 @@ pub struct Task {
     /// The greatest face width over the reference diameter of the smallest central gear with external teeth
     /// of the family, or of its smallest gear; `None` without bound.
     pub width_ratio: Option<f64>,
+    /// The greatest outside diameter of a ring; `None` without bound.
+    pub largest_ring: Option<Length>,
     /// Viscosity of the oil at 40 °C.
     pub viscosity: KinematicViscosity,
     /// Required life of teeth and bearings.

@@ -1,8 +1,8 @@
 //! Tooth numbers and sizes of one scheme.
 
 use super::records::{SizesStep, TeethStep, TeethTaken};
+use super::making::{Load, MAKING, warnings, with_load};
 use super::{Wanted, order_of_teeth};
-use crate::analyze::answer::pins;
 use crate::answer::Warning;
 use crate::error::Error;
 use crate::select::answer::reached::{ReachedSpeed, largest_deviation};
@@ -11,16 +11,12 @@ use crate::select::answer::teeth::{self, Searches, SizeLimits, Watch};
 use crate::shared::gearbox::{Choice, one};
 use crate::shared::profile_shift::WantedShifts;
 use crate::size::answer::{self as size, Size};
-use crate::strength::answer::duty::steps;
 use crate::tolerance::OBJECTIVE;
 use epicyclic_formats::Document;
-use epicyclic_formats::gearbox::GearboxFile;
-use epicyclic_formats::yaml::{Mapping, Value, to_string};
+use epicyclic_formats::yaml::{Value, to_string};
 use epicyclic_selection::{Mechanism, Space};
 use epicyclic_strength::sizing::Objective;
 use epicyclic_train::Gear;
-use epicyclic_units::Physical;
-use epicyclic_units::format::trimmed;
 use std::ops::ControlFlow;
 use uom::si::f64::{AngularVelocity, Torque};
 
@@ -102,19 +98,7 @@ impl Attempt {
             None
         };
         let Tried { size, speeds, .. } = best;
-        let mut warnings = size.warnings.clone();
-        if let Some(file) = &file {
-            let document = Document::parse_one(MAKING, file.as_bytes())?;
-            let gearbox: GearboxFile = document.read()?;
-            let subject = one(&document, &Choice::default())?;
-            let steps = steps(&subject, &gearbox.duty)?;
-            let turning: Vec<_> = steps.iter().filter_map(|step| step.1.as_ref()).collect();
-            // One warning of all planets, in place of one for each.
-            if let Some(warning) = pins::warning(&subject, &turning) {
-                warnings.retain(|one| pins::OF_PINS.iter().all(|rule| rule.name() != one.name));
-                warnings.push(warning);
-            }
-        }
+        let warnings = warnings(&size, file.as_deref())?;
         Ok(Self { teeth, sizes: Some(SizesStep::of(size)), file, speeds, warnings })
     }
 }
@@ -140,9 +124,6 @@ fn of_teeth(wanted: &Wanted, mechanism: Mechanism, tolerance: f64, most: usize) 
         duty: wanted.selection.duty,
     }
 }
-
-/// Significant digits of torque and speed in the file.
-const DIGITS: usize = 12;
 
 /// Design of the tooth search with its sizes.
 #[derive(Debug)]
@@ -203,24 +184,15 @@ impl Tried {
     }
 }
 
-/// Name of the unfinished gearbox in error messages.
-const MAKING: &str = "the gearbox in the making";
-
 /// Gearbox file with its duty and the data for its strength. The number of planets and the profile shifts are
 /// left to the sizing.
 fn loaded(saved: &Saved, wanted: &Wanted, torque: Torque, speed: AngularVelocity) -> Result<String, Error> {
     let text = saved.file(&[]).map_err(|error| Error::Json(error.to_string()))?;
-    let document = Document::parse_one(MAKING, text.as_bytes())?;
-    let mut file = document.value().clone();
-    let strength = &wanted.basis.strength;
+    let mut file = Document::parse_one(MAKING, text.as_bytes())?.value().clone();
     let sets = file.get_mut("sets").and_then(Value::as_sequence_mut).into_iter().flatten();
     for set in sets.filter_map(Value::as_mapping_mut) {
         for key in ["planets", "profile_shifts", "tip_alterations"] {
             set.remove(key);
-        }
-        set.insert("strength".into(), strength.clone());
-        if let Some(tools) = &wanted.basis.tools {
-            set.insert("tools".into(), tools.clone());
         }
     }
     let gears: Vec<&str> = saved.gearbox.gears().iter().map(Gear::name).collect();
@@ -232,34 +204,10 @@ fn loaded(saved: &Saved, wanted: &Wanted, torque: Torque, speed: AngularVelocity
             return Err(Error::Shares { given: shares.len(), gears });
         }
     };
-    // More digits would show only the rounding of the unit conversion.
-    let written = |value: f64, unit: &str| Value::from(format!("{} {unit}", trimmed(value, DIGITS)));
-    let greatest = wanted.overload.map(|factor| written(factor * torque.si(), "N·m"));
-    let [torque, speed] = [written(torque.si(), "N·m"), written(speed.rpm(), "rpm")];
-    let step = |(gear, share): (&str, f64)| {
-        let mut step = Mapping::new();
-        step.insert("gear".into(), gear.into());
-        step.insert("share".into(), share.into());
-        step.insert("torque".into(), torque.clone());
-        step.insert("speed".into(), speed.clone());
-        Value::Mapping(step)
-    };
-    let duty: Vec<Value> = gears.iter().copied().zip(shares).map(step).collect();
-    let against = |torque: &Value| {
-        let overload = |gear: &&str| {
-            let keys = [("gear", Value::from(*gear)), ("torque", torque.clone())];
-            Value::Mapping(keys.into_iter().map(|(key, value)| (Value::from(key), value)).collect())
-        };
-        gears.iter().map(overload).collect()
-    };
+    let gears: Vec<(&str, f64)> = gears.into_iter().zip(shares).collect();
+    let load = Load { torque, speed, overload: wanted.overload };
+    with_load(&mut file, &wanted.basis, &gears, load);
     if let Some(file) = file.as_mapping_mut() {
-        for (key, value) in &wanted.basis.keys {
-            file.insert(key.as_str().into(), value.clone());
-        }
-        file.insert("duty".into(), Value::Sequence(duty));
-        if let Some(torque) = &greatest {
-            file.insert("overload".into(), Value::Sequence(against(torque)));
-        }
         file.insert("gearbox".into(), saved.scheme.as_str().into());
     }
     to_string(&file).map_err(|error| Error::Json(error.to_string()))

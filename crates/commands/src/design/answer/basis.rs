@@ -69,10 +69,10 @@ impl Basis {
         Ok(Self { strength: strength.clone(), tools, keys: KEYS.iter().filter_map(own).collect() })
     }
 
-    /// Adds the default values of missing keys.
+    /// Adds the values that another basis has of missing keys.
     #[must_use]
-    pub fn completed(mut self) -> Self {
-        for (key, value) in Self::default().keys {
+    pub fn completed_by(mut self, usual: Self) -> Self {
+        for (key, value) in usual.keys {
             if !self.keys.iter().any(|(own, _)| *own == key) {
                 self.keys.push((key, value));
             }
@@ -166,7 +166,7 @@ mod tests {
     fn a_gearbox_is_a_basis_and_what_it_lacks_is_usual() {
         let own = of("life: 5 h\nsets: [{ id: a }, { id: b, strength: { factors: { K_A: 2 } } }]\n").unwrap();
         assert_eq!(own.keys.len(), 1);
-        let whole = own.completed();
+        let whole = own.completed_by(Basis::default());
         assert_eq!(whole.keys.len(), 3);
         assert_eq!(whole.keys[0].1, Value::from("5 h"));
         let changed = whole.with_factors(&[("K_A".into(), 1.5), ("K_v".into(), 1.1)]);

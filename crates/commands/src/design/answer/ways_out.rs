@@ -81,6 +81,8 @@ pub enum Limit {
     Modules,
     /// Face widths; relaxed to the default ones.
     FaceWidths,
+    /// Greatest outside diameter of a ring.
+    LargestRing,
     /// Number of planets.
     Planets,
 }
@@ -229,6 +231,7 @@ impl Search<'_> {
         let all = [
             (RelaxedLimit::lifted(Limit::Modules), own.modules.is_some()),
             (RelaxedLimit::lifted(Limit::FaceWidths), own.face_widths.is_some()),
+            (RelaxedLimit::lifted(Limit::LargestRing), own.max_ring.is_some()),
             (planets, *own.planets.end() < most),
         ];
         let mut ways = vec![];
@@ -310,6 +313,7 @@ impl RelaxedLimit {
             }
             Limit::Modules => wanted.size.modules = None,
             Limit::FaceWidths => wanted.size.face_widths = None,
+            Limit::LargestRing => wanted.size.max_ring = None,
             Limit::Planets => {
                 let most = greatest as u32;
                 wanted.size.planets = *wanted.size.planets.start()..=most;

@@ -35,6 +35,8 @@ pub struct Sought {
     pub reach_in_modules: f64,
     /// Maximum face width over the reference diameter of the smallest sun or gear; null without limit.
     pub width_ratio: Option<f64>,
+    /// Maximum outside diameter of a ring in m; null without limit.
+    pub largest_ring_m: Option<f64>,
     /// Minimum normal tip thickness, in modules.
     pub least_tip_thickness_in_modules: f64,
     /// Minimum rim of the planets between root circle and bore, in modules.
@@ -56,6 +58,7 @@ impl Sought {
             centre_distance_step_m: space.centre_distance_step.si(),
             reach_in_modules: space.reach,
             width_ratio: space.width_ratio,
+            largest_ring_m: space.largest_ring.map(|ring| ring.si()),
             least_tip_thickness_in_modules: request.tip_thickness.get(),
             planet_rim_in_modules: request.planet_rim.get(),
             ring_rim_in_modules: request.ring_rim.get(),
@@ -119,6 +122,8 @@ pub struct LeftOut {
     pub practice: u64,
     /// Designs with face widths above the limit.
     pub width_ratio: u64,
+    /// Designs with rings above the limit.
+    pub ring: u64,
     /// Designs with planets to which no bearing leaves a rim.
     pub rim: u64,
     /// Designs with planets narrower than any bearing that leaves a rim.
@@ -424,6 +429,7 @@ impl SizedSet {
                 geometry: out.geometry,
                 practice: out.practice,
                 width_ratio: out.width_ratio,
+                ring: out.ring,
                 rim: out.rim,
                 bearing_width: out.bearing_width,
                 not_calculable: out.not_calculable,

@@ -1,0 +1,83 @@
+//! The gearbox file in the making: its duty, and the data for the strength of its sets.
+
+use super::basis::Basis;
+use crate::analyze::answer::pins;
+use crate::answer::Warning;
+use crate::error::Error;
+use crate::shared::gearbox::{Choice, one};
+use crate::size::answer::Size;
+use crate::strength::answer::duty::steps;
+use epicyclic_formats::Document;
+use epicyclic_formats::gearbox::GearboxFile;
+use epicyclic_formats::yaml::{Mapping, Value};
+use epicyclic_units::Physical;
+use epicyclic_units::format::trimmed;
+use uom::si::f64::{AngularVelocity, Torque};
+
+/// Name of the unfinished gearbox in error messages.
+pub(super) const MAKING: &str = "the gearbox in the making";
+
+/// Significant digits of torque and speed in the file.
+const DIGITS: usize = 12;
+
+/// Load of the input in every gear.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Load {
+    pub(super) torque: Torque,
+    pub(super) speed: AngularVelocity,
+    /// Greatest torque during the life over the nominal torque.
+    pub(super) overload: Option<f64>,
+}
+
+/// Writes the basis into every set and the duty into the file: its gears with their shares of the time.
+pub(super) fn with_load(file: &mut Value, basis: &Basis, gears: &[(&str, f64)], load: Load) {
+    let sets = file.get_mut("sets").and_then(Value::as_sequence_mut).into_iter().flatten();
+    for set in sets.filter_map(Value::as_mapping_mut) {
+        set.insert("strength".into(), basis.strength.clone());
+        if let Some(tools) = &basis.tools {
+            set.insert("tools".into(), tools.clone());
+        }
+    }
+    // More digits would show only the rounding of the unit conversion.
+    let written = |value: f64, unit: &str| Value::from(format!("{} {unit}", trimmed(value, DIGITS)));
+    let greatest = load.overload.map(|factor| written(factor * load.torque.si(), "N·m"));
+    let [torque, speed] = [written(load.torque.si(), "N·m"), written(load.speed.rpm(), "rpm")];
+    let of_keys = |keys: Vec<(&str, Value)>| {
+        Value::Mapping(keys.into_iter().map(|(key, value)| (Value::from(key), value)).collect::<Mapping>())
+    };
+    let step = |(gear, share): &(&str, f64)| {
+        let (gear, share) = (Value::from(*gear), Value::from(*share));
+        of_keys(vec![("gear", gear), ("share", share), ("torque", torque.clone()), ("speed", speed.clone())])
+    };
+    let duty: Vec<Value> = gears.iter().map(step).collect();
+    let against = |torque: &Value| {
+        let overload =
+            |(gear, _): &(&str, f64)| of_keys(vec![("gear", Value::from(*gear)), ("torque", torque.clone())]);
+        gears.iter().map(overload).collect()
+    };
+    if let Some(file) = file.as_mapping_mut() {
+        for (key, value) in &basis.keys {
+            file.insert(key.as_str().into(), value.clone());
+        }
+        file.insert("duty".into(), Value::Sequence(duty));
+        if let Some(torque) = &greatest {
+            file.insert("overload".into(), Value::Sequence(against(torque)));
+        }
+    }
+}
+
+/// Warnings about the sizes, with one of the speeds of all planets in place of one for each.
+pub(super) fn warnings(size: &Size, file: Option<&str>) -> Result<Vec<Warning>, Error> {
+    let mut warnings = size.warnings.clone();
+    let Some(file) = file else { return Ok(warnings) };
+    let document = Document::parse_one(MAKING, file.as_bytes())?;
+    let gearbox: GearboxFile = document.read()?;
+    let subject = one(&document, &Choice::default())?;
+    let steps = steps(&subject, &gearbox.duty)?;
+    let turning: Vec<_> = steps.iter().filter_map(|step| step.1.as_ref()).collect();
+    if let Some(warning) = pins::warning(&subject, &turning) {
+        warnings.retain(|one| pins::OF_PINS.iter().all(|rule| rule.name() != one.name));
+        warnings.push(warning);
+    }
+    Ok(warnings)
+}

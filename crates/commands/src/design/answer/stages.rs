@@ -1,0 +1,247 @@
+//! Stages in series for one ratio: splits, tooth numbers and sizes chosen together.
+
+use super::basis::Basis;
+use super::making::{Load, MAKING, warnings, with_load};
+use super::records::{BasisKey, SizesStep};
+use crate::answer::{Answer, Warning};
+use crate::error::Error;
+use crate::shared::gearbox::{Choice, one};
+use crate::size::answer::{self as size, sizing_of};
+use crate::size::options::Request as SizeRequest;
+use epicyclic_formats::Document;
+use epicyclic_formats::yaml::{Mapping, Value, to_string};
+use epicyclic_strength::series::{InputStep, Order, Teeth, Train, Trains, search};
+use epicyclic_units::Physical;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::ops::{ControlFlow, RangeInclusive};
+use uom::si::f64::{AngularVelocity, Torque};
+
+/// Mass by which the gears of a train must be lighter for each stage that it has more.
+const SAVING: f64 = 0.2;
+
+/// Trains of each number of stages that are searched: the best and the next.
+const MOST: usize = 2;
+
+/// Order for stages in series.
+#[derive(Debug, Clone)]
+pub struct WantedStages {
+    /// Speed of the input over that of the output.
+    pub ratio: f64,
+    /// Allowed relative deviation of the ratio.
+    pub tolerance: f64,
+    /// Numbers of stages.
+    pub stages: RangeInclusive<usize>,
+    /// Tooth numbers of the sets.
+    pub teeth: Teeth,
+    /// Speed of the input.
+    pub speed: AngularVelocity,
+    /// Torque on the input.
+    pub torque: Torque,
+    /// Greatest torque during the life over the nominal torque.
+    pub overload: Option<f64>,
+    /// Materials, factors, oil and life.
+    pub basis: Basis,
+    /// Search space of sizes.
+    pub size: SizeRequest,
+}
+
+/// Stages in series for one ratio, with sufficient strength.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Stages {
+    /// Required ratio, input speed over output speed.
+    pub asked_ratio: f64,
+    /// Allowed relative deviation of the ratio.
+    pub tolerance: f64,
+    /// Reached ratio; null if no train holds.
+    pub ratio: Option<f64>,
+    /// Speed of the input in rad/s.
+    pub input_speed_rad_s: f64,
+    /// Required speed of the output in rad/s.
+    pub asked_output_speed_rad_s: f64,
+    /// Reached speed of the output in rad/s; null if no train holds.
+    pub output_speed_rad_s: Option<f64>,
+    /// Torque on the output without losses, in N·m; null if no train holds.
+    pub output_torque_n_m: Option<f64>,
+    /// Sets of tooth numbers that stages were chosen from.
+    pub sets: usize,
+    /// Best trains of each number of stages.
+    pub trains: Vec<TrainsOf>,
+    /// Assumed values by key.
+    pub basis: Vec<BasisKey>,
+    /// Sizes of the train taken, with their strength over the duty; null if no train holds.
+    pub sizes: Option<SizesStep>,
+    /// Gearbox file with sizes; null if no train holds.
+    pub file: Option<String>,
+    /// Warnings about the gearbox.
+    pub warnings: Vec<Warning>,
+}
+
+/// Trains of one number of stages.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct TrainsOf {
+    /// Number of stages.
+    pub stages: usize,
+    /// Trains of tooth numbers within the tolerance.
+    pub compared: u64,
+    /// Stages that were sized.
+    pub sized: u64,
+    /// Whether every better train is excluded; false if the search ended early.
+    pub complete: bool,
+    /// Best train; null if none holds.
+    pub best: Option<TrainOfStages>,
+    /// Next best train; null if there is none.
+    pub next: Option<TrainOfStages>,
+    /// Whether the best train is taken.
+    pub taken: bool,
+}
+
+/// Stages in series.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct TrainOfStages {
+    /// Tooth numbers of sun, planet and ring of each stage, from the input on.
+    pub teeth: Vec<[u32; 3]>,
+    /// Ratio of each stage.
+    pub ratios: Vec<f64>,
+    /// Ratio of the train.
+    pub ratio: f64,
+    /// Warnings by usual practice of all stages.
+    pub beyond_practice: f64,
+    /// Mass of the gears in kg.
+    pub mass_kg: f64,
+}
+
+impl Answer for Stages {
+    const NAME: &'static str = "design-stages";
+}
+
+impl TrainOfStages {
+    fn of(train: &Train) -> Self {
+        Self {
+            teeth: train.stages.iter().map(|teeth| teeth.map(epicyclic_gears::ToothCount::get)).collect(),
+            ratios: train.stages.iter().map(|[sun, _, ring]| 1.0 + ring.as_f64() / sun.as_f64()).collect(),
+            ratio: train.ratio,
+            beyond_practice: train.warnings,
+            mass_kg: train.mass_kg,
+        }
+    }
+}
+
+impl TrainsOf {
+    fn of(trains: &Trains) -> Self {
+        let mut found = trains.found.iter().map(TrainOfStages::of);
+        Self {
+            stages: trains.stages,
+            compared: trains.trains,
+            sized: trains.sized,
+            complete: trains.is_complete,
+            best: found.next(),
+            next: found.next(),
+            taken: false,
+        }
+    }
+}
+
+/// Designs stages in series. `goes_on` is called now and then, and may end the search.
+///
+/// # Errors
+/// As of [`size`](SizeRequest::answer), which refer to the unfinished gearbox.
+pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Stages, Error> {
+    let found = search(&order(wanted)?, MOST, goes_on)?;
+    let mut trains: Vec<TrainsOf> = found.all.iter().map(TrainsOf::of).collect();
+    let cost = |of: &TrainsOf| {
+        let best = of.best.as_ref()?;
+        // A stage more has a carrier, bearings and a housing of its own.
+        Some((best.beyond_practice, best.mass_kg * libm::pow(1.0 + SAVING, of.stages as f64)))
+    };
+    let taken = (0..trains.len()).filter(|place| cost(&trains[*place]).is_some()).min_by(|one, other| {
+        let [one, other] = [one, other].map(|place| cost(&trains[*place]).unwrap_or_default());
+        one.0.total_cmp(&other.0).then(one.1.total_cmp(&other.1))
+    });
+    if let Some(place) = taken {
+        trains[place].taken = true;
+    }
+    let train = taken.and_then(|place| trains[place].best.clone());
+    let (mut sizes, mut file, mut all_warnings) = (None, None, vec![]);
+    if let Some(train) = &train {
+        let making = text(wanted, &train.teeth)?;
+        let document = Document::parse_one(MAKING, making.as_bytes())?;
+        let size = size::answer(&one(&document, &Choice::default())?, &wanted.size, goes_on)?;
+        let saved = size::saved(&document, &size)?;
+        all_warnings = warnings(&size, Some(&saved))?;
+        file = Some(saved);
+        sizes = Some(SizesStep::of(size));
+    }
+    let ratio = train.as_ref().map(|train| train.ratio);
+    let speed = wanted.speed.si();
+    Ok(Stages {
+        asked_ratio: wanted.ratio,
+        tolerance: wanted.tolerance,
+        ratio,
+        input_speed_rad_s: speed,
+        asked_output_speed_rad_s: speed / wanted.ratio,
+        output_speed_rad_s: ratio.map(|ratio| speed / ratio),
+        output_torque_n_m: ratio.map(|ratio| wanted.torque.si() * ratio),
+        sets: found.sets,
+        trains,
+        basis: wanted.basis.told(),
+        sizes,
+        file,
+        warnings: all_warnings,
+    })
+}
+
+/// The order as the search takes it.
+fn order(wanted: &WantedStages) -> Result<Order, Error> {
+    // Materials, factors and tools are read from a file, as those of the gearbox will be.
+    let making = text(wanted, &[[24, 30, 84]])?;
+    let document = Document::parse_one(MAKING, making.as_bytes())?;
+    let of_stage = sizing_of(&one(&document, &Choice::default())?, &wanted.size)?;
+    let [less, more] = [1.0 - wanted.tolerance, 1.0 + wanted.tolerance];
+    Ok(Order {
+        stages: wanted.stages.clone(),
+        ratio: wanted.ratio * less..=wanted.ratio * more,
+        teeth: wanted.teeth.clone(),
+        duty: vec![InputStep { share: 1.0, torque: wanted.torque, speed: wanted.speed }],
+        of_stage,
+    })
+}
+
+/// File of stages without sizes.
+fn text(wanted: &WantedStages, teeth: &[[u32; 3]]) -> Result<String, Error> {
+    let shaft = |place: usize| match place {
+        0 => "input".to_owned(),
+        _ if place == teeth.len() => "output".to_owned(),
+        _ => format!("shaft {place}"),
+    };
+    let of_keys = |keys: Vec<(&str, Value)>| {
+        Value::Mapping(keys.into_iter().map(|(key, value)| (Value::from(key), value)).collect::<Mapping>())
+    };
+    let set = |(place, [sun, planet, ring]): (usize, &[u32; 3])| {
+        of_keys(vec![
+            ("id", format!("stage {}", place + 1).into()),
+            ("sun", shaft(place).into()),
+            ("ring", "ground".into()),
+            ("carrier", shaft(place + 1).into()),
+            ("teeth", Value::Sequence(vec![(*sun).into(), (*ring).into()])),
+            ("planet_teeth", Value::Sequence(vec![(*planet).into()])),
+        ])
+    };
+    let count = if teeth.len() == 1 { "1 stage".to_owned() } else { format!("{} stages", teeth.len()) };
+    let mut file = of_keys(vec![
+        ("gearbox", count.into()),
+        ("input", "input".into()),
+        ("output", "output".into()),
+        ("sets", Value::Sequence(teeth.iter().enumerate().map(set).collect())),
+        ("gears", Value::Sequence(vec![of_keys(vec![("name", GEAR.into())])])),
+    ]);
+    let load = Load { torque: wanted.torque, speed: wanted.speed, overload: wanted.overload };
+    with_load(&mut file, &wanted.basis, &[(GEAR, 1.0)], load);
+    to_string(&file).map_err(|error| Error::Json(error.to_string()))
+}
+
+/// Name of the only gear.
+const GEAR: &str = "only";

@@ -1,0 +1,116 @@
+//! Stages in series: the lightest train of simple sets for one ratio, with tooth numbers and sizes chosen
+//! together.
+//!
+//! Each stage is a set whose ring is held, whose sun is driven and whose carrier drives the next sun:
+//!
+//! ```text
+//! i_j = 1 + z_r/z_s        i = Π i_j        T_j = T·i_1·…·i_(j−1)        n_j = n/(i_1·…·i_(j−1))
+//! ```
+//!
+//! `T`, `n` are torque and speed of the input; torques are without losses.
+//!
+//! # Space
+//! Every train of [`Order::stages`] sets whose teeth lie within [`Teeth`] and whose ratio lies within
+//! [`Order::ratio`]; each set with every module, face width, number of planets, centre distance and bearing of
+//! the [sizing](crate::sizing).
+//!
+//! # Objective
+//! First the number of warnings by usual practice, then the mass of the gears. Both are sums over the stages.
+//!
+//! # How the best train is found
+//! A stage has a bound below its mass for each torque : the flank of one trial at a middling size
+//! tells how much volume the teeth need. All trains are put in the order of the sums of these bounds. The
+//! first train gets one of its stages sized, for its own torque and speed, and goes back into the queue with
+//! the mass in place of the bound. A train that comes first with all stages sized is the best: every other
+//! has a bound that is no lower.
+//!
+//! The bound takes flanks from the trial, with room for the factors that change with the
+//! size. It is no proof; a trial of every train on small spaces checks it.
+
+mod search;
+mod stage;
+
+use crate::sizing::Sizing;
+use epicyclic_gears::ToothCount;
+pub use search::search;
+use std::ops::RangeInclusive;
+use uom::si::f64::{AngularVelocity, Torque};
+
+/// Tooth numbers of the sets to choose from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Teeth {
+    /// Teeth of the suns.
+    pub suns: RangeInclusive<u32>,
+    /// Teeth of the planets.
+    pub planets: RangeInclusive<u32>,
+    /// Teeth of the rings.
+    pub rings: RangeInclusive<u32>,
+    /// Teeth of a ring less those of its sun and twice those of a planet.
+    pub ring_offsets: RangeInclusive<i32>,
+    /// Ring over sun.
+    pub ring_to_sun_ratio: RangeInclusive<f64>,
+}
+
+/// A step of the duty at the input.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InputStep {
+    /// Share of the time.
+    pub share: f64,
+    /// Torque on the input.
+    pub torque: Torque,
+    /// Speed of the input.
+    pub speed: AngularVelocity,
+}
+
+/// What a train has to do.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Order {
+    /// Numbers of stages.
+    pub stages: RangeInclusive<usize>,
+    /// Ratios that are allowed: speed of the input over that of the output.
+    pub ratio: RangeInclusive<f64>,
+    /// Tooth numbers.
+    pub teeth: Teeth,
+    /// The duty.
+    pub duty: Vec<InputStep>,
+    /// A set with materials, factors, requirements and space. Its teeth, duty and overloads are not used;
+    /// its overloads are those of the input.
+    pub of_stage: Sizing,
+}
+
+/// A train with its stages.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Train {
+    /// Teeth of sun, planets and ring of each stage, from the input on.
+    pub stages: Vec<[ToothCount; 3]>,
+    /// Speed of the input over that of the output.
+    pub ratio: f64,
+    /// Warnings by usual practice of all stages.
+    pub warnings: f64,
+    /// Mass of the gears in kg.
+    pub mass_kg: f64,
+}
+
+/// Result of a search for trains.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Found {
+    /// Sets within the bounds of tooth numbers whose teeth have room for one another.
+    pub sets: usize,
+    /// The trains of each number of stages.
+    pub all: Vec<Trains>,
+}
+
+/// Trains of one number of stages.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Trains {
+    /// Number of stages.
+    pub stages: usize,
+    /// Trains within the allowed ratios.
+    pub trains: u64,
+    /// Stages that were sized.
+    pub sized: u64,
+    /// Whether no other train can be better; false if the search ended early for its length.
+    pub is_complete: bool,
+    /// The best, in order.
+    pub found: Vec<Train>,
+}

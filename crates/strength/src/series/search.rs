@@ -1,0 +1,328 @@
+//! Trains in the order of their bounds, until the first are sized in full.
+
+use super::stage::{Cost, Stage, Stages};
+use super::{Found, Order, Teeth, Train, Trains};
+use crate::Error;
+use epicyclic_gears::ToothCount;
+use std::cmp::Reverse;
+use std::collections::{BinaryHeap, HashMap};
+use std::ops::{Add, ControlFlow, RangeInclusive};
+
+/// Quotient of the ends of the ranges into which products of ratios are put.
+const RANGE: f64 = 1.03;
+
+/// Growth of the bound up to which trains are listed, from one round to the next.
+const GROWTH: f64 = 1.06;
+
+/// Mass over the least bound above which a train with a warning more is looked at first.
+const HEAVIEST: f64 = 3.0;
+
+/// Stages that are sized at most.
+const MOST: u64 = 3000;
+
+/// Bounds up to which trains are listed, round by round.
+fn levels(first: Cost, stages: usize) -> impl Iterator<Item = Cost> {
+    let masses = move || {
+        let all = std::iter::successors(Some(first.mass * GROWTH), |mass| Some(mass * GROWTH));
+        all.take_while(move |mass| *mass < HEAVIEST * first.mass)
+    };
+    (0..=WARNINGS_PER_STAGE * stages).flat_map(move |more| {
+        masses().map(move |mass| Cost { warnings: first.warnings + more as f64, mass })
+    })
+}
+
+/// Warnings of a stage that are looked at most.
+const WARNINGS_PER_STAGE: usize = 3;
+
+/// The best `most` trains of each number of stages, unless `goes_on`, which is called now and then, breaks.
+///
+/// # Errors
+/// [`Error::NothingToSearch`] for a space without modules, face widths or planets; [`Error::Cancelled`]; those
+/// of [`size`](crate::sizing::size).
+pub fn search(order: &Order, most: usize, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Found, Error> {
+    order.of_stage.space.check()?;
+    let stages = Stages::new(order);
+    let mut sets = vec![];
+    for teeth in order.teeth.sets(&order.ratio, order.stages.clone()) {
+        if goes_on().is_break() {
+            return Err(Error::Cancelled);
+        }
+        sets.extend(stages.stage(teeth)?);
+    }
+    sets.sort_by(|one, other| one.ratio.total_cmp(&other.ratio));
+    let table = Table::new(&stages, &sets, *order.stages.end());
+    let (in_range, exact) = (HashMap::new(), HashMap::new());
+    let mut search = Search { stages, sets, table, count: 1, in_range, exact, sized: 0, goes_on };
+    let mut all = vec![];
+    for count in order.stages.clone().filter(|count| *count > 0) {
+        search.count = count;
+        search.sized = 0;
+        let (found, is_complete) = search.best(most)?;
+        let trains = search.trains();
+        all.push(Trains { stages: count, trains, sized: search.sized, is_complete, found });
+    }
+    Ok(Found { sets: search.sets.len(), all })
+}
+
+impl Teeth {
+    /// Sets whose ratio can be part of a train.
+    fn sets(&self, ratio: &RangeInclusive<f64>, stages: RangeInclusive<usize>) -> Vec<[ToothCount; 3]> {
+        let mut all = vec![];
+        for sun in self.suns.clone() {
+            for planet in self.planets.clone() {
+                for offset in self.ring_offsets.clone() {
+                    let ring = i64::from(sun) + 2 * i64::from(planet) + i64::from(offset);
+                    let Ok(ring) = u32::try_from(ring) else { continue };
+                    let k = f64::from(ring) / f64::from(sun);
+                    if !self.rings.contains(&ring) || !self.ring_to_sun_ratio.contains(&k) {
+                        continue;
+                    }
+                    let teeth = [sun, planet, ring].map(ToothCount::new);
+                    if let [Ok(sun), Ok(planet), Ok(ring)] = teeth {
+                        all.push([sun, planet, ring]);
+                    }
+                }
+            }
+        }
+        let of = |teeth: &[ToothCount; 3]| 1.0 + teeth[2].as_f64() / teeth[0].as_f64();
+        let ends = all.iter().map(of).fold([f64::INFINITY, 0.0_f64], |[least, most], ratio| {
+            [least.min(ratio), most.max(ratio)]
+        });
+        let is_part = |own: f64, stages: usize| {
+            let [least, most] = ends.map(|end| own * libm::pow(end, stages as f64 - 1.0));
+            least <= *ratio.end() && most >= *ratio.start()
+        };
+        all.retain(|teeth| stages.clone().any(|stages| is_part(of(teeth), stages)));
+        all
+    }
+}
+
+/// Bounds of stages and of the rest of a train, by the range of the product of the ratios before them.
+struct Table {
+    /// By range and set.
+    own: Vec<Vec<Option<Cost>>>,
+    /// By number of stages that are left, less one, and range.
+    rest: Vec<Vec<Option<Cost>>>,
+    /// Ratios of the sets, ascending.
+    ratios: Vec<f64>,
+    allowed: [f64; 2],
+}
+
+/// Ends of a range of products.
+fn ends(range: usize) -> [f64; 2] {
+    [range, range + 1].map(|power| libm::pow(RANGE, power as f64))
+}
+
+/// Range of a product.
+fn range(product: f64) -> usize {
+    (libm::log(product) / libm::log(RANGE)).floor().max(0.0) as usize
+}
+
+impl Table {
+    fn new(stages: &Stages<'_>, sets: &[Stage], most: usize) -> Self {
+        let allowed = [*stages.order.ratio.start(), *stages.order.ratio.end()];
+        // A product lies below the end of its range; rounding may put it into a neighbour.
+        let ranges = range(allowed[1]) + 2;
+        let bounds = |of: usize| sets.iter().map(|set| stages.bound(set, ends(of))).collect();
+        let mut table = Self {
+            own: (0..ranges).map(bounds).collect(),
+            rest: vec![],
+            ratios: sets.iter().map(|set| set.ratio).collect(),
+            allowed,
+        };
+        for left in 1..most {
+            let rest = (0..ranges).map(|of| table.rest_of(left, of)).collect();
+            table.rest.push(rest);
+        }
+        table
+    }
+
+    /// The bound of `left` stages behind a range of products.
+    fn rest_of(&self, left: usize, of: usize) -> Option<Cost> {
+        let [least, most] = ends(of);
+        let costs = self.ratios.iter().zip(&self.own[of]).filter_map(|(ratio, own)| {
+            let own = (*own)?;
+            let products = [least * ratio, most * ratio];
+            if left == 1 {
+                return (products[0] <= self.allowed[1] && products[1] >= self.allowed[0]).then_some(own);
+            }
+            let behind = &self.rest[left - 2];
+            let ranges = range(products[0])..=range(products[1]);
+            ranges.filter_map(|range| *behind.get(range)?).min().map(|rest| own + rest)
+        });
+        costs.min()
+    }
+}
+
+/// A train in the queue with a bound below its cost.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+struct Queued {
+    cost: Cost,
+    sets: Vec<usize>,
+}
+
+/// How far the cost of a stage is known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Known {
+    /// By its trial.
+    Tried,
+    /// Sized for the least load of a range of products.
+    InRange,
+    /// Sized for its own load.
+    Sized,
+}
+
+struct Search<'a> {
+    stages: Stages<'a>,
+    sets: Vec<Stage>,
+    table: Table,
+    /// Number of stages.
+    count: usize,
+    /// Cost of a set behind a range of products.
+    in_range: HashMap<(usize, usize), Option<Cost>>,
+    /// Cost of a set behind a product, in bits.
+    exact: HashMap<(usize, u64), Option<Cost>>,
+    sized: u64,
+    goes_on: &'a dyn Fn() -> ControlFlow<()>,
+}
+
+impl Search<'_> {
+    /// Trains within the allowed ratios.
+    fn trains(&self) -> u64 {
+        let products = |stages: usize| {
+            (0..stages).fold(vec![1.0], |all, _| {
+                all.iter().flat_map(|one| self.table.ratios.iter().map(move |ratio| one * ratio)).collect()
+            })
+        };
+        let mut behind: Vec<f64> = products(self.count.div_ceil(2));
+        behind.sort_by(f64::total_cmp);
+        let [least, most] = self.table.allowed;
+        let fitting = |product: f64| {
+            let from = behind.partition_point(|other| product * other < least);
+            behind.partition_point(|other| product * other <= most).saturating_sub(from) as u64
+        };
+        products(self.count / 2).into_iter().map(fitting).sum()
+    }
+
+    /// Lists the trains whose bound lies above one cost and not above another, behind some first stages.
+    fn list(&self, sets: &mut Vec<usize>, (product, cost): (f64, Cost), within: [Cost; 2], all: &mut Vec<Queued>) {
+        let left = self.count - sets.len();
+        let [least, most] = self.table.allowed;
+        let ratios = &self.table.ratios;
+        let places = match left {
+            1 => {
+                let from = ratios.partition_point(|ratio| product * ratio < least);
+                from..ratios.partition_point(|ratio| product * ratio <= most).max(from)
+            }
+            _ => 0..ratios.len(),
+        };
+        let own = &self.table.own[range(product)];
+        for place in places {
+            let Some(own) = own[place] else { continue };
+            let (product, cost) = (product * ratios[place], cost + own);
+            sets.push(place);
+            if left == 1 {
+                if cost > within[0] && cost <= within[1] {
+                    all.push(Queued { cost, sets: sets.clone() });
+                }
+            } else if let Some(rest) = self.table.rest[left - 2].get(range(product)).copied().flatten()
+                && cost + rest <= within[1]
+            {
+                self.list(sets, (product, cost), within, all);
+            }
+            sets.pop();
+        }
+    }
+
+    /// Cost of a set behind a product of ratios as far as it is known; `None` if nothing holds.
+    fn cost(&self, set: usize, before: f64) -> (Option<Cost>, Known) {
+        let of = range(before);
+        if let Some(cost) = self.exact.get(&(set, before.to_bits())) {
+            (*cost, Known::Sized)
+        } else if let Some(cost) = self.in_range.get(&(set, of)) {
+            (*cost, Known::InRange)
+        } else {
+            (self.table.own[of][set], Known::Tried)
+        }
+    }
+
+    /// Gets to know more of a stage.
+    fn learn(&mut self, set: usize, before: f64, known: Known) -> Result<(), Error> {
+        if (self.goes_on)().is_break() {
+            return Err(Error::Cancelled);
+        }
+        self.sized += 1;
+        let stage = &self.sets[set];
+        let of = range(before);
+        if known == Known::Tried && of > 0 {
+            let cost = self.stages.size(stage, ends(of), self.goes_on)?;
+            self.in_range.insert((set, of), cost);
+        } else {
+            let cost = self.stages.size(stage, [before; 2], self.goes_on)?;
+            self.exact.insert((set, before.to_bits()), cost);
+        }
+        Ok(())
+    }
+
+    /// Products of the ratios before each stage, and the ratio.
+    fn products(&self, sets: &[usize]) -> Vec<f64> {
+        let mut all = vec![1.0];
+        for set in sets {
+            all.push(all[all.len() - 1] * self.table.ratios[*set]);
+        }
+        all
+    }
+
+    /// The best trains, in order, and whether no other can be better.
+    fn best(&mut self, most: usize) -> Result<(Vec<Train>, bool), Error> {
+        let mut found: Vec<Train> = vec![];
+        let Some(first) = self.table.rest_of(self.count, 0) else { return Ok((found, true)) };
+        let mut listed = Cost { warnings: -1.0, mass: 0.0 };
+        let mut queue: BinaryHeap<Reverse<Queued>> = BinaryHeap::new();
+        for within in levels(first, self.count) {
+            let mut all = vec![];
+            self.list(&mut vec![], (1.0, Cost::default()), [listed, within], &mut all);
+            listed = within;
+            queue.extend(all.into_iter().map(Reverse));
+            while queue.peek().is_some_and(|next| next.0.cost <= within) {
+                let Some(Reverse(next)) = queue.pop() else { break };
+                let products = self.products(&next.sets);
+                let known = next.sets.iter().zip(&products).map(|(set, before)| self.cost(*set, *before));
+                let known: Vec<(Option<Cost>, Known)> = known.collect();
+                let Some(costs) = known.iter().map(|(cost, _)| *cost).collect::<Option<Vec<Cost>>>() else {
+                    continue;
+                };
+                let cost = costs.into_iter().fold(Cost::default(), Add::add);
+                if cost > next.cost {
+                    queue.push(Reverse(Queued { cost, ..next }));
+                    continue;
+                }
+                // The last stages are the heaviest: they tell most.
+                let least = known.iter().enumerate().rev().min_by_key(|(_, (_, known))| *known);
+                match least {
+                    Some((place, (_, known))) if *known < Known::Sized => {
+                        if self.sized >= MOST {
+                            return Ok((found, false));
+                        }
+                        self.learn(next.sets[place], products[place], *known)?;
+                        queue.push(Reverse(next));
+                    }
+                    _ => found.push(self.train(&next, products[next.sets.len()])),
+                }
+                if found.len() == most {
+                    return Ok((found, true));
+                }
+            }
+        }
+        Ok((found, true))
+    }
+
+    fn train(&self, of: &Queued, ratio: f64) -> Train {
+        Train {
+            stages: of.sets.iter().map(|set| self.sets[*set].teeth).collect(),
+            ratio,
+            warnings: of.cost.warnings,
+            mass_kg: of.cost.mass,
+        }
+    }
+}

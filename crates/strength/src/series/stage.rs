@@ -1,0 +1,298 @@
+//! A stage of a train: its loads, the bound below its mass, its size.
+
+use super::Order;
+use crate::factor::{Side, Symbol};
+use crate::load::load_sharing;
+use crate::tolerance::RIM;
+use crate::sizing::trial::Trial;
+use crate::sizing::{Design, SetOverload, SetStep, Sizing, Space, size};
+use crate::{Error, Quantity};
+use epicyclic_gears::ToothCount;
+use epicyclic_gears::spacing::PlanetSpacing;
+use epicyclic_judge::{Limits, Rule, Severity};
+use epicyclic_units::Physical;
+use std::cmp::Ordering;
+use std::ops::{Add, ControlFlow};
+use uom::si::f64::Length;
+
+/// Room for the factors of the flanks that change with the size, as a share of the safety.
+const ROOM: f64 = 0.1;
+
+/// Steps of the centre distance in a module, in a trial.
+const STEPS: f64 = 8.0;
+
+/// Face width over diameter of the smaller gear in a trial.
+const PROPORTION: f64 = 0.8;
+
+/// Load of the flanks in N/m² by which a trial gets its module.
+const LOAD: f64 = 5e6;
+
+/// Quotient of neighbouring speeds for which flanks are tried.
+const BETWEEN_SPEEDS: f64 = 4.0;
+
+/// What counts of a stage or a train, in this order.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Cost {
+    /// Warnings by usual practice.
+    pub(super) warnings: f64,
+    /// Mass of the gears, kg.
+    pub(super) mass: f64,
+}
+
+impl Eq for Cost {}
+
+impl Ord for Cost {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.warnings.total_cmp(&other.warnings).then(self.mass.total_cmp(&other.mass))
+    }
+}
+
+impl PartialOrd for Cost {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Add for Cost {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self { warnings: self.warnings + other.warnings, mass: self.mass + other.mass }
+    }
+}
+
+/// A set with what its trials tell.
+#[derive(Debug, Clone)]
+pub(super) struct Stage {
+    pub(super) teeth: [ToothCount; 3],
+    /// `1 + z_r/z_s`
+    pub(super) ratio: f64,
+    /// Numbers of planets that have equal angles, by their index.
+    placed: Vec<bool>,
+    /// Teeth of the smaller gear of the sun mesh.
+    smaller: f64,
+    /// The set at each centre distance.
+    tried: Vec<Tried>,
+}
+
+/// A set at one centre distance, whatever the module.
+#[derive(Debug, Clone)]
+struct Tried {
+    warnings: f64,
+    /// Volume `m²·b` that the flanks need for each N·m of `T·K_γ/N`, at each speed, m³/(N·m).
+    volumes: Vec<f64>,
+    /// Cross-section of all gears times density over `m²`, for each number of planets, kg/m³.
+    sections: Vec<f64>,
+    /// Outside diameter of the ring, in modules.
+    ring: f64,
+}
+
+/// Number of planets and module of a stage.
+#[derive(Debug, Clone, Copy)]
+struct Choice {
+    planets: u32,
+    module: Length,
+    /// Index of the narrowest face width whose flanks may hold.
+    width: usize,
+    bound: Cost,
+}
+
+/// The order as its stages see it.
+pub(super) struct Stages<'a> {
+    pub(super) order: &'a Order,
+    /// Greatest torque of the duty, N·m.
+    torque: f64,
+    /// `K_γ/N` of each number of planets; `None` outside its table.
+    shares: Vec<Option<f64>>,
+    modules: Vec<Length>,
+    widths: Vec<Length>,
+    /// Products of the ratios before a stage for which flanks are tried, ascending.
+    products: Vec<f64>,
+}
+
+impl<'a> Stages<'a> {
+    pub(super) fn new(order: &'a Order) -> Self {
+        let space = &order.of_stage.space;
+        let method = &order.of_stage.methods[0];
+        let given = method.given.of(Side::First, Symbol::LoadSharing);
+        let share = |planets: &u32| {
+            let sharing = given.map_or_else(|| load_sharing(*planets, method.floating).ok(), Some)?;
+            Some(sharing / f64::from(*planets))
+        };
+        let sorted = |lengths: &[Length]| {
+            let mut all = lengths.to_vec();
+            all.sort_by(|one, other| one.si().total_cmp(&other.si()));
+            all
+        };
+        let most = *order.ratio.end();
+        let speeds = std::iter::successors(Some(1.0), |product| {
+            Some(product * BETWEEN_SPEEDS).filter(|_| *product < most)
+        });
+        Self {
+            order,
+            torque: order.duty.iter().map(|step| step.torque.si().abs()).fold(0.0, f64::max),
+            shares: space.planets.iter().map(share).collect(),
+            modules: sorted(&space.modules),
+            widths: sorted(&space.face_widths),
+            products: speeds.collect(),
+        }
+    }
+
+    /// Loads of a set with the least torque and the least speed of a range of products of ratios before it.
+    fn loads(&self, ratio: f64, [least, most]: [f64; 2]) -> (Vec<SetStep>, Vec<SetOverload>) {
+        let step = |step: &super::InputStep| {
+            let speed = step.speed / most;
+            SetStep {
+                share: step.share,
+                sun_torque: step.torque * least,
+                sun_speed: speed * (1.0 - 1.0 / ratio),
+                carrier_speed: speed / ratio,
+            }
+        };
+        let overload =
+            |one: &SetOverload| SetOverload { sun_torque: one.sun_torque * least, ..*one };
+        let of_stage = &self.order.of_stage;
+        (self.order.duty.iter().map(step).collect(), of_stage.overloads.iter().map(overload).collect())
+    }
+
+    /// Tries a set; `None` if its teeth have no room for one another, whatever the size.
+    pub(super) fn stage(&self, teeth: [ToothCount; 3]) -> Result<Option<Stage>, Error> {
+        let [sun, planet, ring] = teeth;
+        let ratio = 1.0 + ring.as_f64() / sun.as_f64();
+        let smaller = sun.min(planet).as_f64();
+        let of_stage = &self.order.of_stage;
+        let planets = &of_stage.space.planets;
+        let is_placed = |planets: u32| {
+            of_stage.least_planet_angle.is_some() || PlanetSpacing::least_unequal(sun, ring, planets).is_equal()
+        };
+        let first = planets.iter().zip(&self.shares).filter(|(of, share)| share.is_some() && is_placed(**of));
+        let Some((first, Some(share))) = first.min_by_key(|(of, _)| **of) else { return Ok(None) };
+        // A torque in the middle of those that the stage may have.
+        let middling = self.torque * libm::sqrt(self.order.ratio.end() / ratio).max(1.0) * share;
+        let diameter = libm::cbrt(2.0 * middling / (PROPORTION * LOAD));
+        let off = |module: &&Length| libm::log(module.si() * smaller / diameter).abs();
+        let module = self.modules.iter().min_by(|one, other| off(one).total_cmp(&off(other)));
+        let module = *module.ok_or(Error::NothingToSearch { quantity: Quantity::Module })?;
+        let face = module * (PROPORTION * smaller);
+        let space = Space {
+            modules: vec![module],
+            planets: vec![*first],
+            centre_distance_step: module / STEPS,
+            largest_ring: None,
+            ..of_stage.space.clone()
+        };
+        let duties: Vec<Vec<SetStep>> =
+            self.products.iter().map(|product| self.loads(ratio, [*product; 2]).0).collect();
+        let sizing = Sizing { teeth, duty: duties[0].clone(), overloads: vec![], space, ..of_stage.clone() };
+        let square = module.si() * module.si();
+        let tried = |trial: Trial| {
+            let volume = |(product, safety): (&f64, &f64)| {
+                let needed = of_stage.required_contact / (safety * (1.0 + ROOM));
+                square * face.si() * needed * needed / (self.torque * product * share)
+            };
+            Tried {
+                warnings: trial.warnings,
+                volumes: self.products.iter().zip(&trial.flanks).map(volume).collect(),
+                sections: trial.sections.iter().map(|section| section / square).collect(),
+                ring: (trial.ring / module).si(),
+            }
+        };
+        let tried: Vec<Tried> = sizing.trials(face, &duties, planets)?.into_iter().map(tried).collect();
+        let placed = planets.iter().map(|planets| is_placed(*planets)).collect();
+        Ok((!tried.is_empty()).then_some(Stage { teeth, ratio, placed, smaller, tried }))
+    }
+
+    /// Every number of planets and module that may hold where the product of the ratios before the stage
+    /// lies in a range.
+    fn choices<'s>(&'s self, stage: &'s Stage, [least, most]: [f64; 2]) -> impl Iterator<Item = Choice> + 's {
+        // Fewer cycles bear more.
+        let speed = self.products.partition_point(|product| *product < most).min(self.products.len() - 1);
+        let torque = self.torque * least;
+        let planets = self.order.of_stage.space.planets.iter().zip(&self.shares).zip(&stage.placed).enumerate();
+        let planets = planets.filter_map(|(place, ((planets, share), placed))| {
+            Some((place, *planets, (*share)?)).filter(|_| *placed)
+        });
+        planets.flat_map(move |(place, planets, share)| {
+            self.modules.iter().filter_map(move |module| {
+                let tried = stage.tried.iter().filter_map(|tried| {
+                    self.at(stage, tried, (place, *module), tried.volumes[speed] * torque * share)
+                });
+                let (bound, width) = tried.min()?;
+                Some(Choice { planets, module: *module, width, bound })
+            })
+        })
+    }
+
+    /// Bound and narrowest face width of a set at a centre distance whose flanks need a volume.
+    fn at(&self, stage: &Stage, tried: &Tried, (planets, module): (usize, Length), volume: f64) -> Option<(Cost, usize)> {
+        let largest = self.order.of_stage.space.largest_ring;
+        if largest.is_some_and(|largest| module * tried.ring > largest * (1.0 + RIM)) {
+            return None;
+        }
+        let module = module.si();
+        let width = self.widths.partition_point(|width| width.si() < volume / (module * module));
+        let face = self.widths.get(width)?.si();
+        let warnings = tried.warnings + self.of_width(face / (module * stage.smaller))?;
+        Some((Cost { warnings, mass: tried.sections[planets] * module * module * face }, width))
+    }
+
+    /// Warnings of a face that is too wide; `None` where practice refuses it. One that is too narrow may
+    /// become wider.
+    fn of_width(&self, ratio: f64) -> Option<f64> {
+        let Some(limits) = &self.order.of_stage.practice else { return Some(0.0) };
+        let verdict = Limits::judge(limits, Rule::FaceWidth, ratio);
+        match verdict.severity.filter(|_| verdict.value > verdict.limit) {
+            Some(Severity::Error) => None,
+            Some(Severity::Warning) => Some(1.0),
+            _ => Some(0.0),
+        }
+    }
+
+    /// The bound below the cost of a stage where the product of the ratios before it lies in a range; `None`
+    /// if nothing can hold.
+    pub(super) fn bound(&self, stage: &Stage, before: [f64; 2]) -> Option<Cost> {
+        self.choices(stage, before).map(|choice| choice.bound).min()
+    }
+
+    /// Sizes a stage for the least torque and the fewest turns behind products of ratios in a range; `None`
+    /// if nothing holds.
+    pub(super) fn size(
+        &self,
+        stage: &Stage,
+        before: [f64; 2],
+        goes_on: &dyn Fn() -> ControlFlow<()>,
+    ) -> Result<Option<Cost>, Error> {
+        let mut choices: Vec<Choice> = self.choices(stage, before).collect();
+        choices.sort_by(|one, other| one.bound.cmp(&other.bound));
+        let (duty, overloads) = self.loads(stage.ratio, before);
+        let mut best: Option<Cost> = None;
+        for choice in choices {
+            if best.is_some_and(|best| best <= choice.bound) {
+                break;
+            }
+            let space = Space {
+                modules: vec![choice.module],
+                planets: vec![choice.planets],
+                face_widths: self.widths[choice.width..].to_vec(),
+                ..self.order.of_stage.space.clone()
+            };
+            let sizing = Sizing {
+                teeth: stage.teeth,
+                duty: duty.clone(),
+                overloads: overloads.clone(),
+                space,
+                ..self.order.of_stage.clone()
+            };
+            match size(&sizing, 1, goes_on) {
+                Ok(found) => best = found.found.first().map(cost).into_iter().chain(best).min(),
+                Err(Error::NothingToSearch { .. }) => {}
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(best)
+    }
+}
+
+fn cost(design: &Design) -> Cost {
+    Cost { warnings: if design.is_usual { 0.0 } else { 1.0 }, mass: design.mass.si() }
+}

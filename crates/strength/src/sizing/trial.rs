@@ -1,0 +1,79 @@
+//! Flanks and cross-sections of a set at one module and one face width, at every centre distance.
+
+use super::practice::{self, Practice};
+use super::rated::{Place, Ratings};
+use super::search::Masses;
+use super::simple::{SetStep, Sizing, layouts};
+use crate::Error;
+use epicyclic_judge::Severity;
+use epicyclic_units::Physical;
+use std::f64::consts::FRAC_PI_4;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use uom::si::f64::Length;
+
+/// What a set bears at one module, face width and centre distance.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Trial {
+    /// Warnings by usual practice, of gears and meshes.
+    pub(crate) warnings: f64,
+    /// Least safety of the flanks under each duty.
+    pub(crate) flanks: Vec<f64>,
+    /// Cross-section of all gears times their density for each number of planets, with planets of the largest
+    /// bore that their rim allows, kg/m.
+    pub(crate) sections: Vec<f64>,
+    /// Outside diameter of the ring.
+    pub(crate) ring: Length,
+}
+
+impl Sizing {
+    /// Tries the first module and number of planets of the space with one face width, under several duties, at
+    /// every centre distance whose gears have no fault.
+    pub(crate) fn trials(
+        &self,
+        face: Length,
+        duties: &[Vec<SetStep>],
+        planets: &[u32],
+    ) -> Result<Vec<Trial>, Error> {
+        let task = self.general(vec![face]);
+        let modules_mm = [self.space.modules[0].mm()];
+        let (mut all, _) = layouts(self, &modules_mm, &task, &|| ControlFlow::Continue(()))?;
+        let mut trials = vec![];
+        for own in &all {
+            let worst = task.practice.as_ref().and_then(|limits| Practice::of(&task, own, limits).geometry);
+            let bore = (own.gears[1].root_diameter() - 2.0 * self.planet_rim).max(0.0);
+            let bored = FRAC_PI_4 * (bore * own.modules[0].si()).powi(2) * self.gears[1].material.density.si();
+            let section = |count: &u32| {
+                let layout = super::Layout { planets: *count, ..own.clone() };
+                Masses::new(&task, &layout).solid[0] - f64::from(*count) * bored
+            };
+            trials.push(Trial {
+                warnings: if worst == Some(Severity::Error) { f64::INFINITY } else { practice::rank(worst) },
+                flanks: vec![],
+                sections: planets.iter().map(section).collect(),
+                ring: own.ring_diameter(&task).unwrap_or_default(),
+            });
+        }
+        for duty in duties {
+            let of = Self { duty: duty.clone(), ..self.clone() };
+            let (loads, _) = of.loads(self.space.planets[0])?;
+            all.iter_mut().for_each(|layout| layout.loads = Arc::clone(&loads));
+            let mut ratings = Ratings::new(&task, &all);
+            for (layout, trial) in trials.iter_mut().enumerate() {
+                let mut weakest = f64::INFINITY;
+                for mesh in 0..task.meshes.len() {
+                    let place = Place { layout, widths: &[0] };
+                    // Teeth that the standard does not hold for bear nothing.
+                    let safety = ratings.rate(place, mesh, [None; 2])?.map_or(0.0, |rated| {
+                        let flanks = rated.over_duty.iter().flatten().map(|gear| gear.contact.safety);
+                        flanks.fold(f64::INFINITY, f64::min)
+                    });
+                    weakest = weakest.min(safety);
+                }
+                trial.flanks.push(weakest);
+            }
+        }
+        trials.retain(|trial| trial.warnings.is_finite() && trial.flanks.iter().all(|safety| *safety > 0.0));
+        Ok(trials)
+    }
+}
