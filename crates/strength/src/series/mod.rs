@@ -27,6 +27,7 @@
 //! The bound takes flanks from the trial, with room for the factors that change with the
 //! size. It is no proof; a trial of every train on small spaces checks it.
 
+mod bearings;
 mod search;
 mod stage;
 

@@ -1,6 +1,7 @@
 //! A stage of a train: its loads, the bound below its mass, its size.
 
 use super::Order;
+use super::bearings::Bearings;
 use crate::factor::{Side, Symbol};
 use crate::load::load_sharing;
 use crate::tolerance::RIM;
@@ -71,6 +72,10 @@ pub(super) struct Stage {
     placed: Vec<bool>,
     /// Teeth of the smaller gear of the sun mesh.
     smaller: f64,
+    /// Largest bore of the planets, in modules.
+    bore: f64,
+    /// Largest radius of the planets' centres, in modules.
+    radius: f64,
     /// The set at each centre distance.
     tried: Vec<Tried>,
 }
@@ -106,6 +111,7 @@ pub(super) struct Stages<'a> {
     shares: Vec<Option<f64>>,
     modules: Vec<Length>,
     widths: Vec<Length>,
+    bearings: Bearings,
     /// Products of the ratios before a stage for which flanks are tried, ascending.
     products: Vec<f64>,
 }
@@ -134,6 +140,7 @@ impl<'a> Stages<'a> {
             shares: space.planets.iter().map(share).collect(),
             modules: sorted(&space.modules),
             widths: sorted(&space.face_widths),
+            bearings: Bearings::new(order),
             products: speeds.collect(),
         }
     }
@@ -197,9 +204,14 @@ impl<'a> Stages<'a> {
                 ring: (trial.ring / module).si(),
             }
         };
-        let tried: Vec<Tried> = sizing.trials(face, &duties, planets)?.into_iter().map(tried).collect();
+        let trials = sizing.trials(face, &duties, planets)?;
+        let largest = |of: fn(&Trial) -> Length| {
+            trials.iter().map(|trial| (of(trial) / module).si()).fold(0.0, f64::max)
+        };
+        let (bore, radius) = (largest(|trial| trial.bore), largest(|trial| trial.radius));
+        let tried: Vec<Tried> = trials.into_iter().map(tried).collect();
         let placed = planets.iter().map(|planets| is_placed(*planets)).collect();
-        Ok((!tried.is_empty()).then_some(Stage { teeth, ratio, placed, smaller, tried }))
+        Ok((!tried.is_empty()).then_some(Stage { teeth, ratio, placed, smaller, bore, radius, tried }))
     }
 
     /// Every number of planets and module that may hold where the product of the ratios before the stage
@@ -212,10 +224,15 @@ impl<'a> Stages<'a> {
         let planets = planets.filter_map(|(place, ((planets, share), placed))| {
             Some((place, *planets, (*share)?)).filter(|_| *placed)
         });
+        let [sun, planet, ring] = stage.teeth.map(ToothCount::as_f64);
+        let turns = (1.0 - 1.0 / stage.ratio) * sun / (planet * most);
+        let wear = self.bearings.wear(turns);
         planets.flat_map(move |(place, planets, share)| {
             self.modules.iter().filter_map(move |module| {
+                let force = torque * share * (sun + ring) / (stage.radius * module.si() * sun);
+                let least = self.bearings.width(stage.bore * module.si(), force, wear)?;
                 let tried = stage.tried.iter().filter_map(|tried| {
-                    self.at(stage, tried, (place, *module), tried.volumes[speed] * torque * share)
+                    self.at(stage, tried, (place, *module), [tried.volumes[speed] * torque * share, least])
                 });
                 let (bound, width) = tried.min()?;
                 Some(Choice { planets, module: *module, width, bound })
@@ -223,14 +240,15 @@ impl<'a> Stages<'a> {
         })
     }
 
-    /// Bound and narrowest face width of a set at a centre distance whose flanks need a volume.
-    fn at(&self, stage: &Stage, tried: &Tried, (planets, module): (usize, Length), volume: f64) -> Option<(Cost, usize)> {
+    /// Bound and narrowest face width of a set at a centre distance whose flanks need a volume, and whose
+    /// bearings a width.
+    fn at(&self, stage: &Stage, tried: &Tried, (planets, module): (usize, Length), [volume, least]: [f64; 2]) -> Option<(Cost, usize)> {
         let largest = self.order.of_stage.space.largest_ring;
         if largest.is_some_and(|largest| module * tried.ring > largest * (1.0 + RIM)) {
             return None;
         }
         let module = module.si();
-        let width = self.widths.partition_point(|width| width.si() < volume / (module * module));
+        let width = self.widths.partition_point(|width| width.si() < least.max(volume / (module * module)));
         let face = self.widths.get(width)?.si();
         let warnings = tried.warnings + self.of_width(face / (module * stage.smaller))?;
         Some((Cost { warnings, mass: tried.sections[planets] * module * module * face }, width))

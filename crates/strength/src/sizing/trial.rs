@@ -24,6 +24,10 @@ pub(crate) struct Trial {
     pub(crate) sections: Vec<f64>,
     /// Outside diameter of the ring.
     pub(crate) ring: Length,
+    /// Bore of the planets that leaves the least rim.
+    pub(crate) bore: Length,
+    /// Radius of the circle of the planets' centres.
+    pub(crate) radius: Length,
 }
 
 impl Sizing {
@@ -52,6 +56,8 @@ impl Sizing {
                 flanks: vec![],
                 sections: planets.iter().map(section).collect(),
                 ring: own.ring_diameter(&task).unwrap_or_default(),
+                bore: own.modules[0] * bore,
+                radius: own.radii[0],
             });
         }
         for duty in duties {

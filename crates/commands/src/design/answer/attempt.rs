@@ -23,7 +23,7 @@ use uom::si::f64::{AngularVelocity, Torque};
 /// Parts of the tolerance within which all deviations count as equal, in increasing order. The next class is
 /// searched only if no design of a class has sizes. So beyond a tenth of the tolerance, accuracy is never
 /// traded for mass.
-const CLASSES: [f64; 3] = [0.1, 1.0 / 3.0, 1.0];
+pub(super) const CLASSES: [f64; 3] = [0.1, 1.0 / 3.0, 1.0];
 
 /// Tooth numbers and sizes of a scheme.
 pub(super) struct Attempt {

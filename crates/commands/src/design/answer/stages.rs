@@ -1,5 +1,6 @@
 //! Stages in series for one ratio: splits, tooth numbers and sizes chosen together.
 
+use super::attempt::CLASSES;
 use super::basis::Basis;
 use super::making::{Load, MAKING, warnings, with_load};
 use super::records::{BasisKey, SizesStep};
@@ -54,6 +55,8 @@ pub struct Stages {
     pub asked_ratio: f64,
     /// Allowed relative deviation of the ratio.
     pub tolerance: f64,
+    /// Relative deviation within which trains were compared: a part of the tolerance, or all of it.
+    pub searched_tolerance: f64,
     /// Reached ratio; null if no train holds.
     pub ratio: Option<f64>,
     /// Speed of the input in rad/s.
@@ -150,7 +153,18 @@ impl TrainsOf {
 /// # Errors
 /// As of [`size`](SizeRequest::answer), which refer to the unfinished gearbox.
 pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Stages, Error> {
-    let found = search(&order(wanted)?, MOST, goes_on)?;
+    // As for several speeds, accuracy is not traded for mass beyond a tenth of the tolerance.
+    let (mut within, mut found) = (0.0, None);
+    for part in CLASSES {
+        within = part * wanted.tolerance;
+        let of_class = search(&order(wanted, within)?, MOST, goes_on)?;
+        let is_found = of_class.all.iter().any(|trains| !trains.found.is_empty());
+        found = Some(of_class);
+        if is_found || wanted.tolerance == 0.0 {
+            break;
+        }
+    }
+    let found = found.expect("there are classes");
     let mut trains: Vec<TrainsOf> = found.all.iter().map(TrainsOf::of).collect();
     let cost = |of: &TrainsOf| {
         let best = of.best.as_ref()?;
@@ -180,6 +194,7 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
     Ok(Stages {
         asked_ratio: wanted.ratio,
         tolerance: wanted.tolerance,
+        searched_tolerance: within,
         ratio,
         input_speed_rad_s: speed,
         asked_output_speed_rad_s: speed / wanted.ratio,
@@ -195,12 +210,12 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
 }
 
 /// The order as the search takes it.
-fn order(wanted: &WantedStages) -> Result<Order, Error> {
+fn order(wanted: &WantedStages, tolerance: f64) -> Result<Order, Error> {
     // Materials, factors and tools are read from a file, as those of the gearbox will be.
     let making = text(wanted, &[[24, 30, 84]])?;
     let document = Document::parse_one(MAKING, making.as_bytes())?;
     let of_stage = sizing_of(&one(&document, &Choice::default())?, &wanted.size)?;
-    let [less, more] = [1.0 - wanted.tolerance, 1.0 + wanted.tolerance];
+    let [less, more] = [1.0 - tolerance, 1.0 + tolerance];
     Ok(Order {
         stages: wanted.stages.clone(),
         ratio: wanted.ratio * less..=wanted.ratio * more,
