@@ -75,8 +75,8 @@ fn safeties(text: &str) -> Vec<[f64; 2]> {
 
 #[test]
 fn the_saved_file_has_the_safeties_that_were_found() {
-    for minimise in [Objective::Mass, Objective::Ring] {
-        let size = sized(&hoist(), &Request { minimise, ..small() }).unwrap();
+    for minimise in [Objective::Mass, Objective::Ring, Objective::Whole] {
+        let size = sized(&hoist(), &Request { minimise: Some(minimise), ..small() }).unwrap();
         assert_eq!(size.sets.len(), 2);
         assert_eq!((size.not_sized[0].set.as_str(), size.not_sized[0].reason), ("C", Reason::KeysMissing));
         let text = size::saved(&read(&hoist()), &size).unwrap();

@@ -32,6 +32,7 @@ use epicyclic_selection::{Mechanism, Objective, Order, Rating, Signs};
 use epicyclic_strength::factor::Symbol;
 use epicyclic_strength::load::{Floating, load_sharing};
 use epicyclic_strength::series::Teeth;
+use epicyclic_strength::sizing::Objective as MinimisedSize;
 use epicyclic_units::format::trimmed;
 use epicyclic_units::{Number, Physical, Quantity};
 use std::ops::{ControlFlow, RangeInclusive};
@@ -427,6 +428,11 @@ impl Request {
         if !(0.0..1.0).contains(&tolerance) {
             return Err(Failure::invalid("--tolerance", format!("{}: 0 to below 1, or 100 %, is due", self.tolerance)));
         }
+        let minimise = self.sizes.minimise.unwrap_or(MinimisedSize::Whole);
+        if minimise == MinimisedSize::Ring {
+            let message = "stages in series are chosen by a mass, mass or whole; --max-ring bounds their rings";
+            return Err(Failure::invalid("--minimise", message));
+        }
         let bounds = self.teeth([17..=30, 17..=80, 50..=160])?;
         let stages = self.stages.clone().unwrap_or(1..=MOST_STAGES);
         Ok(WantedStages {
@@ -444,7 +450,7 @@ impl Request {
             torque: duty.torque().map_err(refuse_of)?.ok_or(Error::NoLoad).map_err(refuse_of)?,
             overload: self.overload()?,
             basis: self.basis()?,
-            size: self.sizes.clone(),
+            size: SizeRequest { minimise: Some(minimise), ..self.sizes.clone() },
         })
     }
 

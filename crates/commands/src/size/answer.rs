@@ -41,7 +41,7 @@ use epicyclic_train::set::SetKind;
 use epicyclic_units::Physical;
 use epicyclic_units::format::trimmed;
 use layouts::{Families, Making};
-use records::{HeldKey, NotSized, SizedSet, Sought};
+use records::{HeldKey, NotSized, SizedDesign, SizedSet, Sought};
 pub use saved::saved;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -72,6 +72,8 @@ pub struct Size {
     pub designs: u64,
     /// Mass of the best designs of all sets, in kg; null if a set has none.
     pub mass_kg: Option<f64>,
+    /// Mass of the best designs with carriers and housing, by a rule, in kg; null if a set has none.
+    pub whole_kg: Option<f64>,
     /// Sets with their best designs.
     pub sets: Vec<SizedSet>,
     /// Sets that are not sized.
@@ -204,11 +206,12 @@ pub(crate) fn answer(
         life_s: life.si(),
         oil_viscosity_m2_s: viscosity.si(),
         required,
-        minimise: request.minimise,
+        minimise: request.objective(),
         aim: request.aim,
         sought: Sought::of(request),
         designs: sets.iter().map(|set| set.designs).sum(),
         mass_kg: sets.iter().map(|set| Some(set.found.first()?.mass_kg)).sum(),
+        whole_kg: sets.iter().map(|set| set.found.first().map(SizedDesign::whole_kg)).sum(),
         sets,
         not_sized,
         judgement,
@@ -390,7 +393,7 @@ fn task(
         required_root: asked.required.root,
         planet_rim: request.planet_rim.get(),
         ring_rim: request.ring_rim.get(),
-        objective: request.minimise,
+        objective: request.objective(),
         has_stated_shifts: set.set.tooth_shape().shifts.is_some(),
         practice: request.practice(),
     };

@@ -79,9 +79,10 @@ pub struct Request {
     #[arg(long, conflicts_with = "bearings")]
     pub no_bearings: bool,
 
-    /// What is least: the mass of the gears, or the outside diameter of the rings.
-    #[arg(long, value_enum, default_value_t = Objective::Mass)]
-    pub minimise: Objective,
+    /// What is least: the mass of the gears, the outside diameter of the rings, or the mass of the whole with
+    /// carriers and housing, by a rule. Default: mass; of stages in series whole.
+    #[arg(long, value_enum)]
+    pub minimise: Option<Objective>,
 
     /// Rank designs beyond usual practice with all others: wide or narrow gears, much sliding, unusual shifts,
     /// balls under large loads. Without it they come last, and those that practice refuses are left out.
@@ -136,6 +137,11 @@ impl Request {
         let pairs: Vec<Bearing> =
             single.iter().filter(|_| self.bearing_rows > 1).map(Bearing::pair).collect();
         [single, pairs].concat()
+    }
+
+    /// The objective.
+    pub(crate) fn objective(&self) -> Objective {
+        self.minimise.unwrap_or_default()
     }
 
     /// Limits of usual practice, if they count.

@@ -37,6 +37,12 @@ impl AsReport for Size {
                     self.designs
                 )
             }
+            (Some(mass), Objective::Whole) => format!(
+                "about {} with carriers and housing, the lightest of {} designs, gears of {}.",
+                words(Dimension::Mass, self.whole_kg.unwrap_or_default(), 3),
+                self.designs,
+                words(Dimension::Mass, mass, 4)
+            ),
             (Some(mass), Objective::Ring) => format!(
                 "the smallest rings of {} designs, gears of {}.",
                 self.designs,

@@ -15,7 +15,9 @@
 //! the [sizing](crate::sizing).
 //!
 //! # Objective
-//! First the number of warnings by usual practice, then the mass of the gears. Both are sums over the stages.
+//! First the number of warnings by usual practice, then the mass: of the gears, or by
+//! [`Objective::Whole`](crate::sizing::Objective::Whole) of gears, carriers and housing. Both are sums over
+//! the stages.
 //!
 //! # How the best train is found
 //! A stage has a bound below its mass for each torque : the flank of one trial at a middling size
@@ -88,7 +90,7 @@ pub struct Train {
     pub ratio: f64,
     /// Warnings by usual practice of all stages.
     pub warnings: f64,
-    /// Mass of the gears in kg.
+    /// Mass in kg that the objective counts: of the gears, or of the whole.
     pub mass_kg: f64,
 }
 

@@ -1,6 +1,6 @@
 //! Trains in the order of their bounds, until the first are sized in full.
 
-use super::stage::{Cost, Stage, Stages};
+use super::stage::{Cost, Geometries, Stage, Stages};
 use super::{Found, Order, Teeth, Train, Trains};
 use crate::Error;
 use epicyclic_gears::ToothCount;
@@ -51,8 +51,8 @@ pub fn search(order: &Order, most: usize, goes_on: &dyn Fn() -> ControlFlow<()>)
     }
     sets.sort_by(|one, other| one.ratio.total_cmp(&other.ratio));
     let table = Table::new(&stages, &sets, *order.stages.end());
-    let (in_range, exact) = (HashMap::new(), HashMap::new());
-    let mut search = Search { stages, sets, table, count: 1, in_range, exact, sized: 0, goes_on };
+    let (in_range, exact, geometries) = (HashMap::new(), HashMap::new(), HashMap::new());
+    let mut search = Search { stages, sets, table, count: 1, in_range, exact, geometries, sized: 0, goes_on };
     let mut all = vec![];
     for count in order.stages.clone().filter(|count| *count > 0) {
         search.count = count;
@@ -182,6 +182,7 @@ struct Search<'a> {
     in_range: HashMap<(usize, usize), Option<Cost>>,
     /// Cost of a set behind a product, in bits.
     exact: HashMap<(usize, u64), Option<Cost>>,
+    geometries: Geometries,
     sized: u64,
     goes_on: &'a dyn Fn() -> ControlFlow<()>,
 }
@@ -255,10 +256,10 @@ impl Search<'_> {
         let stage = &self.sets[set];
         let of = range(before);
         if known == Known::Tried && of > 0 {
-            let cost = self.stages.size(stage, ends(of), self.goes_on)?;
+            let cost = self.stages.size(stage, ends(of), &mut self.geometries, self.goes_on)?;
             self.in_range.insert((set, of), cost);
         } else {
-            let cost = self.stages.size(stage, [before; 2], self.goes_on)?;
+            let cost = self.stages.size(stage, [before; 2], &mut self.geometries, self.goes_on)?;
             self.exact.insert((set, before.to_bits()), cost);
         }
         Ok(())

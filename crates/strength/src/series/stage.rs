@@ -6,13 +6,15 @@ use crate::factor::{Side, Symbol};
 use crate::load::load_sharing;
 use crate::tolerance::RIM;
 use crate::sizing::trial::Trial;
-use crate::sizing::{Design, SetOverload, SetStep, Sizing, Space, size};
+use crate::sizing::{Design, Layout, Objective, SetOverload, SetStep, Sizing, Space, structure};
 use crate::{Error, Quantity};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_judge::{Limits, Rule, Severity};
 use epicyclic_units::Physical;
 use std::cmp::Ordering;
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::ops::{Add, ControlFlow};
 use uom::si::f64::Length;
 
@@ -36,7 +38,7 @@ const BETWEEN_SPEEDS: f64 = 4.0;
 pub(super) struct Cost {
     /// Warnings by usual practice.
     pub(super) warnings: f64,
-    /// Mass of the gears, kg.
+    /// Mass that the objective counts, kg.
     pub(super) mass: f64,
 }
 
@@ -251,7 +253,9 @@ impl<'a> Stages<'a> {
         let width = self.widths.partition_point(|width| width.si() < least.max(volume / (module * module)));
         let face = self.widths.get(width)?.si();
         let warnings = tried.warnings + self.of_width(face / (module * stage.smaller))?;
-        Some((Cost { warnings, mass: tried.sections[planets] * module * module * face }, width))
+        let gears = tried.sections[planets] * module * module * face;
+        let mass = self.order.of_stage.objective.mass(gears, structure(tried.ring * module, face));
+        Some((Cost { warnings, mass }, width))
     }
 
     /// Warnings of a face that is too wide; `None` where practice refuses it. One that is too narrow may
@@ -278,39 +282,46 @@ impl<'a> Stages<'a> {
         &self,
         stage: &Stage,
         before: [f64; 2],
+        known: &mut Geometries,
         goes_on: &dyn Fn() -> ControlFlow<()>,
     ) -> Result<Option<Cost>, Error> {
         let mut choices: Vec<Choice> = self.choices(stage, before).collect();
         choices.sort_by(|one, other| one.bound.cmp(&other.bound));
         let (duty, overloads) = self.loads(stage.ratio, before);
+        let of_stage = &self.order.of_stage;
+        let mut sizing = Sizing { teeth: stage.teeth, duty, overloads, ..of_stage.clone() };
         let mut best: Option<Cost> = None;
         for choice in choices {
             if best.is_some_and(|best| best <= choice.bound) {
                 break;
             }
-            let space = Space {
-                modules: vec![choice.module],
-                planets: vec![choice.planets],
-                face_widths: self.widths[choice.width..].to_vec(),
-                ..self.order.of_stage.space.clone()
+            sizing.space.modules = vec![choice.module];
+            sizing.space.planets = vec![choice.planets];
+            sizing.space.face_widths = self.widths[choice.width..].to_vec();
+            let key = (stage.teeth, choice.planets, choice.module.si().to_bits());
+            let geometries = match known.entry(key) {
+                Entry::Occupied(known) => known.into_mut(),
+                Entry::Vacant(place) => place.insert(sizing.geometries(goes_on)?),
             };
-            let sizing = Sizing {
-                teeth: stage.teeth,
-                duty: duty.clone(),
-                overloads: overloads.clone(),
-                space,
-                ..self.order.of_stage.clone()
+            let cost = |design: Design| Cost {
+                warnings: if design.is_usual { 0.0 } else { 1.0 },
+                mass: of_stage.objective.mass(design.mass.si(), design.structure.si()),
             };
-            match size(&sizing, 1, goes_on) {
-                Ok(found) => best = found.found.first().map(cost).into_iter().chain(best).min(),
-                Err(Error::NothingToSearch { .. }) => {}
-                Err(error) => return Err(error),
-            }
+            best = sizing.best_of(geometries, goes_on)?.map(cost).into_iter().chain(best).min();
         }
         Ok(best)
     }
 }
 
-fn cost(design: &Design) -> Cost {
-    Cost { warnings: if design.is_usual { 0.0 } else { 1.0 }, mass: design.mass.si() }
+/// Layouts by teeth, number of planets and module, in bits.
+pub(super) type Geometries = HashMap<([ToothCount; 3], u32, u64), Vec<Layout>>;
+
+impl Objective {
+    /// Mass that counts; of the ring, which does not add up over stages, that of the gears.
+    fn mass(self, gears: f64, structure: f64) -> f64 {
+        match self {
+            Self::Mass | Self::Ring => gears,
+            Self::Whole => gears + structure,
+        }
+    }
 }

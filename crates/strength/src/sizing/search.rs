@@ -77,7 +77,8 @@ pub fn search(
         if design.governing.ratio() >= 1.0 {
             // It waits until no other design can be better.
             let worst = if design.is_usual { None } else { Some(Severity::Warning) };
-            let key = search.objectives(worst, design.mass, design.ring_diameter);
+            let widths = search.widths(&next.widths);
+            let key = search.objectives(worst, next.layout, design.mass.si(), &widths);
             heap.push(Reverse(Candidate { objectives: key, design: Some(Box::new(design)), ..next }));
             continue;
         }
@@ -154,6 +155,8 @@ pub(super) struct Masses {
     /// Reference diameter of the smallest sun of each family, or of its smallest gear, m.
     diameters: Vec<f64>,
     ring: Option<Length>,
+    /// Diameter of the ring, or of the largest gear, m.
+    largest: f64,
 }
 
 impl Masses {
@@ -166,6 +169,7 @@ impl Masses {
             largest_bore: vec![],
             diameters: (0..families).map(|family| smallest(task, layout, family)).collect(),
             ring: layout.ring_diameter(task),
+            largest: largest(task, layout),
         };
         for (place, gear) in layout.gears.iter().enumerate() {
             let sized = &task.gears[place];
@@ -201,11 +205,22 @@ impl Masses {
         by_width(&self.solid) - f64::from(planets) * bored
     }
 
+    /// Mass of carrier and housing, kg.
+    fn structure(&self, widths: &[f64]) -> f64 {
+        super::structure(self.largest, widths.iter().sum())
+    }
+
     /// Mass of a planet, kg.
     fn planet(&self, planet: usize, bore: f64, widths: &[f64]) -> f64 {
         let own = self.planets[planet].iter().zip(&self.bored[planet]).zip(widths);
         own.map(|((solid, density), width)| width * (solid - FRAC_PI_4 * bore * bore * density)).sum()
     }
+}
+
+/// Outside diameter of the ring in m; without a ring tip diameter of the largest gear.
+fn largest(task: &Task, layout: &Layout) -> f64 {
+    let tips = || layout.gears.iter().enumerate().map(|(place, gear)| gear.tip_diameter() * layout.module(task, place).si());
+    layout.ring_diameter(task).map_or_else(|| tips().fold(0.0, f64::max), Physical::si)
 }
 
 /// Reference diameter in m of the smallest sun of a family, or of its smallest gear.
@@ -249,11 +264,13 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn objectives(&self, worst: Option<Severity>, mass: Mass, ring: Option<Length>) -> [f64; 3] {
-        let (rank, ring) = (practice::rank(worst), ring.map_or(0.0, Physical::si));
+    fn objectives(&self, worst: Option<Severity>, layout: usize, gears: f64, widths: &[f64]) -> [f64; 3] {
+        let masses = &self.masses[layout];
+        let (rank, ring) = (practice::rank(worst), masses.ring.map_or(0.0, Physical::si));
         match self.task.objective {
-            Objective::Mass => [rank, mass.si(), ring],
-            Objective::Ring => [rank, ring, mass.si()],
+            Objective::Mass => [rank, gears, ring],
+            Objective::Ring => [rank, ring, gears],
+            Objective::Whole => [rank, gears + masses.structure(widths), gears],
         }
     }
 
@@ -269,7 +286,7 @@ impl Search<'_> {
         let lengths = self.widths(&widths);
         let mass = masses.all(self.layouts[layout].planets, bores, &lengths);
         let (worst, is_followed) = self.worst(layout, &lengths);
-        let objectives = self.objectives(worst, Mass::from_si(mass), masses.ring);
+        let objectives = self.objectives(worst, layout, mass, &lengths);
         let one = Candidate { objectives, layout, widths, is_followed, design: None };
         if is_followed {
             all.extend(self.wider(&one));
@@ -387,6 +404,7 @@ impl Search<'_> {
         Ok(Some(Design {
             is_usual,
             mass: Mass::from_si(masses.all(own.planets, planets.iter().map(bore), &widths)),
+            structure: Mass::from_si(masses.structure(&widths)),
             ring_diameter: masses.ring,
             rims: (0..own.gears.len()).map(rim).collect(),
             width_ratios: widths.iter().zip(&masses.diameters).map(ratio).collect(),

@@ -2,7 +2,7 @@
 
 use super::search::search;
 use super::task::{
-    Body, Layout, MeshLoads, PlanetStep, SizedGear, SizedMesh, SizedPlanet, StaticDemand, Task,
+    Body, Design, Layout, MeshLoads, PlanetStep, SizedGear, SizedMesh, SizedPlanet, StaticDemand, Task,
 };
 use super::{Found, Objective, Space, Tried};
 use crate::checks::{not_negative, positive};
@@ -195,11 +195,10 @@ impl Sizing {
     }
 
     /// Forces on the bearing of a planet, by the formulas of the [module](super).
-    fn bearing_loads(&self, set: &PlanetSet, module: Length) -> Vec<PlanetStep> {
+    fn bearing_loads(&self, planets: u32, radius: Length, pairs: [&Pair; 2]) -> Vec<PlanetStep> {
         let [sun, planet, ring] = self.teeth.map(ToothCount::as_f64);
-        let each = f64::from(set.planets()) * set.centre_distance() * module.si() * sun;
-        let [outer, inner] =
-            [set.sun_mesh(), set.ring_mesh()].map(|pair| libm::tan(pair.working_angle_rad()));
+        let each = f64::from(planets) * radius.si() * sun;
+        let [outer, inner] = pairs.map(|pair| libm::tan(pair.working_angle_rad()));
         let step = |step: &SetStep| {
             let torque = step.sun_torque.si().abs();
             let [first, second] = [sun + planet, ring - planet].map(|teeth| torque * teeth / each);
@@ -212,6 +211,30 @@ impl Sizing {
             }
         };
         self.duty.iter().map(step).collect()
+    }
+
+    /// Layouts with one module and number of planets, whose gears are those of this set whatever its loads.
+    pub(crate) fn geometries(&self, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Vec<Layout>, Error> {
+        let modules_mm = sorted(&self.space.modules);
+        Ok(layouts(self, &modules_mm, &self.general(self.space.face_widths.clone()), goes_on)?.0)
+    }
+
+    /// The best design of layouts that have the gears of this set, under its own loads.
+    pub(crate) fn best_of(
+        &self,
+        geometries: &[Layout],
+        goes_on: &dyn Fn() -> ControlFlow<()>,
+    ) -> Result<Option<Design>, Error> {
+        let Some(first) = geometries.first() else { return Ok(None) };
+        let (loads, _) = self.loads(first.planets)?;
+        let loaded = |own: &Layout| Layout {
+            loads: Arc::clone(&loads),
+            bearing_loads: vec![self.bearing_loads(own.planets, own.radii[0], [&own.pairs[0], &own.pairs[1]])],
+            ..own.clone()
+        };
+        let layouts: Vec<Layout> = geometries.iter().map(loaded).collect();
+        let task = self.general(self.space.face_widths.clone());
+        Ok(search(&task, &layouts, Tried::default(), 1, goes_on)?.found.into_iter().next())
     }
 }
 
@@ -377,7 +400,11 @@ pub(super) fn layouts(
                         is_aim_met,
                         loads: Arc::clone(loads),
                         sharing: *sharing,
-                        bearing_loads: vec![task.bearing_loads(&set, module)],
+                        bearing_loads: vec![task.bearing_loads(
+                            planets,
+                            module * set.centre_distance(),
+                            [set.sun_mesh(), set.ring_mesh()],
+                        )],
                     }),
                     Err(Some(fault)) => tried.leave_out(&fault, designs),
                     Err(None) => tried.left_out.geometry += designs,

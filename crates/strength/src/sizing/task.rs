@@ -294,6 +294,8 @@ pub struct Design {
     pub ring_diameter: Option<Length>,
     /// Mass of all gears.
     pub mass: Mass,
+    /// Mass of carrier and housing, by a [rule](super::structure).
+    pub structure: Mass,
     /// Ratings of the meshes over the duty; `None` of a mesh that the duty does not load.
     pub meshes: Vec<Option<[GearDuty<Worn>; 2]>>,
     /// The overload requirement that is met least; `None` where no overload loads the set.

@@ -179,6 +179,7 @@ impl Tried {
         let objective = match self.size.minimise {
             Objective::Mass => self.size.mass_kg,
             Objective::Ring => rings.reduce(f64::max),
+            Objective::Whole => self.size.whole_kg,
         };
         objective.filter(|_| self.is_whole()).unwrap_or(f64::INFINITY)
     }

@@ -18,9 +18,6 @@ use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
 use uom::si::f64::{AngularVelocity, Torque};
 
-/// Mass by which the gears of a train must be lighter for each stage that it has more.
-const SAVING: f64 = 0.2;
-
 /// Trains of each number of stages that are searched: the best and the next.
 const MOST: usize = 2;
 
@@ -113,7 +110,7 @@ pub struct TrainOfStages {
     pub ratio: f64,
     /// Warnings by usual practice of all stages.
     pub beyond_practice: f64,
-    /// Mass of the gears in kg.
+    /// Mass in kg that decides: of gears, carriers and housing by a rule, or of the gears.
     pub mass_kg: f64,
 }
 
@@ -168,8 +165,7 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
     let mut trains: Vec<TrainsOf> = found.all.iter().map(TrainsOf::of).collect();
     let cost = |of: &TrainsOf| {
         let best = of.best.as_ref()?;
-        // A stage more has a carrier, bearings and a housing of its own.
-        Some((best.beyond_practice, best.mass_kg * libm::pow(1.0 + SAVING, of.stages as f64)))
+        Some((best.beyond_practice, best.mass_kg))
     };
     let taken = (0..trains.len()).filter(|place| cost(&trains[*place]).is_some()).min_by(|one, other| {
         let [one, other] = [one, other].map(|place| cost(&trains[*place]).unwrap_or_default());

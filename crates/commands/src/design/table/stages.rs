@@ -11,9 +11,6 @@ use crate::table::report::{AsReport, Part, Records, Report, Row, Section, warned
 use epicyclic_units::Dimension;
 use epicyclic_units::format::trimmed;
 
-/// Share that gears usually have of the mass of a gearbox.
-const SHARE_OF_GEARS: [f64; 2] = [0.45, 0.25];
-
 impl AsReport for Stages {
     fn report(&self) -> Report {
         let mut parts = parts_of_stages(self);
@@ -24,7 +21,7 @@ impl AsReport for Stages {
 
 /// What was asked and reached, the trains, and assumed values.
 pub(crate) fn parts_of_stages(stages: &Stages) -> Vec<Part> {
-    vec![Part::Facts(asked(stages)), Part::Records(trains(&stages.trains)), Part::Records(basis(&stages.basis))]
+    vec![Part::Facts(asked(stages)), Part::Records(trains(&stages.trains)), Part::Records(searched(stages)), Part::Records(basis(&stages.basis))]
 }
 
 /// The train with its ratio, ring, mass, least safeties and life.
@@ -42,11 +39,8 @@ pub(crate) fn in_short(stages: &Stages) -> String {
     let mut all = vec![format!("{count}, i = {} (asked {asked})", trimmed(ratio, DIGITS))];
     let rings = found.iter().filter_map(|design| design.ring_diameter_m);
     all.extend(rings.reduce(f64::max).map(|ring| format!("ring {}", words(Dimension::Length, ring, DIGITS))));
-    if let Some(mass) = sizes.mass_kg {
-        let [least, most] = SHARE_OF_GEARS.map(|share| trimmed(mass / share, 2));
-        all.push(format!("gears {}", words(Dimension::Mass, mass, DIGITS)));
-        all.push(format!("whole about {least} to {most} kg"));
-    }
+    all.extend(sizes.mass_kg.map(|mass| format!("gears {}", words(Dimension::Mass, mass, 3))));
+    all.extend(sizes.whole_kg.map(|mass| format!("whole about {}", words(Dimension::Mass, mass, 2))));
     let gears = || found.iter().flat_map(|design| &design.over_duty);
     let least = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::min);
     all.extend(least(&mut gears().map(|gear| gear.flank.safety)).map(|of| format!("least S_H {}", trimmed(of, 3))));
@@ -101,14 +95,24 @@ fn trains(all: &[TrainsOf]) -> Records {
             None => "none holds".to_owned(),
         })
         .number("ratio", "i", |(_, train, _)| train.map(|train| train.ratio))
-        .quantity("mass", "gears", Dimension::Mass, |(_, train, _)| train.map(|train| train.mass_kg))
+        .quantity("mass", "mass", Dimension::Mass, |(_, train, _)| train.map(|train| train.mass_kg))
         .number("beyond_practice", "warnings", |(_, train, _)| train.map(|train| train.beyond_practice))
-        .number("compared", "trains", |(of, ..)| of.compared as f64)
-        .number("sized", "stages sized", |(of, ..)| of.sized as f64)
-        .words("complete", "all compared", |(of, ..)| if of.complete { "yes" } else { "no" })
         .view("The best trains of each number of stages", "stages taken teeth ratio mass beyond_practice")
-        .view("How they were found", "stages teeth compared sized complete")
-        .note("Warnings by usual practice count first, then the mass of the gears. Another stage must make the gears a fifth lighter; --stages decides otherwise. Trains with a bound above the best mass are not sized.")
+        .note(
+            "Fewer warnings by usual practice come first, then less mass: of gears, carriers and housing by a rule, \
+             or what --minimise says. --stages decides otherwise.",
+        )
         .the_answer()
+        .records()
+}
+
+fn searched(stages: &Stages) -> Records {
+    Table::new("searched", stages.trains.iter())
+        .number("stages", "stages", |of| of.stages as f64)
+        .number("compared", "trains", |of| of.compared as f64)
+        .number("sized", "stages sized", |of| of.sized as f64)
+        .words("complete", "all compared", |of| if of.complete { "yes" } else { "no" })
+        .view("How they were found", "stages compared sized complete")
+        .note("trains: within the part of the tolerance that gave any. A stage is sized only where a bound below its mass leaves it a chance.")
         .records()
 }

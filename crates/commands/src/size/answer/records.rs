@@ -311,6 +311,8 @@ pub struct SizedDesign {
     pub ring_diameter_m: Option<f64>,
     /// Mass of all gears of the set, in kg.
     pub mass_kg: f64,
+    /// Mass of carrier and housing in kg, by a rule.
+    pub structure_kg: f64,
     /// Damage and safety of each gear of each mesh that the duty loads.
     pub over_duty: Vec<SizedGear>,
     /// Requirement with the least margin against the overloads of the file; null if none loads the set.
@@ -320,6 +322,12 @@ pub struct SizedDesign {
 }
 
 impl SizedDesign {
+    /// Mass with carrier and housing, in kg.
+    #[must_use]
+    pub fn whole_kg(&self) -> f64 {
+        self.mass_kg + self.structure_kg
+    }
+
     fn of((set, families): Of<'_>, design: &Design) -> Self {
         let layout = &design.layout;
         let own = |family: usize| (0..families.of.len()).filter(move |gear| families.of[*gear] == family);
@@ -376,6 +384,7 @@ impl SizedDesign {
             usual: design.is_usual,
             ring_diameter_m: design.ring_diameter.map(Physical::si),
             mass_kg: design.mass.si(),
+            structure_kg: design.structure.si(),
             over_duty: over_duty.flatten().collect(),
             overload: design.overload.as_ref().map(|one| Governing::of((set, families), one)),
             governing: Governing::of((set, families), &design.governing),
