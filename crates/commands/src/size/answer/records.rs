@@ -298,7 +298,7 @@ pub struct SizedDesign {
     pub gears: Vec<SizedTeeth>,
     /// Whether the aim of the profile shifts is met; otherwise it is met only as far as the limits allow.
     pub aim_met: bool,
-    /// Whether shifts, sliding, tips, widths and bearings keep to usual practice; true where it does not count.
+    /// Whether gears, widths, speeds and bearings keep to usual practice; true where it does not count.
     pub usual: bool,
     /// Planets of each kind; none for a pair.
     pub planet_sizes: Vec<SizedPlanet>,
@@ -368,7 +368,7 @@ impl SizedDesign {
             gears: layout.gears.iter().enumerate().map(teeth).collect(),
             aim_met: layout.is_aim_met,
             planet_sizes: design.planets.iter().enumerate().map(planet).collect(),
-            usual: design.is_usual,
+            usual: design.rules_missed == 0,
             ring_diameter_m: design.ring_diameter.map(Physical::si),
             mass_kg: design.mass.si(),
             over_duty: over_duty.flatten().collect(),
