@@ -1,6 +1,10 @@
 //! The judgement of files: no rule is left out in silence.
 
-#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests, which clippy does not know for such"
+)]
 
 use epicyclic_commands::analyze::request::overview;
 use epicyclic_commands::shared::gearbox::Gearbox;
