@@ -10,6 +10,7 @@ use epicyclic_commands::analyze::answer::shifts::Shifts;
 use epicyclic_commands::answer::{schema, schema_of_file};
 use epicyclic_commands::compare::answer::Comparison;
 use epicyclic_commands::design::answer::Design;
+use epicyclic_commands::design::answer::stages::Stages;
 use epicyclic_commands::desk::Call;
 use epicyclic_commands::draw::answer::Drawing;
 use epicyclic_commands::drive::answer::Drive;
@@ -124,6 +125,8 @@ enum Of {
     AnswerSize,
     /// The answer of `epicyclic design`.
     AnswerDesign,
+    /// The answer of `epicyclic design` for one ratio.
+    AnswerDesignStages,
     /// The answer of `epicyclic losses`.
     AnswerLosses,
     /// The answer of `epicyclic losses` with a map.
@@ -191,6 +194,7 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         Of::AnswerSheet => schema::<DataSheets>(),
         Of::AnswerSize => schema::<Size>(),
         Of::AnswerDesign => schema::<Design>(),
+        Of::AnswerDesignStages => schema::<Stages>(),
         Of::AnswerLosses => schema::<Losses>(),
         Of::AnswerLossesMap => schema::<LossMap>(),
         Of::AnswerSimulate => schema::<Simulation>(),

@@ -116,6 +116,6 @@ pub(crate) const RESTS: f64 = 1e-12;
 /// The least backlash of a mesh is below 0 where it is below this, m: less prints as 0.
 pub(crate) const PRESSED_M: f64 = 5e-7;
 
-/// Room up to a limit below which a value lies on the limit by choice, not near it by chance: a factor that is
-/// stated as the usual one, gears without shift.
+/// Part of a limit below whose distance a value lies on the limit by choice, not near it by chance: a rim that
+/// is stated as the usual one.
 pub(crate) const APART: f64 = 1e-6;

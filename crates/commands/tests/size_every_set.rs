@@ -8,6 +8,7 @@
 )]
 
 use epicyclic_commands::shared::gearbox::Gearbox;
+use epicyclic_commands::shared::judgement::answer::Judged;
 use epicyclic_commands::size::answer::records::SizedDesign;
 use epicyclic_commands::size::{self, Request, Size};
 use epicyclic_commands::strength;
@@ -18,6 +19,7 @@ use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::profile::Cutting;
 use epicyclic_gears::involute::tool::{Shaper, Tool};
 use epicyclic_gears::involute::{InvoluteGear, Pair, Profile};
+use epicyclic_judge::{Rule, Severity};
 use epicyclic_strength::material;
 use epicyclic_strength::sizing::bearing::{Bearing, listed};
 use std::ops::ControlFlow;
@@ -160,6 +162,64 @@ fn the_saved_file_of_every_kind_has_what_was_found() {
             );
         }
     }
+}
+
+/// A design is usual if and only if its file misses none of the rules that follow from sizes.
+#[test]
+fn a_usual_design_has_no_warning_of_its_sizes() {
+    let of_sizes = [
+        Rule::FaceWidth,
+        Rule::FaceLoad,
+        Rule::SpecificSliding,
+        Rule::SunShift,
+        Rule::PlanetShift,
+        Rule::RingShift,
+        Rule::GearShift,
+        Rule::ShiftSum,
+        Rule::ExternalAngle,
+        Rule::InternalAngle,
+        Rule::HardenedTips,
+        Rule::SpurContact,
+        Rule::HelicalContact,
+        Rule::RootClearance,
+        Rule::RingRim,
+        Rule::PlanetRim,
+        Rule::NeighbourGap,
+        Rule::NeighbourGapLength,
+        Rule::PinSpeed,
+        Rule::FullPinSpeed,
+        Rule::OrbitAcceleration,
+        Rule::NeedleAcceleration,
+        Rule::SpurSpeed,
+        Rule::HelicalSpeed,
+        Rule::BearingStaticSafety,
+        Rule::BallLoad,
+        Rule::BearingLeastLoad,
+        Rule::LoadSharing,
+    ];
+    let is_of_sizes = |name: &str| of_sizes.iter().any(|rule| rule.name() == name);
+    let peak = "overload: [{ gear: '1', torque: 90 N·m }]\n";
+    let mut seen = [0; 2];
+    for text in every_kind() {
+        // Slow and fast, with wide gears, with a factor for narrow ones, against an overload.
+        let texts = [
+            text.clone(),
+            text.replace("speed: 1500 rpm", "speed: 12000 rpm"),
+            text.replace("K_H_beta: 1.2", "K_H_beta: 1.05"),
+            text.clone() + peak,
+        ];
+        let narrow = Request { face_widths: Some("6 mm, 10 mm".parse().unwrap()), ..small() };
+        for (text, request) in texts.iter().map(|text| (text, small())).chain([(&text, narrow)]) {
+            let size = sized(text, &request);
+            let Some(best) = size.sets[0].found.first() else { continue };
+            let misses = |check: &&Judged| !check.holds && check.severity > Severity::Remark;
+            let missed: Vec<&Judged> = size.judgement.checks.iter().filter(misses).collect();
+            let own: Vec<&&Judged> = missed.iter().filter(|check| is_of_sizes(check.name)).collect();
+            assert_eq!(best.usual, own.is_empty(), "{own:?} {text}");
+            seen[usize::from(best.usual)] += 1;
+        }
+    }
+    assert!(seen.iter().all(|count| *count > 2), "{seen:?}");
 }
 
 /// A saved file, sized again, has the design that it was saved with.

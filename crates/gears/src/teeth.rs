@@ -51,7 +51,8 @@ impl ToothCount {
 }
 
 /// Greatest common divisor.
-pub(crate) fn gcd(a: u64, b: u64) -> u64 {
+#[must_use]
+pub fn gcd(a: u64, b: u64) -> u64 {
     if b == 0 { a } else { gcd(b, a % b) }
 }
 

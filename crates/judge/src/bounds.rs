@@ -41,8 +41,7 @@ impl Range {
     }
 
     /// Distance from the nearest end, over the width of the range, or over its only end; below 0 outside.
-    #[must_use]
-    pub fn room(self, value: f64) -> f64 {
+    fn room(self, value: f64) -> f64 {
         let ends = [value - self.least, self.most - value];
         if value.is_nan() {
             return f64::NEG_INFINITY;

@@ -11,7 +11,7 @@ use strum::VariantArray;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, VariantArray, strum::IntoStaticStr, strum::EnumString)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Rule {
-    /// Face width over the reference diameter of the smaller gear of an external mesh.
+    /// Face width over the reference diameter of the smaller gear of a mesh.
     FaceWidth,
     /// Greatest specific sliding of a mesh, by amount.
     SpecificSliding,
@@ -59,7 +59,7 @@ pub enum Rule {
     SpurSpeed,
     /// Pitch-line speed of helical gears, in m/s.
     HelicalSpeed,
-    /// Life of a planet bearing over the required life.
+    /// Life of a planet bearing, in h.
     BearingLife,
     /// Static safety of a planet bearing.
     BearingStaticSafety,
@@ -71,13 +71,13 @@ pub enum Rule {
     DynamicFactor,
     /// Distance of the reference speed `N` from resonance at 1.
     Resonance,
-    /// Load sharing factor `K_γ`, over the usual one of the number of planets.
+    /// Load sharing factor `K_γ`.
     LoadSharing,
-    /// Face load factor `K_Hβ`, over the usual one of the width ratio.
+    /// Face load factor `K_Hβ`.
     FaceLoad,
-    /// Safety of a flank over the required one.
+    /// Safety of a flank.
     FlankSafety,
-    /// Safety of a root over the required one.
+    /// Safety of a root.
     RootSafety,
     /// Circulating power over the power that enters.
     CirculatingPower,
@@ -125,16 +125,16 @@ impl Rule {
                 "acceleration of the planets about the axis"
             }
             Self::SpurSpeed | Self::HelicalSpeed => "pitch-line speed",
-            Self::BearingLife => "bearing life over the required life",
+            Self::BearingLife => "bearing life",
             Self::BearingStaticSafety => "static safety of the bearing",
             Self::BallLoad => "load of a ball bearing",
             Self::BearingLeastLoad => "equivalent load of the bearing over its load rating",
             Self::DynamicFactor => "dynamic factor K_v",
             Self::Resonance => "distance of the reference speed N from 1",
-            Self::LoadSharing => "load sharing factor over the usual one",
-            Self::FaceLoad => "face load factor K_H_beta over the usual one",
-            Self::FlankSafety => "safety of the flank over the required one",
-            Self::RootSafety => "safety of the root over the required one",
+            Self::LoadSharing => "load sharing factor K_gamma",
+            Self::FaceLoad => "face load factor K_H_beta",
+            Self::FlankSafety => "safety of the flank",
+            Self::RootSafety => "safety of the root",
             Self::CirculatingPower => "circulating power over the power that enters",
             Self::StageEfficiency => "efficiency of a stage",
             Self::OilTemperature => "oil temperature",
@@ -158,12 +158,13 @@ impl Rule {
             Self::OrbitAcceleration | Self::NeedleAcceleration => "g",
             Self::SpurSpeed | Self::HelicalSpeed => "m/s",
             Self::BallLoad => "kN",
+            Self::BearingLife => "h",
             Self::OilTemperature => "°C",
             _ => "",
         }
     }
 
-    /// The usual bounds. Rules whose limit is a value of the gearbox compare the value over its limit with 1.
+    /// The usual bounds; open where the limit [follows from the gearbox](Self::own_limit).
     #[must_use]
     pub const fn bounds(self) -> Bounds {
         use Bounds as Of;
@@ -203,14 +204,54 @@ impl Rule {
             Self::BearingLeastLoad => Of::of(Warning, Range::at_least(0.02)),
             Self::DynamicFactor => Of::of(Warning, Range::at_most(1.3)).and(Error, Range::at_most(2.0)),
             Self::Resonance => Of::of(Warning, Range::at_least(0.15)),
-            Self::LoadSharing | Self::FaceLoad => Of::of(Warning, Range::at_least(1.0)),
-            Self::BearingLife | Self::FlankSafety | Self::RootSafety => Of::of(Error, Range::at_least(1.0)),
             Self::CirculatingPower => Of::of(Warning, Range::at_most(0.5)),
             Self::StageEfficiency => {
                 Of::of(Remark, Range::at_least(0.97)).and(Warning, Range::at_least(0.95))
             }
             Self::OilTemperature => Of::of(Warning, Range::at_most(90.0)).and(Error, Range::at_most(110.0)),
-            Self::Scuffing | Self::Micropitting => none,
+            Self::BearingLife
+            | Self::LoadSharing
+            | Self::FaceLoad
+            | Self::FlankSafety
+            | Self::RootSafety
+            | Self::Scuffing
+            | Self::Micropitting => none,
+        }
+    }
+
+    /// Severity of a value below the limit, and that limit in words, where it follows from the gearbox.
+    #[must_use]
+    pub const fn own_limit(self) -> Option<(crate::Severity, &'static str)> {
+        match self {
+            Self::BearingLife => Some((Error, "the required life")),
+            Self::FlankSafety | Self::RootSafety => Some((Error, "the required safety")),
+            Self::LoadSharing => Some((Warning, "the usual factor of the number of planets")),
+            Self::FaceLoad => Some((Warning, "1 + 0.4·(b/d_1)²")),
+            _ => None,
+        }
+    }
+
+    /// Whether the ratio of value and limit says how much is left.
+    #[must_use]
+    pub const fn has_margin(self) -> bool {
+        match self {
+            // Chosen by the designer, often 0 or at an end of the range on purpose; a divisor only counts.
+            Self::SunShift
+            | Self::PlanetShift
+            | Self::RingShift
+            | Self::GearShift
+            | Self::ShiftSum
+            | Self::ExternalAngle
+            | Self::InternalAngle
+            | Self::HuntingTooth => false,
+            // Stated values, not results.
+            Self::LoadSharing | Self::FaceLoad => false,
+            // Near 1 in every gearbox, however good or bad.
+            Self::StageEfficiency | Self::DynamicFactor => false,
+            // 0 °C is an arbitrary zero.
+            Self::OilTemperature => false,
+            Self::Scuffing | Self::Micropitting => false,
+            _ => true,
         }
     }
 

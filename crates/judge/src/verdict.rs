@@ -16,8 +16,6 @@ pub struct Verdict {
     pub severity: Option<Severity>,
     /// Worst severity that the rule has.
     pub worst: Severity,
-    /// Distance from the limit, over the width of the allowed range, or over its only end; below 0 of a miss.
-    pub room: f64,
 }
 
 impl Verdict {
@@ -28,14 +26,22 @@ impl Verdict {
             Some((severity, limit)) => (Some(severity), limit),
             None => (None, required.nearest_end(value)),
         };
-        let room = required.room(value);
-        Self { rule, value, limit, severity, worst: worst.unwrap_or(Severity::Remark), room }
+        Self { rule, value, limit, severity, worst: worst.unwrap_or(Severity::Remark) }
     }
 
     /// Whether the value holds.
     #[must_use]
     pub const fn holds(&self) -> bool {
         self.severity.is_none()
+    }
+
+    /// How far a value that holds is from its limit: the larger of value and limit over the smaller, 1 at the
+    /// limit; `None` of rules whose ratio says nothing, and of values and limits that are not above 0.
+    #[must_use]
+    pub fn margin(&self) -> Option<f64> {
+        let ratio = self.value / self.limit;
+        let is_known = self.holds() && self.rule.has_margin() && self.value > 0.0 && self.limit > 0.0;
+        Some(ratio.max(1.0 / ratio)).filter(|ratio| is_known && ratio.is_finite())
     }
 
     /// The verdict of a value that is stated on purpose: errors become this severity.
@@ -102,6 +108,14 @@ impl Limits {
         self.judge_by(rule, rule.bounds(), value)
     }
 
+    /// Judges a value by the least one that the gearbox allows, for rules with an
+    /// [own limit](Rule::own_limit); others know no such value and hold.
+    #[must_use]
+    pub fn judge_least(&self, rule: Rule, least: f64, value: f64) -> Verdict {
+        let bounds = rule.own_limit().map(|(severity, _)| Bounds::of(severity, Range::at_least(least)));
+        self.judge_by(rule, bounds.unwrap_or_else(|| rule.bounds()), value)
+    }
+
     /// Judges a value by bounds that follow from other values of the gearbox.
     #[must_use]
     pub fn judge_by(&self, rule: Rule, bounds: Bounds, value: f64) -> Verdict {
@@ -112,6 +126,30 @@ impl Limits {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_limit_of_the_gearbox_is_shown_with_the_value_itself() {
+        let judged = |rule, least, value| Limits::default().judge_least(rule, least, value);
+        let flank = judged(Rule::FlankSafety, 1.2, 1.16);
+        assert_eq!((flank.value, flank.limit, flank.severity), (1.16, 1.2, Some(Severity::Error)));
+        assert_eq!(flank.miss().unwrap(), "safety of the flank 1.16, at least 1.2 by what is required");
+        assert_eq!(
+            judged(Rule::BearingLife, 2e4, 18_500.0).miss().unwrap(),
+            "bearing life 18500 h, at least 20000 h by what is required"
+        );
+        assert!(judged(Rule::FaceLoad, 1.144, 1.144).holds());
+        assert_eq!(judged(Rule::FaceLoad, 1.144, 1.1).severity, Some(Severity::Warning));
+    }
+
+    #[test]
+    fn margins_are_ratios_of_figures_that_have_one() {
+        let margin = |rule, value| Limits::default().judge(rule, value).margin();
+        assert_eq!(margin(Rule::SpecificSliding, 1.5), Some(2.0));
+        assert_eq!(margin(Rule::SpurContact, 1.8), Some(1.5));
+        assert_eq!(margin(Rule::SpurContact, 1.0), None);
+        assert_eq!(margin(Rule::SunShift, 0.1), None);
+        assert_eq!(margin(Rule::SpecificSliding, 0.0), None);
+    }
 
     /// Every finite end of every rule trips just outside, and holds just inside.
     #[test]

@@ -26,7 +26,11 @@ fn the_book_has_every_rule_with_its_bounds() {
     let mut rows = String::new();
     for rule in Rule::ALL {
         let unit = if rule.unit().is_empty() { String::new() } else { format!(", {}", rule.unit()) };
-        let [remark, warning, error] = rule.bounds().0.map(range);
+        let mut ranges = rule.bounds().0.map(range);
+        if let Some((severity, limit)) = rule.own_limit() {
+            ranges[severity as usize] = format!("at least {limit}");
+        }
+        let [remark, warning, error] = ranges;
         writeln!(
             rows,
             "| `{}` | {}{unit} | {remark} | {warning} | {error} | {} |",

@@ -12,7 +12,7 @@ use epicyclic_strength::material;
 use epicyclic_strength::mesh::{Gear, Method};
 use epicyclic_strength::root::{factors::Bending, section::Shaper};
 use epicyclic_strength::sizing::bearing::listed;
-use epicyclic_strength::sizing::{Objective, STANDARD_MODULES_MM, SetStep, Sizing, Space, size};
+use epicyclic_strength::sizing::{Objective, Pin, STANDARD_MODULES_MM, SetStep, Sizing, Space, size};
 use std::hint::black_box;
 use std::ops::ControlFlow;
 use uom::si::angular_velocity::revolution_per_minute;
@@ -69,6 +69,7 @@ fn set(teeth: [u32; 3], steps: [[f64; 4]; 3]) -> Sizing {
         ring_rim: 3.5,
         planet_bore: None,
         planet_mass: None,
+        planet_pin: Pin::default(),
         least_planet_angle: None,
         objective: Objective::Mass,
         practice: None,

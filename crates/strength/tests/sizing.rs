@@ -17,11 +17,12 @@ use epicyclic_strength::rating::overload;
 use epicyclic_strength::root::{factors::Bending, section::Shaper};
 use epicyclic_strength::sizing::bearing::{Bearing, listed, listed_rollers};
 use epicyclic_strength::sizing::{
-    Design, DesignedPlanet, Found, HeldShifts, Objective, Requirement, SetOverload, SetStep, Sizing, Space,
-    size,
+    Design, DesignedPlanet, Found, HeldShifts, Objective, Pin, Requirement, SetOverload, SetStep, Sizing,
+    Space, size,
 };
 use epicyclic_strength::spectrum::{Step, rate_duty};
 use proptest::prelude::*;
+use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 use uom::si::angular_velocity::{radian_per_second, revolution_per_minute};
 use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length, Time, Torque};
@@ -97,6 +98,7 @@ fn hoist() -> Sizing {
         ring_rim: 3.5,
         planet_bore: None,
         planet_mass: None,
+        planet_pin: Pin::default(),
         least_planet_angle: None,
         objective: Objective::Mass,
         practice: None,
@@ -116,8 +118,8 @@ fn hoist() -> Sizing {
 /// A design with one of its bearings as the trial sees it: objectives, planets, module, centre distance and
 /// face width, and whether it holds.
 struct Tried {
-    /// 1 beyond usual practice, where that counts; otherwise 0.
-    rank: u8,
+    /// Number of rules of practice with a warning, where they count; otherwise 0.
+    rank: u32,
     objectives: [f64; 2],
     place: (u32, usize, i64, usize),
     holds: bool,
@@ -167,14 +169,14 @@ fn every_design(task: &Sizing) -> (u64, Vec<Tried>) {
     (count, all)
 }
 
-/// How far a design keeps to usual practice, by the limits themselves; `None` where it is refused.
+/// Number of rules of practice that a design misses, by the limits themselves; `None` where it is refused.
 fn rank(
     task: &Sizing,
     set: &PlanetSet,
     planets: u32,
     [module, width]: [f64; 2],
     bearing: Option<&Bearing>,
-) -> Option<u8> {
+) -> Option<u32> {
     if task.practice.is_none() {
         return Some(0);
     }
@@ -200,22 +202,58 @@ fn rank(
     let few = [set.sun_mesh(), set.ring_mesh()].iter().any(|pair| pair.transverse_contact_ratio() < 1.2);
     let [outer, inner] = [working([z_a, z_g], 1.0), working([z_g, z_b], -1.0)];
     let in_range = |value: f64, [least, most]: [f64; 2]| (least - 1e-9..=most + 1e-9).contains(&value);
-    let gears = in_range(x_a, [0.0, 0.85])
-        && in_range(x_g, [-0.4, 0.85])
-        && in_range(x_b, [-0.8, 0.7])
-        && in_range(x_a + x_g, [0.0, 1.45])
-        && in_range(outer, [20.0, 28.5])
-        && in_range(inner, [15.0, 22.0])
-        && [sun, planet].iter().all(|gear| gear.tip_thickness() >= 0.4)
-        && clearances.iter().all(|c| *c >= 0.15);
-    let has_load = |bearing: &Bearing| {
-        let centre = module * set.centre_distance() / 1e3;
-        let kg = planet_kg(task, set, module, width, in_mm(bearing.outside_diameter));
-        task.duty.iter().any(|step| bearing_load(set, step, planets, task.teeth, (centre, kg)) > 10e3)
+    let ratio = width / smaller;
+    // Two gaps, in modules and in mm, of the tips of planets at equal angles.
+    let centre_mm = module * set.centre_distance();
+    let side = 2.0 * centre_mm * libm::sin(std::f64::consts::PI / f64::from(planets));
+    let gap_mm = side - module * planet.tip_diameter();
+    let fastest = |of: &dyn Fn(&SetStep) -> AngularVelocity| {
+        let speeds = task.duty.iter().map(|step| of(step).get::<radian_per_second>().abs());
+        speeds.fold(0.0, f64::max)
     };
-    let balls = bearing.is_some_and(|bearing| bearing.rolling == Rolling::Balls && has_load(bearing));
-    let is_usual = gears && !slides && !few && in_range(width / smaller, [0.4, 1.2]) && !balls;
-    Some(u8::from(!is_usual))
+    let loaded = |step: &SetStep| if step.sun_torque.value == 0.0 { rpm(0.0) } else { step.sun_speed };
+    let pitch_line = fastest(&loaded) * module * sun.reference_diameter() / 2e3;
+    let orbit = centre_mm / 1e3 * fastest(&|step| step.carrier_speed).powi(2) / 9.806_65;
+    let usual_sharing = [1.1, 1.25, 1.35][planets as usize - 3];
+    let mut warned = vec![
+        !in_range(x_a, [0.0, 0.85]),
+        !in_range(x_g, [-0.4, 0.85]),
+        !in_range(x_b, [-0.8, 0.7]),
+        !in_range(x_a + x_g, [0.0, 1.45]),
+        !in_range(outer, [20.0, 28.5]),
+        !in_range(inner, [15.0, 22.0]),
+        [sun, planet].iter().any(|gear| gear.tip_thickness() < 0.4),
+        clearances.iter().any(|c| *c < 0.15),
+        slides,
+        few,
+        !in_range(ratio, [0.4, 1.2]),
+        1.2 < 1.0 + 0.4 * ratio * ratio,
+        1.1 < usual_sharing,
+        gap_mm < 0.5 * module,
+        gap_mm < 1.0,
+        pitch_line > 20.0,
+        orbit > 150.0,
+    ];
+    if let Some(bearing) = bearing {
+        let kg = planet_kg(task, set, module, width, in_mm(bearing.outside_diameter));
+        let load = |step: &SetStep| bearing_load(set, step, planets, task.teeth, (centre_mm / 1e3, kg));
+        let loads = || task.duty.iter().map(load);
+        let peaks = task.overloads.iter().map(|one| {
+            load(&SetStep { sun_torque: one.sun_torque, carrier_speed: rpm(0.0), ..task.duty[0] })
+        });
+        let newtons = |of: Force| of.get::<newton>();
+        let greatest = loads().fold(0.0, f64::max);
+        let at_rest = newtons(bearing.static_load_rating.unwrap()) / peaks.fold(greatest, f64::max);
+        let mean_mm = (in_mm(bearing.bore) + in_mm(bearing.outside_diameter)) / 2.0;
+        let turning = fastest(&|step| step.sun_speed) * z_a / z_g * 30.0 / std::f64::consts::PI;
+        warned.extend([
+            bearing.rolling == Rolling::Balls && greatest > 10e3,
+            at_rest < 1.5,
+            loads().fold(f64::INFINITY, f64::min) / newtons(bearing.load_rating) < 0.02,
+            turning * mean_mm > 5e5,
+        ]);
+    }
+    Some(warned.into_iter().map(u32::from).sum())
 }
 
 /// Area of tip and root circles, halved, in square millimetres.
@@ -384,13 +422,9 @@ fn size_all(task: &Sizing, most: usize) -> Result<Found, epicyclic_strength::Err
 fn agrees(task: &Sizing) -> Result<usize, TestCaseError> {
     let (space, tried) = every_design(task);
     let mut held: Vec<&Tried> = tried.iter().filter(|one| one.holds).collect();
+    // Of the bearings the one with the fewest rules missed.
     held.sort_by(|one, other| {
-        let [a, b] = [one, other].map(|tried| tried.objectives);
-        one.rank
-            .cmp(&other.rank)
-            .then(a[0].total_cmp(&b[0]))
-            .then(a[1].total_cmp(&b[1]))
-            .then(one.place.cmp(&other.place))
+        one.rank.cmp(&other.rank).then(one.objectives[0].total_cmp(&other.objectives[0]))
     });
     let mut seen = vec![];
     held.retain(|one| {
@@ -399,13 +433,22 @@ fn agrees(task: &Sizing) -> Result<usize, TestCaseError> {
             true
         }
     });
+    // A rule missed counts as a quarter more of the objective, and the first of them decides.
+    held.sort_by(|one, other| {
+        let price = |tried: &Tried| tried.objectives[0] * 1.25_f64.powi(i32::try_from(tried.rank).unwrap());
+        (one.rank > 0)
+            .cmp(&(other.rank > 0))
+            .then(price(one).total_cmp(&price(other)))
+            .then(one.objectives[1].total_cmp(&other.objectives[1]))
+            .then(one.place.cmp(&other.place))
+    });
     let all = size_all(task, usize::MAX).unwrap();
     prop_assert_eq!(all.space, space);
     prop_assert_eq!(all.found.len(), held.len());
     prop_assert_eq!(all.not_reached, 0);
     prop_assert_eq!(all.left_out.total() + held.len() as u64, space);
     for (design, tried) in all.found.iter().zip(&held) {
-        prop_assert_eq!(design.is_usual, tried.rank == 0);
+        prop_assert_eq!(design.rules_missed, tried.rank);
         let (mass, ring) = (design.mass.get::<kilogram>(), in_mm(design.ring_diameter.unwrap()));
         let objectives = match task.objective {
             Objective::Mass => [mass, ring],
@@ -434,18 +477,38 @@ fn the_best_is_that_of_every_trial() {
     for objective in [Objective::Ring, Objective::Whole] {
         assert!(agrees(&Sizing { objective, ..hoist() }).unwrap() > 10);
     }
-    // Balls and rollers, wide and narrow faces: both ranks.
+    // Balls and rollers, wide and narrow faces, speeds about their limits: many ranks.
     let practice = Some(epicyclic_judge::Limits::default());
     let widths = [10.0, 20.0, 40.0, 60.0, 90.0].map(mm).to_vec();
     let both = [listed(), listed_rollers()].concat();
     let bearings = both.into_iter().filter(|bearing| in_mm(bearing.bore) >= 30.0).collect();
     let space = Space { face_widths: widths, bearings, ..hoist().space };
-    let by_practice = Sizing { practice, space, required_contact: 0.8, ..hoist() };
+    let duty = vec![step(0.4, 400.0, 5500.0, 1250.0), step(0.6, -250.0, 900.0, 200.0)];
+    let overloads = vec![peak(700.0, 0.5, 0.5)];
+    let life = Time::new::<hour>(300.0);
+    let by_practice = Sizing { practice, space, duty, overloads, life, required_contact: 0.8, ..hoist() };
     let all = size_all(&by_practice, usize::MAX).unwrap();
-    let usual = all.found.iter().filter(|design| design.is_usual).count();
-    assert!(usual > 2 && usual < all.found.len() && all.left_out.practice > 0, "{usual} {}", all.found.len());
+    let missed: BTreeSet<u32> = all.found.iter().map(|design| design.rules_missed).collect();
+    assert!(missed.len() > 2 && all.left_out.practice > 0, "{missed:?} of {}", all.found.len());
     assert!(agrees(&by_practice).unwrap() > 10);
     assert!(agrees(&Sizing { objective: Objective::Ring, ..by_practice }).unwrap() > 10);
+}
+
+/// Where every design has a warning, a narrow face with one more does not come first.
+#[test]
+fn a_warning_that_all_have_does_not_hide_another() {
+    let mut task = Sizing { practice: Some(epicyclic_judge::Limits::default()), ..hoist() };
+    // Beyond 150 g in every layout.
+    task.duty = vec![step(1.0, 60.0, 4000.0, 2500.0)];
+    task.life = Time::new::<hour>(50.0);
+    task.space.face_widths = [8.0, 30.0, 40.0].map(mm).to_vec();
+    (task.space.planets, task.space.bearings) = (vec![3], vec![]);
+    let found = size_all(&task, 1).unwrap();
+    let best = &found.found[0];
+    assert_eq!(best.rules_missed, 1);
+    assert!(best.width_ratios[0] > 0.4, "{:?}", best.width_ratios);
+    let narrow = size_all(&Sizing { practice: None, ..task }, 1).unwrap();
+    assert_eq!(in_mm(narrow.found[0].face_widths[0]), 8.0);
 }
 
 #[test]

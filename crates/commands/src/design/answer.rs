@@ -12,8 +12,8 @@
 
 pub mod application;
 mod attempt;
-mod making;
 pub mod basis;
+mod making;
 pub mod records;
 pub mod stages;
 pub mod ways_out;

@@ -211,9 +211,26 @@ const MOST_STAGES: u32 = 4;
 
 /// Options that concern several speeds.
 const OF_SPEEDS: [&str; 20] = [
-    "speeds", "ratios", "all_structures", "shares", "scheme", "order", "tries", "tooth_design", "brakes", "signs", "prefer",
-    "efficiency", "least_efficiency", "link_speed", "planet_speed", "clutch_slip", "circulation", "allow_crossing",
-    "may_reverse", "same_direction",
+    "speeds",
+    "ratios",
+    "all_structures",
+    "shares",
+    "scheme",
+    "order",
+    "tries",
+    "tooth_design",
+    "brakes",
+    "signs",
+    "prefer",
+    "efficiency",
+    "least_efficiency",
+    "link_speed",
+    "planet_speed",
+    "clutch_slip",
+    "circulation",
+    "allow_crossing",
+    "may_reverse",
+    "same_direction",
 ];
 
 /// Numbers of stages within those that are tried.
@@ -426,11 +443,15 @@ impl Request {
         let duty = Duty { input_speed: Some(self.input.0), load };
         let tolerance = self.tolerance.0.si();
         if !(0.0..1.0).contains(&tolerance) {
-            return Err(Failure::invalid("--tolerance", format!("{}: 0 to below 1, or 100 %, is due", self.tolerance)));
+            return Err(Failure::invalid(
+                "--tolerance",
+                format!("{}: 0 to below 1, or 100 %, is due", self.tolerance),
+            ));
         }
         let minimise = self.sizes.minimise.unwrap_or(MinimisedSize::Whole);
         if minimise == MinimisedSize::Ring {
-            let message = "stages in series are chosen by a mass, mass or whole; --max-ring bounds their rings";
+            let message =
+                "stages in series are chosen by a mass, mass or whole; --max-ring bounds their rings";
             return Err(Failure::invalid("--minimise", message));
         }
         let bounds = self.teeth([17..=30, 17..=80, 50..=160])?;

@@ -8,6 +8,7 @@ mod layouts;
 pub mod records;
 mod saved;
 
+use crate::analyze::answer::pins::{orbit_rule, speed_rule};
 use crate::analyze::answer::warnings::tilting;
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
@@ -33,8 +34,8 @@ use epicyclic_strength::factor::Edition;
 use epicyclic_strength::sizing::Objective;
 use epicyclic_strength::sizing::bearing::Bearing;
 use epicyclic_strength::sizing::{
-    Body, HeldShifts, SetOverload, SetStep, SizedGear, SizedMesh, SizedPlanet, Sizing, Space, Task, search,
-    size,
+    Body, HeldShifts, Pin, SetOverload, SetStep, SizedGear, SizedMesh, SizedPlanet, Sizing, Space, Task,
+    search, size,
 };
 use epicyclic_train::planet_set::GearOf;
 use epicyclic_train::set::SetKind;
@@ -298,6 +299,7 @@ fn simple(
         ring_rim: task.ring_rim,
         planet_bore: own.bore,
         planet_mass: own.mass,
+        planet_pin: own.pin,
         least_planet_angle: set.set.least_planet_angle(),
         objective: task.objective,
         practice: task.practice.clone(),
@@ -364,7 +366,7 @@ fn task(
                 outside_diameter: bore.unwrap_or_default(),
                 width: Length::default(),
                 load_rating,
-                static_load_rating: None,
+                static_load_rating: planet.static_load_rating,
             }],
             (None, Some(bore)) => fitting(&space.bearings, bore),
             (None, None) => space.bearings.clone(),
@@ -372,6 +374,15 @@ fn task(
         bore: planet.bore,
         mass: planet.mass,
         sharing: planet.load_sharing,
+        pin: match planet.bearing.is_some() || space.bearings.is_empty() {
+            // A bearing that is chosen replaces the stated elements.
+            false => Pin::default(),
+            true => Pin {
+                speed: speed_rule(planet.rolling),
+                orbit: orbit_rule(planet.rolling),
+                mean_diameter: planet.bearing_diameter,
+            },
+        },
     };
     let task = Task {
         gears: data.of.iter().enumerate().map(gear).collect(),
@@ -394,6 +405,7 @@ fn task(
         planet_rim: request.planet_rim.get(),
         ring_rim: request.ring_rim.get(),
         objective: request.objective(),
+        least_planet_angle: set.set.least_planet_angle(),
         has_stated_shifts: set.set.tooth_shape().shifts.is_some(),
         practice: request.practice(),
     };

@@ -85,7 +85,8 @@ pub struct Request {
     pub minimise: Option<Objective>,
 
     /// Rank designs beyond usual practice with all others: wide or narrow gears, much sliding, unusual shifts,
-    /// balls under large loads. Without it they come last, and those that practice refuses are left out.
+    /// fast gears and bearings, balls under large loads. Without it those with fewer warnings come first, and
+    /// those that practice refuses are left out.
     #[arg(long)]
     pub beyond_practice: bool,
 

@@ -52,6 +52,7 @@ use crate::error::Error;
 use crate::shared::gearbox::Gearbox;
 use crate::shared::judgement::answer::Judgement;
 use crate::shared::load::Load;
+use crate::shared::toothed::lacking;
 use crate::strength::options::Request;
 use duty::WorkedStep;
 use epicyclic_formats::gearbox::GearboxFile;
@@ -67,7 +68,7 @@ use place::{Fault, located};
 use rated_set::RatedSet;
 use records::{
     Against, AxialForce, BearingOverDuty, DutyStep, Governing, LoadSharing, MeshAtPoint, NotRated, OverDuty,
-    Overloaded, Rated, Reason, Required, Safeties,
+    Overloaded, Rated, Reason, Required, Safeties, all_safeties,
 };
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -120,6 +121,11 @@ pub struct Strength {
 }
 
 impl Strength {
+    /// Safeties of flank and root of each rated gear against each load.
+    pub(crate) fn safeties(&self) -> impl Iterator<Item = Governing> {
+        all_safeties(&self.at_point, &self.over_duty, &self.overload, self.required)
+    }
+
     /// Whether any set is rated at the operating point, or over the duty; if neither is asked for, against an
     /// overload.
     #[must_use]
@@ -155,15 +161,31 @@ pub(crate) fn answer(subject: &Gearbox, request: &Request) -> Result<Strength, E
     Ok(strength)
 }
 
-/// Strength over the duty of a file, with the factors; `None` if the file has no duty, or lacks oil, life or
-/// the `strength` of a set.
+/// What is missing for the strength over the duty of a file.
+pub(crate) struct Lacking {
+    /// Keys of the gearbox.
+    pub(crate) keys: Vec<String>,
+    /// Sets with keys of their own, and with those of the gearbox that only teeth need.
+    pub(crate) not_rated: Vec<NotRated>,
+}
+
+/// Strength over the duty of a file, with the factors, or what is missing for it.
 ///
 /// # Errors
 /// Errors of [`answer`] except [`Error::NothingRated`].
-pub(crate) fn over_duty(subject: &Gearbox, file: &GearboxFile) -> Result<Option<Strength>, Error> {
+pub(crate) fn over_duty(subject: &Gearbox, file: &GearboxFile) -> Result<Result<Strength, Lacking>, Error> {
+    let known = [
+        ("duty", !file.duty.is_empty() || !file.overload.is_empty()),
+        ("life", file.life.is_some()),
+        ("oil", file.oil.is_some()),
+    ];
+    let keys = lacking(&known);
+    if !keys.is_empty() {
+        let (_, not_rated) = rated_set::sets(subject, file)?;
+        return Ok(Err(Lacking { keys, not_rated }));
+    }
     let request = Request { gear: None, factors: true, load: Load::default() };
-    let has_load = !file.duty.is_empty() || !file.overload.is_empty();
-    if has_load && is_stated(file) { rated(subject, &request, true).map(Some) } else { Ok(None) }
+    rated(subject, &request, true).map(Ok)
 }
 
 /// Whether a file has oil, life and the `strength` of a set.

@@ -3,8 +3,8 @@
 use super::compound::PlanetSized;
 use super::per_gear::{Gears, PerGear};
 use super::{
-    AccuracyEntry, DataSheetEntry, FloatingEntry, GearboxFile, StrengthEntry, ToolEntry, Vibrating,
-    VibrationEntry,
+    AccuracyEntry, DataSheetEntry, FloatingEntry, GearboxFile, RollingEntry, StrengthEntry, ToolEntry,
+    Vibrating, VibrationEntry,
 };
 use crate::Path;
 use epicyclic_gears::geometry::GearKind;
@@ -60,6 +60,12 @@ pub struct PlanetData {
     pub carrier_radius: Option<Length>,
     /// Basic dynamic load rating of its bearings together, and the kind of their rolling elements.
     pub bearing: Option<(Force, Rolling)>,
+    /// Rolling elements of its bearings, as they are stated.
+    pub rolling: RollingEntry,
+    /// Mean diameter of its bearings.
+    pub bearing_diameter: Option<Length>,
+    /// Basic static load rating of its bearings together.
+    pub static_load_rating: Option<Force>,
     /// Mesh load factor `K_γ` for its bearing.
     pub load_sharing: Option<f64>,
     /// Distance of the rows of its bearings.
@@ -123,6 +129,9 @@ impl GearboxFile {
                         bore: entry.planet_bore.map(|bore| bore.0),
                         carrier_radius: entry.carrier_radius.map(|radius| radius.0),
                         bearing: entry.load_rating.map(|rating| (rating.0, entry.bearing_rolling.into())),
+                        rolling: entry.bearing_rolling,
+                        bearing_diameter: entry.bearing_diameter.map(|diameter| diameter.0),
+                        static_load_rating: entry.static_load_rating.map(|rating| rating.0),
                         load_sharing: None,
                         bearing_span: entry.bearing_span.map(|span| span.0),
                     };
@@ -155,6 +164,9 @@ impl GearboxFile {
                 bore: size.bore.map(|bore| bore.0),
                 carrier_radius: size.carrier_radius.map(|radius| radius.0),
                 bearing: size.size().bearing,
+                rolling: size.bearing_rolling,
+                bearing_diameter: size.bearing_diameter.map(|diameter| diameter.0),
+                static_load_rating: size.static_load_rating.map(|rating| rating.0),
                 load_sharing: size.load_sharing.map(Number::get),
                 bearing_span: size.bearing_span.map(|span| span.0),
             })

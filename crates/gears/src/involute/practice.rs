@@ -8,11 +8,16 @@
 //! | [`ShiftSum`](Rule::ShiftSum) | `x_1 + x_2` of an external mesh |
 //! | [`SpurContact`](Rule::SpurContact) | `ε_α` of spur gears |
 //! | [`RootClearance`](Rule::RootClearance) | clearance between tips and roots of the mate, in modules |
+//! | [`FaceLoad`](Rule::FaceLoad) | `K_Hβ` against `1 + 0.4·(b/d_1)²`, by [`width_diameters`] |
+//! | [`HelicalContact`](Rule::HelicalContact) | `ε_α + ε_β` of helical gears |
+//! | [`NeighbourGap`](Rule::NeighbourGap) | gap between the tips of neighbouring planets, in modules and in mm |
 
 use super::gear::InvoluteGear;
 use super::pair::Pair;
 use crate::gear_kind::GearKind;
+use crate::mesh::TipCircle;
 use epicyclic_judge::{Limits, Rule, Severity, Verdict};
+use std::f64::consts::TAU;
 
 /// Teeth by which a ring exceeds its planet at most where shifts beyond 1 are usual.
 const CLOSE_TEETH: u32 = 6;
@@ -31,22 +36,25 @@ pub const fn shift_rule(gear: &InvoluteGear, is_planet: bool, is_of_pair: bool) 
     }
 }
 
-/// Judges the shift of a gear; `meshes` are those of the gear.
+/// Judges the shift of a gear, and its tips where they are case-hardened; `meshes` are those of the gear.
 ///
 /// An internal mesh of nearly equal gears closes only with large shifts: they are no error then.
 #[must_use]
-pub fn of_shift<'p>(
+pub fn of_gear<'p>(
     limits: &Limits,
     rule: Rule,
     gear: &InvoluteGear,
     mut meshes: impl Iterator<Item = &'p Pair>,
-) -> Verdict {
-    let verdict = limits.judge(rule, gear.shift());
+    is_hardened: bool,
+) -> Vec<Verdict> {
+    let shift = limits.judge(rule, gear.shift());
     let is_close = meshes.any(|pair| {
         let [one, other] = pair.gears().map(|gear| gear.teeth().get());
         pair.is_internal() && other.abs_diff(one) <= CLOSE_TEETH
     });
-    if is_close { verdict.no_worse_than(Severity::Warning) } else { verdict }
+    let shift = if is_close { shift.no_worse_than(Severity::Warning) } else { shift };
+    let tips = is_hardened.then(|| limits.judge(Rule::HardenedTips, gear.tip_thickness()));
+    [shift].into_iter().chain(tips).collect()
 }
 
 /// Judges a mesh; each verdict with the gear it is of, or of both.
@@ -71,6 +79,72 @@ pub fn of_mesh(limits: &Limits, pair: &Pair) -> Vec<(Option<usize>, Verdict)> {
     all
 }
 
+/// Reference diameter in modules of the smaller gear of each mesh whose face width is judged by it; `None` of
+/// internal meshes whose smaller gear has an external mesh too, which is judged in place of them.
+#[must_use]
+pub fn width_diameters<G: PartialEq>(meshes: &[([G; 2], &Pair)]) -> Vec<Option<f64>> {
+    let has_external =
+        |gear: &G| meshes.iter().any(|(gears, pair)| !pair.is_internal() && gears.contains(gear));
+    let diameter = |(gears, pair): &([G; 2], &Pair)| {
+        let [one, other] = pair.gears().map(|gear| gear.reference_diameter());
+        let smaller = &gears[usize::from(other < one)];
+        (!pair.is_internal() || !has_external(smaller)).then(|| one.min(other))
+    };
+    meshes.iter().map(diameter).collect()
+}
+
+/// Judges a face load factor `K_Hβ` that is given, by the width ratio of the mesh.
+#[must_use]
+pub fn of_face_load(limits: &Limits, width_ratio: f64, given: f64) -> Verdict {
+    limits.judge_least(Rule::FaceLoad, 1.0 + 0.4 * width_ratio * width_ratio, given)
+}
+
+/// Judges the total contact ratio of helical gears; the face width is in modules.
+#[must_use]
+pub fn of_total_contact(limits: &Limits, pair: &Pair, face_width: f64) -> Option<Verdict> {
+    let total = || pair.transverse_contact_ratio() + pair.overlap_ratio(face_width);
+    let is_helical = pair.gears()[0].profile().is_helical();
+    is_helical.then(|| limits.judge(Rule::HelicalContact, total()))
+}
+
+/// Judges the gap between the tips of neighbouring planets at an angle from one to the next; the radius of
+/// their centres is in modules. Without a module only the gap in modules is judged.
+#[must_use]
+pub fn of_gap(
+    limits: &Limits,
+    planet: &InvoluteGear,
+    centre_radius: f64,
+    angle_rad: f64,
+    module_m: Option<f64>,
+) -> Vec<Verdict> {
+    let circle = TipCircle { centre_radius, tip_radius: planet.tip_diameter() / 2.0 };
+    let gap = circle.gap(circle, angle_rad);
+    let length = module_m.map(|module| limits.judge(Rule::NeighbourGapLength, 1e3 * gap * module));
+    [limits.judge(Rule::NeighbourGap, gap)].into_iter().chain(length).collect()
+}
+
+/// Judges the pitch-line speed of a mesh, in m/s.
+#[must_use]
+pub fn of_speed(limits: &Limits, pair: &Pair, speed_m_s: f64) -> Verdict {
+    let is_helical = pair.gears()[0].profile().is_helical();
+    limits.judge(if is_helical { Rule::HelicalSpeed } else { Rule::SpurSpeed }, speed_m_s)
+}
+
+/// Acceleration of gravity, m/s².
+const GRAVITY: f64 = 9.806_65;
+
+/// Acceleration of planets about the axis, in g.
+#[must_use]
+pub fn orbit_acceleration(radius_m: f64, carrier_rad_s: f64) -> f64 {
+    radius_m * carrier_rad_s * carrier_rad_s / GRAVITY
+}
+
+/// Speed of a bearing times its mean diameter, in mm/min: revolutions a minute times mm.
+#[must_use]
+pub fn pin_speed(speed_rad_s: f64, mean_diameter_m: f64) -> f64 {
+    speed_rad_s * 60.0 / TAU * 1e3 * mean_diameter_m
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -93,8 +167,26 @@ mod tests {
         assert_eq!((worst.1.rule, worst.1.severity), (Rule::SpecificSliding, Some(Severity::Warning)));
         let ring = gear(GearKind::Internal, 90, -1.3);
         let rule = shift_rule(&ring, false, false);
-        assert_eq!(of_shift(&limits, rule, &ring, [].iter()).severity, Some(Severity::Error));
+        let worst = |meshes: &[Pair]| of_gear(&limits, rule, &ring, meshes.iter(), false)[0].severity;
+        assert_eq!(worst(&[]), Some(Severity::Error));
         let close = pair(gear(GearKind::External, 86, 1.2), ring);
-        assert_eq!(of_shift(&limits, rule, &ring, [close].iter()).severity, Some(Severity::Warning));
+        assert_eq!(worst(&[close]), Some(Severity::Warning));
+    }
+
+    /// The width counts over the sun, and over the pinion of a ring that no external mesh has.
+    #[test]
+    fn each_pinion_has_a_width() {
+        let [sun, planet, ring] = [
+            gear(GearKind::External, 20, 0.0),
+            gear(GearKind::External, 30, 0.0),
+            gear(GearKind::Internal, 80, 0.0),
+        ];
+        let [outer, inner] =
+            [(sun, planet), (planet, ring)].map(|(one, other)| Pair::without_backlash(one, other).unwrap());
+        let both = width_diameters(&[(["sun", "planet"], &outer), (["planet", "ring"], &inner)]);
+        assert_eq!(both, [Some(20.0), None]);
+        assert_eq!(width_diameters(&[(["planet", "ring"], &inner)]), [Some(30.0)]);
+        let stepped = width_diameters(&[(["sun", "large"], &outer), (["small", "ring"], &inner)]);
+        assert_eq!(stepped, [Some(20.0), Some(30.0)]);
     }
 }

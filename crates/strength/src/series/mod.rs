@@ -15,7 +15,7 @@
 //! the [sizing](crate::sizing).
 //!
 //! # Objective
-//! First the number of warnings by usual practice, then the mass: of the gears, or by
+//! First the number of stages with warnings by usual practice, then the mass, each warning a quarter more: of the gears, or by
 //! [`Objective::Whole`](crate::sizing::Objective::Whole) of gears, carriers and housing. Both are sums over
 //! the stages.
 //!
@@ -88,10 +88,14 @@ pub struct Train {
     pub stages: Vec<[ToothCount; 3]>,
     /// Speed of the input over that of the output.
     pub ratio: f64,
-    /// Warnings by usual practice of all stages.
-    pub warnings: f64,
+    /// Stages beyond usual practice.
+    pub unusual_stages: u32,
+    /// Rules of usual practice that the stages miss.
+    pub rules_missed: u32,
     /// Mass in kg that the objective counts: of the gears, or of the whole.
     pub mass_kg: f64,
+    /// This mass with a quarter more for each rule missed, in kg.
+    pub price_kg: f64,
 }
 
 /// Result of a search for trains.

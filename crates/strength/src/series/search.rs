@@ -14,25 +14,23 @@ const RANGE: f64 = 1.03;
 /// Growth of the bound up to which trains are listed, from one round to the next.
 const GROWTH: f64 = 1.06;
 
-/// Mass over the least bound above which a train with a warning more is looked at first.
-const HEAVIEST: f64 = 3.0;
+/// Mass over the least bound above which a train with one more stage beyond usual practice is looked at
+/// first.
+const HEAVIEST: f64 = 2.0;
 
 /// Stages that are sized at most.
 const MOST: u64 = 3000;
 
 /// Bounds up to which trains are listed, round by round.
 fn levels(first: Cost, stages: usize) -> impl Iterator<Item = Cost> {
-    let masses = move || {
-        let all = std::iter::successors(Some(first.mass * GROWTH), |mass| Some(mass * GROWTH));
-        all.take_while(move |mass| *mass < HEAVIEST * first.mass)
+    let prices = move || {
+        let all = std::iter::successors(Some(first.price * GROWTH), |price| Some(price * GROWTH));
+        all.take_while(move |price| *price < HEAVIEST * first.price)
     };
-    (0..=WARNINGS_PER_STAGE * stages).flat_map(move |more| {
-        masses().map(move |mass| Cost { warnings: first.warnings + more as f64, mass })
+    (0..=stages).flat_map(move |more| {
+        prices().map(move |price| Cost { unusual: first.unusual + more as f64, price, ..first })
     })
 }
-
-/// Warnings of a stage that are looked at most.
-const WARNINGS_PER_STAGE: usize = 3;
 
 /// The best `most` trains of each number of stages, unless `goes_on`, which is called now and then, breaks.
 ///
@@ -85,9 +83,10 @@ impl Teeth {
             }
         }
         let of = |teeth: &[ToothCount; 3]| 1.0 + teeth[2].as_f64() / teeth[0].as_f64();
-        let ends = all.iter().map(of).fold([f64::INFINITY, 0.0_f64], |[least, most], ratio| {
-            [least.min(ratio), most.max(ratio)]
-        });
+        let ends = all
+            .iter()
+            .map(of)
+            .fold([f64::INFINITY, 0.0_f64], |[least, most], ratio| [least.min(ratio), most.max(ratio)]);
         let is_part = |own: f64, stages: usize| {
             let [least, most] = ends.map(|end| own * libm::pow(end, stages as f64 - 1.0));
             least <= *ratio.end() && most >= *ratio.start()
@@ -206,7 +205,13 @@ impl Search<'_> {
     }
 
     /// Lists the trains whose bound lies above one cost and not above another, behind some first stages.
-    fn list(&self, sets: &mut Vec<usize>, (product, cost): (f64, Cost), within: [Cost; 2], all: &mut Vec<Queued>) {
+    fn list(
+        &self,
+        sets: &mut Vec<usize>,
+        (product, cost): (f64, Cost),
+        within: [Cost; 2],
+        all: &mut Vec<Queued>,
+    ) {
         let left = self.count - sets.len();
         let [least, most] = self.table.allowed;
         let ratios = &self.table.ratios;
@@ -278,7 +283,7 @@ impl Search<'_> {
     fn best(&mut self, most: usize) -> Result<(Vec<Train>, bool), Error> {
         let mut found: Vec<Train> = vec![];
         let Some(first) = self.table.rest_of(self.count, 0) else { return Ok((found, true)) };
-        let mut listed = Cost { warnings: -1.0, mass: 0.0 };
+        let mut listed = Cost { unusual: -1.0, ..Cost::default() };
         let mut queue: BinaryHeap<Reverse<Queued>> = BinaryHeap::new();
         for within in levels(first, self.count) {
             let mut all = vec![];
@@ -322,8 +327,10 @@ impl Search<'_> {
         Train {
             stages: of.sets.iter().map(|set| self.sets[*set].teeth).collect(),
             ratio,
-            warnings: of.cost.warnings,
+            unusual_stages: of.cost.unusual as u32,
+            rules_missed: of.cost.missed,
             mass_kg: of.cost.mass,
+            price_kg: of.cost.price,
         }
     }
 }

@@ -4,13 +4,15 @@ use super::Order;
 use super::bearings::Bearings;
 use crate::factor::{Side, Symbol};
 use crate::load::load_sharing;
-use crate::tolerance::RIM;
+use crate::sizing::practice::priced;
 use crate::sizing::trial::Trial;
 use crate::sizing::{Design, Layout, Objective, SetOverload, SetStep, Sizing, Space, structure};
+use crate::tolerance::RIM;
 use crate::{Error, Quantity};
 use epicyclic_gears::ToothCount;
+use epicyclic_gears::involute::practice::of_face_load;
 use epicyclic_gears::spacing::PlanetSpacing;
-use epicyclic_judge::{Limits, Rule, Severity};
+use epicyclic_judge::{Rule, Severity};
 use epicyclic_units::Physical;
 use std::cmp::Ordering;
 use std::collections::HashMap;
@@ -36,17 +38,28 @@ const BETWEEN_SPEEDS: f64 = 4.0;
 /// What counts of a stage or a train, in this order.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Cost {
-    /// Warnings by usual practice.
-    pub(super) warnings: f64,
+    /// Stages beyond usual practice.
+    pub(super) unusual: f64,
+    /// Mass with the price of the rules that are missed, kg.
+    pub(super) price: f64,
     /// Mass that the objective counts, kg.
     pub(super) mass: f64,
+    /// Rules that are missed.
+    pub(super) missed: u32,
+}
+
+impl Cost {
+    fn of(missed: u32, mass: f64) -> Self {
+        let [unusual, price] = priced(missed, mass);
+        Self { unusual, price, mass, missed }
+    }
 }
 
 impl Eq for Cost {}
 
 impl Ord for Cost {
     fn cmp(&self, other: &Self) -> Ordering {
-        self.warnings.total_cmp(&other.warnings).then(self.mass.total_cmp(&other.mass))
+        self.unusual.total_cmp(&other.unusual).then(self.price.total_cmp(&other.price))
     }
 }
 
@@ -60,7 +73,12 @@ impl Add for Cost {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        Self { warnings: self.warnings + other.warnings, mass: self.mass + other.mass }
+        Self {
+            unusual: self.unusual + other.unusual,
+            price: self.price + other.price,
+            mass: self.mass + other.mass,
+            missed: self.missed + other.missed,
+        }
     }
 }
 
@@ -85,7 +103,7 @@ pub(super) struct Stage {
 /// A set at one centre distance, whatever the module.
 #[derive(Debug, Clone)]
 struct Tried {
-    warnings: f64,
+    missed: u32,
     /// Volume `m²·b` that the flanks need for each N·m of `T·K_γ/N`, at each speed, m³/(N·m).
     volumes: Vec<f64>,
     /// Cross-section of all gears times density over `m²`, for each number of planets, kg/m³.
@@ -158,8 +176,7 @@ impl<'a> Stages<'a> {
                 carrier_speed: speed / ratio,
             }
         };
-        let overload =
-            |one: &SetOverload| SetOverload { sun_torque: one.sun_torque * least, ..*one };
+        let overload = |one: &SetOverload| SetOverload { sun_torque: one.sun_torque * least, ..*one };
         let of_stage = &self.order.of_stage;
         (self.order.duty.iter().map(step).collect(), of_stage.overloads.iter().map(overload).collect())
     }
@@ -172,7 +189,8 @@ impl<'a> Stages<'a> {
         let of_stage = &self.order.of_stage;
         let planets = &of_stage.space.planets;
         let is_placed = |planets: u32| {
-            of_stage.least_planet_angle.is_some() || PlanetSpacing::least_unequal(sun, ring, planets).is_equal()
+            of_stage.least_planet_angle.is_some()
+                || PlanetSpacing::least_unequal(sun, ring, planets).is_equal()
         };
         let first = planets.iter().zip(&self.shares).filter(|(of, share)| share.is_some() && is_placed(**of));
         let Some((first, Some(share))) = first.min_by_key(|(of, _)| **of) else { return Ok(None) };
@@ -200,7 +218,7 @@ impl<'a> Stages<'a> {
                 square * face.si() * needed * needed / (self.torque * product * share)
             };
             Tried {
-                warnings: trial.warnings,
+                missed: trial.missed,
                 volumes: self.products.iter().zip(&trial.flanks).map(volume).collect(),
                 sections: trial.sections.iter().map(|section| section / square).collect(),
                 ring: (trial.ring / module).si(),
@@ -222,7 +240,8 @@ impl<'a> Stages<'a> {
         // Fewer cycles bear more.
         let speed = self.products.partition_point(|product| *product < most).min(self.products.len() - 1);
         let torque = self.torque * least;
-        let planets = self.order.of_stage.space.planets.iter().zip(&self.shares).zip(&stage.placed).enumerate();
+        let planets =
+            self.order.of_stage.space.planets.iter().zip(&self.shares).zip(&stage.placed).enumerate();
         let planets = planets.filter_map(|(place, ((planets, share), placed))| {
             Some((place, *planets, (*share)?)).filter(|_| *placed)
         });
@@ -244,7 +263,13 @@ impl<'a> Stages<'a> {
 
     /// Bound and narrowest face width of a set at a centre distance whose flanks need a volume, and whose
     /// bearings a width.
-    fn at(&self, stage: &Stage, tried: &Tried, (planets, module): (usize, Length), [volume, least]: [f64; 2]) -> Option<(Cost, usize)> {
+    fn at(
+        &self,
+        stage: &Stage,
+        tried: &Tried,
+        (planets, module): (usize, Length),
+        [volume, least]: [f64; 2],
+    ) -> Option<(Cost, usize)> {
         let largest = self.order.of_stage.space.largest_ring;
         if largest.is_some_and(|largest| module * tried.ring > largest * (1.0 + RIM)) {
             return None;
@@ -252,22 +277,22 @@ impl<'a> Stages<'a> {
         let module = module.si();
         let width = self.widths.partition_point(|width| width.si() < least.max(volume / (module * module)));
         let face = self.widths.get(width)?.si();
-        let warnings = tried.warnings + self.of_width(face / (module * stage.smaller))?;
+        let missed = tried.missed + self.of_width(face / (module * stage.smaller))?;
         let gears = tried.sections[planets] * module * module * face;
         let mass = self.order.of_stage.objective.mass(gears, structure(tried.ring * module, face));
-        Some((Cost { warnings, mass }, width))
+        Some((Cost::of(missed, mass), width))
     }
 
-    /// Warnings of a face that is too wide; `None` where practice refuses it. One that is too narrow may
+    /// Rules that a face misses that is too wide; `None` where practice refuses it. One that is too narrow may
     /// become wider.
-    fn of_width(&self, ratio: f64) -> Option<f64> {
-        let Some(limits) = &self.order.of_stage.practice else { return Some(0.0) };
-        let verdict = Limits::judge(limits, Rule::FaceWidth, ratio);
-        match verdict.severity.filter(|_| verdict.value > verdict.limit) {
-            Some(Severity::Error) => None,
-            Some(Severity::Warning) => Some(1.0),
-            _ => Some(0.0),
-        }
+    fn of_width(&self, ratio: f64) -> Option<u32> {
+        let Some(limits) = &self.order.of_stage.practice else { return Some(0) };
+        let given = self.order.of_stage.methods[0].given.of(Side::First, Symbol::FaceContact);
+        let of_load = given.map(|given| of_face_load(limits, ratio, given).severity);
+        let of_width = limits.judge(Rule::FaceWidth, ratio);
+        let of_width = of_width.severity.filter(|_| of_width.value > of_width.limit);
+        let missed = [of_width, of_load.flatten()].map(|severity| severity >= Some(Severity::Warning));
+        (of_width != Some(Severity::Error)).then(|| missed.into_iter().map(u32::from).sum())
     }
 
     /// The bound below the cost of a stage where the product of the ratios before it lies in a range; `None`
@@ -286,7 +311,7 @@ impl<'a> Stages<'a> {
         goes_on: &dyn Fn() -> ControlFlow<()>,
     ) -> Result<Option<Cost>, Error> {
         let mut choices: Vec<Choice> = self.choices(stage, before).collect();
-        choices.sort_by(|one, other| one.bound.cmp(&other.bound));
+        choices.sort_by_key(|choice| choice.bound);
         let (duty, overloads) = self.loads(stage.ratio, before);
         let of_stage = &self.order.of_stage;
         let mut sizing = Sizing { teeth: stage.teeth, duty, overloads, ..of_stage.clone() };
@@ -303,9 +328,9 @@ impl<'a> Stages<'a> {
                 Entry::Occupied(known) => known.into_mut(),
                 Entry::Vacant(place) => place.insert(sizing.geometries(goes_on)?),
             };
-            let cost = |design: Design| Cost {
-                warnings: if design.is_usual { 0.0 } else { 1.0 },
-                mass: of_stage.objective.mass(design.mass.si(), design.structure.si()),
+            let cost = |design: Design| {
+                let mass = of_stage.objective.mass(design.mass.si(), design.structure.si());
+                Cost::of(design.rules_missed, mass)
             };
             best = sizing.best_of(geometries, goes_on)?.map(cost).into_iter().chain(best).min();
         }

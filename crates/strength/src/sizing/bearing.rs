@@ -41,6 +41,12 @@ const ROWS_OF_BALLS: f64 = 0.7;
 const ROWS_OF_ROLLERS: f64 = 7.0 / 9.0;
 
 impl Bearing {
+    /// Mean of bore and outside diameter; `None` of a bearing whose bore is not known.
+    #[must_use]
+    pub fn mean_diameter(&self) -> Option<Length> {
+        (self.bore.si() > 0.0).then(|| (self.bore + self.outside_diameter) / 2.0)
+    }
+
     /// Pair of this bearing side by side as a unit, rated by ISO 281 as one double-row bearing: `2^0.7·C`
     /// with balls, `2^(7/9)·C` with rollers, `2·C_0`, `2·B`.
     ///

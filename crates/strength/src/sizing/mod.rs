@@ -7,7 +7,7 @@
 //! - a face width `b` of each family of gears ([`Task::face_widths`]).
 //!
 //! Planets have the bearing with the largest bore that meets the requirements ([`SizedPlanet::bearings`]): no
-//! other makes them lighter.
+//! other makes them lighter. Where practice counts, it is the largest of those that miss the fewest rules.
 //!
 //! Layouts of a simple set are those of [`Space`]: modules `m`, numbers of planets `p`, and centre distances
 //! `a`, integer multiples of a step from `a_0 − r·m` to `a_0 + r·m`, where `a_0` is the [natural centre
@@ -44,7 +44,8 @@
 //!
 //! Teeth fill half of the annulus between tip and root circle. Central external gears are solid, planets are
 //! bored to the bearing's outside diameter `D`, rings have the rim `s_r`. Designs of equal objective are
-//! ordered by the other objective, then as their layouts are, then by face widths.
+//! ordered by the other objective, then as their layouts are, then by face widths. Where practice counts
+//! ([`Task::practice`]), designs that miss fewer of its rules come before all others.
 //!
 //! # Why the best design is found
 //! The geometry of every layout is calculated first. With the largest bore that its planets' rims allow, a
@@ -73,7 +74,7 @@
 //! by side (two: [`Bearing::pair`](bearing::Bearing::pair)).
 
 pub mod bearing;
-mod practice;
+pub(crate) mod practice;
 mod rated;
 mod search;
 mod simple;
@@ -87,7 +88,7 @@ pub use simple::{HeldShifts, SetOverload, SetStep, Sizing, size};
 use std::f64::consts::FRAC_PI_4;
 use std::fmt;
 pub use task::{
-    Body, Design, DesignedPlanet, Governing, Layout, MeshLoads, PlanetStep, SizedGear, SizedMesh,
+    Body, Design, DesignedPlanet, Governing, Layout, MeshLoads, Pin, PlanetStep, SizedGear, SizedMesh,
     SizedPlanet, StaticDemand, Task,
 };
 use uom::si::f64::Length;

@@ -1,68 +1,233 @@
-//! Usual practice in a search: how far gears, widths and bearings of a design keep to it.
+//! Usual practice in a search: the rules that gears, widths and bearings of a design miss.
 //!
-//! Designs come in ranks: those that keep all rules, then those with warnings. Remarks do not count. Errors
-//! leave designs out. The rules are those of [`practice`](epicyclic_gears::involute::practice) for gears and
-//! meshes, [`Rule::FaceWidth`] for each external mesh, [`Rule::HardenedTips`], and [`Rule::BallLoad`].
+//! Designs without warnings come first. Of the others each rule with a warning makes mass, or ring, count by
+//! [`PRICE`] more. Remarks do not count. Errors of gears and
+//! widths leave designs out. The rules are those of [`practice`](epicyclic_gears::involute::practice) for
+//! gears, meshes, widths, gaps and speeds, [`Rule::LoadSharing`], the rims, and for bearings
+//! [`Rule::BallLoad`], [`Rule::BearingStaticSafety`], [`Rule::BearingLeastLoad`] and the rule of
+//! [`Pin::speed`](super::task::Pin::speed).
 
+use super::bearing::Bearing;
+use super::rated::rim_of;
 use super::task::{Body, Layout, Task};
+use crate::bearing::BearingStep;
+use crate::factor::{Side, Symbol};
+use crate::load::load_sharing;
 use crate::material::Class;
-use epicyclic_gears::involute::practice::{of_mesh, of_shift, shift_rule};
-use epicyclic_judge::{Limits, Rule, Severity};
+use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::involute::Pair;
+use epicyclic_gears::involute::practice::{
+    of_face_load, of_gap, of_gear, of_mesh, of_speed, of_total_contact, orbit_acceleration, pin_speed,
+    shift_rule, width_diameters,
+};
+use epicyclic_gears::life::Rolling;
+use epicyclic_judge::{Limits, Rule, Severity, Verdict};
 use epicyclic_units::Physical;
+use std::f64::consts::TAU;
+
+/// Factor of the objective for each rule with a warning: what a warning fewer may cost.
+const PRICE: f64 = 1.25;
+
+/// Whether any rule is missed, and an objective with the price of the rules.
+pub(crate) fn priced(rules_missed: u32, objective: f64) -> [f64; 2] {
+    let is_unusual = if rules_missed == 0 { 0.0 } else { 1.0 };
+    [is_unusual, objective * libm::pow(PRICE, f64::from(rules_missed))]
+}
+
+/// Rules that verdicts miss with a warning or an error.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Misses {
+    /// A bit for each rule.
+    rules: u64,
+    /// Whether any miss is an error.
+    pub(super) is_error: bool,
+}
+
+const _: () = assert!(Rule::ALL.len() <= u64::BITS as usize, "each rule has a bit");
+
+impl Misses {
+    fn of(verdicts: impl IntoIterator<Item = Verdict>) -> Self {
+        verdicts.into_iter().fold(Self::default(), |all, one| match one.severity {
+            None | Some(Severity::Remark) => all,
+            Some(severity) => Self {
+                rules: all.rules | 1 << one.rule as u32,
+                is_error: all.is_error || severity == Severity::Error,
+            },
+        })
+    }
+
+    /// Misses of gears and meshes, whatever their size and load.
+    pub(super) fn of_geometry(task: &Task, layout: &Layout, limits: &Limits) -> Self {
+        let meshes = layout.pairs.iter().flat_map(|pair| of_mesh(limits, pair)).map(|(_, verdict)| verdict);
+        Self::of(of_gears(task, layout, limits).into_iter().chain(meshes))
+    }
+
+    /// Misses of both.
+    pub(super) fn with(self, other: Self) -> Self {
+        Self { rules: self.rules | other.rules, is_error: self.is_error || other.is_error }
+    }
+
+    /// Number of rules.
+    pub(super) const fn count(self) -> u32 {
+        self.rules.count_ones()
+    }
+}
+
+/// A mesh whose face width is judged.
+#[derive(Debug, Clone)]
+struct Width {
+    family: usize,
+    /// Reference diameter of the smaller gear, m; `None` where the mesh is judged by another one.
+    diameter: Option<f64>,
+    /// Face load factor that is given.
+    face_load: Option<f64>,
+    pair: Pair,
+    module: f64,
+}
 
 /// A layout under the rules.
 #[derive(Debug, Clone)]
 pub(super) struct Practice {
-    /// The worst that its gears and meshes have.
-    pub(super) geometry: Option<Severity>,
-    /// Reference diameter of the smaller gear of each external mesh, by family, m.
-    diameters: Vec<Vec<f64>>,
+    /// Misses at any face width.
+    pub(super) of_layout: Misses,
+    widths: Vec<Width>,
 }
 
 impl Practice {
     pub(super) fn of(task: &Task, layout: &Layout, limits: &Limits) -> Self {
-        let is_of_pair = task.planets.is_empty();
-        let shifts = layout.gears.iter().zip(&task.gears).enumerate().map(|(place, (gear, sized))| {
-            let own = task.meshes.iter().zip(&layout.pairs).filter(|(mesh, _)| mesh.gears.contains(&place));
-            let rule = shift_rule(gear, sized.body != Body::Central, is_of_pair);
-            let verdict = of_shift(limits, rule, gear, own.map(|(_, pair)| pair));
-            // Shifts that a file states are asked for.
-            if task.has_stated_shifts { verdict.no_worse_than(Severity::Warning) } else { verdict }
-        });
-        let meshes = layout.pairs.iter().flat_map(|pair| of_mesh(limits, pair)).map(|(_, verdict)| verdict);
-        let hard = layout
-            .gears
-            .iter()
-            .zip(&task.gears)
-            .filter(|(_, sized)| sized.gear.material.class == Class::CaseHardened);
-        let tips = hard.map(|(gear, _)| limits.judge(Rule::HardenedTips, gear.tip_thickness()));
-        let geometry = shifts.chain(meshes).chain(tips).filter_map(|verdict| verdict.severity).max();
-        let mut diameters = vec![vec![]; task.face_widths.len()];
-        for (mesh, pair) in task.meshes.iter().zip(&layout.pairs).filter(|(_, pair)| !pair.is_internal()) {
+        let ends = task.meshes.iter().zip(&layout.pairs).map(|(mesh, pair)| (mesh.gears, pair));
+        let diameters = width_diameters(&ends.collect::<Vec<_>>());
+        let widths = task.meshes.iter().zip(&layout.pairs).zip(diameters).map(|((mesh, pair), diameter)| {
             let family = task.gears[mesh.gears[0]].family;
-            let [one, other] = pair.gears().map(|gear| gear.reference_diameter());
-            diameters[family].push(one.min(other) * layout.modules[family].si());
+            let module = layout.modules[family].si();
+            Width {
+                family,
+                diameter: diameter.map(|diameter| diameter * module),
+                face_load: mesh.method.given.of(Side::First, Symbol::FaceContact),
+                pair: *pair,
+                module,
+            }
+        });
+        let widths = widths.collect();
+        let of_loads = of_planets(task, layout, limits).into_iter().chain(of_speeds(task, layout, limits));
+        let of_layout = Misses::of_geometry(task, layout, limits).with(Misses::of(of_loads));
+        Self { of_layout, widths }
+    }
+
+    /// Misses of face widths, and whether a wider one may have fewer.
+    pub(super) fn of_widths(&self, limits: &Limits, widths: &[f64]) -> (Misses, bool) {
+        let mut is_narrow = false;
+        let mut all = Misses::default();
+        for Width { family, diameter, face_load, pair, module } in &self.widths {
+            let width = widths[*family];
+            let ratio = diameter.map(|diameter| width / diameter);
+            let of_ratio = ratio.map(|ratio| limits.judge(Rule::FaceWidth, ratio));
+            let of_load = ratio.zip(*face_load).map(|(ratio, given)| of_face_load(limits, ratio, given));
+            // More width helps where it or the overlap is too small; it needs more of the face load factor.
+            let small = of_ratio.into_iter().chain(of_total_contact(limits, pair, width / module));
+            for one in small.chain(of_load) {
+                let own = Misses::of([one]);
+                is_narrow |= own.count() > 0 && one.rule != Rule::FaceLoad && one.value < one.limit;
+                all = all.with(own);
+            }
         }
-        Self { geometry, diameters }
-    }
-
-    /// The worst that face widths have, and whether a wider one may be better.
-    pub(super) fn of_widths(&self, limits: &Limits, widths: &[f64]) -> (Option<Severity>, bool) {
-        let ratios = self.diameters.iter().zip(widths);
-        let ratios = ratios.flat_map(|(own, width)| own.iter().map(move |diameter| width / diameter));
-        let missed = ratios.map(|ratio| limits.judge(Rule::FaceWidth, ratio)).filter(|one| !one.holds());
-        missed.fold((None, false), |(worst, is_narrow), one| {
-            (worst.max(one.severity), is_narrow || one.value < one.limit)
-        })
+        (all, is_narrow)
     }
 }
 
-/// Whether a ball bearing carries more than is usual.
-pub(super) fn is_overloaded(limits: &Limits, load_n: f64) -> bool {
-    limits.judge(Rule::BallLoad, load_n / 1e3).severity >= Some(Severity::Warning)
+/// Shifts, case-hardened tips, and rims of rings.
+fn of_gears(task: &Task, layout: &Layout, limits: &Limits) -> Vec<Verdict> {
+    let is_of_pair = task.planets.is_empty();
+    let of = |(place, gear)| {
+        let sized = &task.gears[place];
+        let own = task.meshes.iter().zip(&layout.pairs).filter(|(mesh, _)| mesh.gears.contains(&place));
+        let rule = shift_rule(gear, sized.body != Body::Central, is_of_pair);
+        let is_hardened = sized.gear.material.class == Class::CaseHardened;
+        let verdicts = of_gear(limits, rule, gear, own.map(|(_, pair)| pair), is_hardened);
+        let module = layout.module(task, place);
+        let rim = (gear.kind() == GearKind::Internal).then(|| task.ring_rim(place, module).si());
+        let rim = rim.map(|rim| limits.judge(Rule::RingRim, rim / module.si()));
+        // Rims are asked for, and so are shifts that a file states.
+        let rim = rim.map(|verdict| verdict.no_worse_than(Severity::Warning));
+        let is_stated = task.has_stated_shifts;
+        let stated = move |one: Verdict| if is_stated { one.no_worse_than(Severity::Warning) } else { one };
+        verdicts.into_iter().map(stated).chain(rim)
+    };
+    layout.gears.iter().enumerate().flat_map(of).collect()
 }
 
-/// Rank of a design by its worst verdict: 0 without warnings.
-pub(super) fn rank(worst: Option<Severity>) -> f64 {
-    if worst >= Some(Severity::Warning) { 1.0 } else { 0.0 }
+/// Gaps between planets, their acceleration about the axis, and a load sharing factor that is given.
+fn of_planets(task: &Task, layout: &Layout, limits: &Limits) -> Vec<Verdict> {
+    let planets = layout.planets;
+    let mut all = vec![];
+    let angle = task.least_planet_angle.map_or(TAU / f64::from(planets), Physical::si);
+    for (kind, sized) in task.planets.iter().enumerate() {
+        let radius = layout.radii[kind].si();
+        for gear in task.gears_of(kind).filter(|_| planets > 1 && radius > 0.0) {
+            let module = layout.module(task, gear).si();
+            all.extend(of_gap(limits, &layout.gears[gear], radius / module, angle, Some(module)));
+        }
+        let fastest = layout.bearing_loads[kind].iter().map(|step| step.carrier_speed.si().abs());
+        let acceleration = orbit_acceleration(radius, fastest.fold(0.0, f64::max));
+        all.push(limits.judge(sized.pin.orbit, acceleration));
+    }
+    if let Some(method) = task.meshes.first().map(|mesh| mesh.method).filter(|_| planets > 1)
+        && let Some(given) = method.given.of(Side::First, Symbol::LoadSharing)
+        && let Ok(usual) = load_sharing(planets, method.floating)
+    {
+        all.push(limits.judge_least(Rule::LoadSharing, usual, given));
+    }
+    all
+}
+
+/// Pitch-line speeds in the steps that load the set.
+fn of_speeds(task: &Task, layout: &Layout, limits: &Limits) -> Vec<Verdict> {
+    let loads = &layout.loads;
+    let is_loaded = |step: &usize| {
+        let torque = |mesh: &super::MeshLoads| mesh.steps.get(*step).is_some_and(|of| of.torque.si() != 0.0);
+        loads.iter().any(torque)
+    };
+    let of = |(place, pair): (usize, &Pair)| {
+        let steps = loads[place].steps.iter().enumerate().filter(|(step, _)| is_loaded(step));
+        let fastest = steps.map(|(_, step)| step.speed.si().abs()).fold(0.0, f64::max);
+        let module = layout.module(task, task.meshes[place].gears[0]).si();
+        of_speed(limits, pair, fastest * pair.gears()[0].reference_diameter() * module / 2.0)
+    };
+    layout.pairs.iter().enumerate().map(of).collect()
+}
+
+/// Misses of a kind of planets over their bearing, and of their rims over its bore.
+pub(super) fn of_pin(
+    (task, layout, kind): (&Task, &Layout, usize),
+    limits: &Limits,
+    (bearing, duty): (Option<&Bearing>, &[BearingStep]),
+    bore: f64,
+) -> Misses {
+    let rim = |gear: usize| {
+        let rim = rim_of(task, layout, gear, bore) / layout.module(task, gear).si();
+        limits.judge(Rule::PlanetRim, rim)
+    };
+    let rims = task.gears_of(kind).filter(|_| bore > 0.0).map(rim);
+    let mut all: Vec<Verdict> = rims.collect();
+    if let Some(bearing) = bearing {
+        // Overloads come without a share of the time, and count for the static safety alone.
+        let loads = || duty.iter().filter(|step| step.share > 0.0).map(|step| step.load.si());
+        let greatest = loads().fold(0.0, f64::max);
+        let at_rest = duty.iter().map(|step| step.load.si()).fold(0.0, f64::max);
+        let pin = &task.planets[kind].pin;
+        if bearing.rolling == Rolling::Balls {
+            all.push(limits.judge(Rule::BallLoad, greatest / 1e3));
+        }
+        if let Some(rating) = bearing.static_load_rating.filter(|_| at_rest > 0.0) {
+            all.push(limits.judge(Rule::BearingStaticSafety, rating.si() / at_rest));
+        }
+        if let Some(least) = loads().filter(|load| *load > 0.0).reduce(f64::min) {
+            all.push(limits.judge(Rule::BearingLeastLoad, least / bearing.load_rating.si()));
+        }
+        if let Some(diameter) = bearing.mean_diameter().or(pin.mean_diameter) {
+            let fastest = duty.iter().map(|step| step.speed.si().abs()).fold(0.0, f64::max);
+            all.push(limits.judge(pin.speed, pin_speed(fastest, diameter.si())));
+        }
+    }
+    Misses::of(all)
 }

@@ -1,7 +1,7 @@
 //! Designs in ascending order of the objective, until enough of them hold.
 
 use super::bearing::Bearing;
-use super::practice::{self, Practice};
+use super::practice::{Misses, Practice, of_pin, priced};
 use super::rated::{Place, Ratings, rim_of};
 use super::task::{Body, Design, DesignedPlanet, Governing, Layout, Task};
 use super::{Found, LeftOut, Objective, Requirement, Tried};
@@ -9,8 +9,6 @@ use crate::bearing::{BearingStep, Reliability, life_over_duty};
 use crate::tolerance::RIM;
 use crate::{Error, Quantity};
 use epicyclic_gears::geometry::GearKind;
-use epicyclic_gears::life::Rolling;
-use epicyclic_judge::Severity;
 use epicyclic_units::Physical;
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
@@ -69,16 +67,15 @@ pub fn search(
         if !next.is_followed {
             heap.extend(search.wider(&next).into_iter().map(Reverse));
         }
-        if search.worst(next.layout, &search.widths(&next.widths)).0 == Some(Severity::Error) {
+        if search.misses(next.layout, &search.widths(&next.widths)).0.is_error {
             search.left_out.practice += 1;
             continue;
         }
         let Some(design) = search.judged(&next)? else { continue };
         if design.governing.ratio() >= 1.0 {
             // It waits until no other design can be better.
-            let worst = if design.is_usual { None } else { Some(Severity::Warning) };
             let widths = search.widths(&next.widths);
-            let key = search.objectives(worst, next.layout, design.mass.si(), &widths);
+            let key = search.objectives(design.rules_missed, next.layout, design.mass.si(), &widths);
             heap.push(Reverse(Candidate { objectives: key, design: Some(Box::new(design)), ..next }));
             continue;
         }
@@ -219,7 +216,13 @@ impl Masses {
 
 /// Outside diameter of the ring in m; without a ring tip diameter of the largest gear.
 fn largest(task: &Task, layout: &Layout) -> f64 {
-    let tips = || layout.gears.iter().enumerate().map(|(place, gear)| gear.tip_diameter() * layout.module(task, place).si());
+    let tips = || {
+        layout
+            .gears
+            .iter()
+            .enumerate()
+            .map(|(place, gear)| gear.tip_diameter() * layout.module(task, place).si())
+    };
     layout.ring_diameter(task).map_or_else(|| tips().fold(0.0, f64::max), Physical::si)
 }
 
@@ -264,14 +267,16 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn objectives(&self, worst: Option<Severity>, layout: usize, gears: f64, widths: &[f64]) -> [f64; 3] {
+    fn objectives(&self, rules_missed: u32, layout: usize, gears: f64, widths: &[f64]) -> [f64; 3] {
         let masses = &self.masses[layout];
-        let (rank, ring) = (practice::rank(worst), masses.ring.map_or(0.0, Physical::si));
-        match self.task.objective {
-            Objective::Mass => [rank, gears, ring],
-            Objective::Ring => [rank, ring, gears],
-            Objective::Whole => [rank, gears + masses.structure(widths), gears],
-        }
+        let ring = masses.ring.map_or(0.0, Physical::si);
+        let (value, next) = match self.task.objective {
+            Objective::Mass => (gears, ring),
+            Objective::Ring => (ring, gears),
+            Objective::Whole => (gears + masses.structure(widths), gears),
+        };
+        let [is_unusual, price] = priced(rules_missed, value);
+        [is_unusual, price, next]
     }
 
     fn widths(&self, widths: &[usize]) -> Vec<f64> {
@@ -285,8 +290,8 @@ impl Search<'_> {
         let bores = masses.largest_bore.iter().copied();
         let lengths = self.widths(&widths);
         let mass = masses.all(self.layouts[layout].planets, bores, &lengths);
-        let (worst, is_followed) = self.worst(layout, &lengths);
-        let objectives = self.objectives(worst, layout, mass, &lengths);
+        let (misses, is_followed) = self.misses(layout, &lengths);
+        let objectives = self.objectives(misses.count(), layout, mass, &lengths);
         let one = Candidate { objectives, layout, widths, is_followed, design: None };
         if is_followed {
             all.extend(self.wider(&one));
@@ -294,12 +299,12 @@ impl Search<'_> {
         all.push(one);
     }
 
-    /// The worst that gears and widths have by usual practice, and whether a wider one may be better.
-    fn worst(&self, layout: usize, widths: &[f64]) -> (Option<Severity>, bool) {
-        let Some(limits) = &self.task.practice else { return (None, false) };
+    /// Rules of practice that gears and widths miss, and whether a wider one may miss fewer.
+    fn misses(&self, layout: usize, widths: &[f64]) -> (Misses, bool) {
+        let Some(limits) = &self.task.practice else { return (Misses::default(), false) };
         let own = &self.practice[layout];
         let (of_widths, is_narrow) = own.of_widths(limits, widths);
-        (own.geometry.max(of_widths), is_narrow)
+        (own.of_layout.with(of_widths), is_narrow)
     }
 
     /// How many of the face widths of each family the width ratio allows.
@@ -312,7 +317,7 @@ impl Search<'_> {
     /// The narrowest design of a layout; those that the width ratio or the rims leave out are counted.
     fn narrowest(&mut self, layout: usize) -> Vec<Candidate> {
         let all = self.task.designs_of_layout();
-        if self.practice.get(layout).is_some_and(|own| own.geometry == Some(Severity::Error)) {
+        if self.practice.get(layout).is_some_and(|own| own.of_layout.is_error) {
             self.left_out.practice += all;
             return vec![];
         }
@@ -320,7 +325,8 @@ impl Search<'_> {
             self.left_out.rim += all;
             return vec![];
         }
-        let is_above = |ring: Length| self.task.largest_ring.is_some_and(|largest| ring > largest * (1.0 + RIM));
+        let is_above =
+            |ring: Length| self.task.largest_ring.is_some_and(|largest| ring > largest * (1.0 + RIM));
         if self.masses[layout].ring.is_some_and(is_above) {
             self.left_out.ring += all;
             return vec![];
@@ -362,8 +368,8 @@ impl Search<'_> {
             teeth.push(rated);
         }
         let widths = self.widths(&one.widths);
-        let (planets, of_bearings) = match self.planets(one, &widths)? {
-            Chosen::Planets(planets, governing) => (planets, governing),
+        let Held { planets, governing: of_bearings, misses: of_pins } = match self.planets(one, &widths)? {
+            Chosen::Planets(held) => held,
             Chosen::TooWide => {
                 self.left_out.bearing_width += 1;
                 return Ok(None);
@@ -399,10 +405,9 @@ impl Search<'_> {
             _ => None,
         };
         let ratio = |(width, diameter): (&f64, &f64)| width / diameter;
-        let (worst, _) = self.worst(one.layout, &widths);
-        let is_usual = practice::rank(worst) == 0.0 && planets.iter().all(|planet| planet.is_usual);
+        let misses = self.misses(one.layout, &widths).0.with(of_pins);
         Ok(Some(Design {
-            is_usual,
+            rules_missed: misses.count(),
             mass: Mass::from_si(masses.all(own.planets, planets.iter().map(bore), &widths)),
             structure: Mass::from_si(masses.structure(&widths)),
             ring_diameter: masses.ring,
@@ -417,33 +422,33 @@ impl Search<'_> {
         }))
     }
 
-    /// Planets of each kind with the bearing of the largest bore that lives as long as required and leaves
-    /// the teeth strong enough. Balls under more load than is usual come after all others. If no bearing
-    /// holds, the one that misses least is taken.
+    /// Planets of each kind with the bearing that misses the fewest rules of practice, of equal ones that of
+    /// the largest bore, of those that live as long as required and leave the teeth strong enough. If no
+    /// bearing holds, the one that misses least is taken.
     fn planets(&mut self, one: &Candidate, widths: &[f64]) -> Result<Chosen, Error> {
         let kinds: Vec<usize> = (0..self.task.planets.len()).collect();
         if self.task.has_one_bearing {
             return self.alike(one, &kinds, widths);
         }
-        let (mut planets, mut all) = (vec![], vec![]);
+        let mut all = Held::default();
         for kind in kinds {
             match self.alike(one, &[kind], widths)? {
-                Chosen::Planets(own, governing) => {
-                    planets.extend(own);
-                    all.extend(governing);
+                Chosen::Planets(own) => {
+                    all.planets.extend(own.planets);
+                    all.governing.extend(own.governing);
+                    all.misses = all.misses.with(own.misses);
                 }
                 none => return Ok(none),
             }
         }
-        Ok(Chosen::Planets(planets, all))
+        Ok(Chosen::Planets(all))
     }
 
     /// Kinds of planets with one bearing for all, or without any.
     fn alike(&mut self, one: &Candidate, kinds: &[usize], widths: &[f64]) -> Result<Chosen, Error> {
         let (task, layouts) = (self.task, self.layouts);
         let own = &layouts[one.layout];
-        let made = |kind: usize, bearing: Option<&Bearing>, bore: f64, life, is_usual| DesignedPlanet {
-            is_usual,
+        let made = |kind: usize, bearing: Option<&Bearing>, bore: f64, life| DesignedPlanet {
             bearing: bearing.cloned(),
             bore: (bore > 0.0).then(|| Length::from_si(bore)),
             rim: (bore > 0.0).then(|| {
@@ -452,14 +457,22 @@ impl Search<'_> {
             }),
             life,
         };
+        let misses = |kind: usize, bearing: Option<&Bearing>, duty: &[BearingStep], bore: f64| {
+            let of = |limits| of_pin((task, own, kind), limits, (bearing, duty), bore);
+            task.practice.as_ref().map_or_else(Misses::default, of)
+        };
         let sized = match kinds {
-            [] => return Ok(Chosen::Planets(vec![], vec![])),
+            [] => return Ok(Chosen::Planets(Held::default())),
             [first, ..] => &task.planets[*first],
         };
         if sized.bearings.is_empty() {
-            let bore = |kind: usize| task.planets[kind].bore.map_or(0.0, Physical::si);
-            let planets = kinds.iter().map(|kind| made(*kind, None, bore(*kind), None, true)).collect();
-            return Ok(Chosen::Planets(planets, vec![]));
+            let mut held = Held::default();
+            for kind in kinds {
+                let bore = task.planets[*kind].bore.map_or(0.0, Physical::si);
+                held.planets.push(made(*kind, None, bore, None));
+                held.misses = held.misses.with(misses(*kind, None, &[], bore));
+            }
+            return Ok(Chosen::Planets(held));
         }
         let bore = |bearing: &Bearing| bearing.outside_diameter.si();
         let fits = |bearing: &&Bearing| {
@@ -471,67 +484,71 @@ impl Search<'_> {
         let mut bearings: Vec<&Bearing> = sized.bearings.iter().filter(fits).collect();
         // The sort is stable: of equal bores the first of the table stays first.
         bearings.sort_by(|one, other| bore(other).total_cmp(&bore(one)));
-        let mut best: Option<(f64, Vec<DesignedPlanet>, Vec<Governing>)> = None;
-        // The first that holds, but with balls under more load than is usual.
-        let mut unusual: Option<(Vec<DesignedPlanet>, Vec<Governing>)> = None;
+        // The best that holds, and of the others the one that misses least.
+        let (mut best, mut nearest): (Option<Held>, Option<(f64, Held)>) = (None, None);
         let is_none = bearings.is_empty();
         'bearings: for bearing in bearings {
             let bore = bore(bearing);
-            let (mut planets, mut of_bearing, mut ratio) = (vec![], vec![], f64::INFINITY);
-            let mut is_usual = true;
-            for kind in kinds {
+            let duty = |kind: &usize| {
                 let own_mass = self.masses[one.layout].planet(*kind, bore, widths);
                 let mass = task.planets[*kind].mass.map_or(own_mass, Physical::si);
                 let sharing = task.planets[*kind].sharing.unwrap_or(own.sharing);
-                let duty = bearing_duty(own, *kind, (mass, sharing));
-                let greatest = duty.iter().map(|step| step.load.si()).fold(0.0, f64::max);
-                if let Some(limits) = task.practice.as_ref().filter(|_| bearing.rolling == Rolling::Balls) {
-                    is_usual &= !practice::is_overloaded(limits, greatest);
-                }
-                if !is_usual && unusual.is_some() {
-                    continue 'bearings;
-                }
+                bearing_duty(own, *kind, (mass, sharing))
+            };
+            let duties: Vec<_> = kinds.iter().map(|kind| (*kind, duty(kind))).collect();
+            let of_pins = duties.iter().map(|(kind, duty)| misses(*kind, Some(bearing), duty, bore));
+            let mut held = Held { misses: of_pins.fold(Misses::default(), Misses::with), ..Held::default() };
+            // A smaller bore is heavier: it helps only with fewer misses.
+            if best.as_ref().is_some_and(|best| best.misses.count() <= held.misses.count()) {
+                continue;
+            }
+            let mut ratio = f64::INFINITY;
+            for (kind, duty) in duties {
                 let life =
                     life_over_duty(bearing.rolling, bearing.load_rating, &duty, Reliability::Percent90)?;
-                of_bearing.extend(life.map(|life| Governing {
+                held.governing.extend(life.map(|life| Governing {
                     requirement: Requirement::BearingLife,
                     mesh: None,
-                    gear: task.gears_of(*kind).next().unwrap_or_default(),
+                    gear: task.gears_of(kind).next().unwrap_or_default(),
                     value: libm::pow(life.hours() / task.life.hours(), 1.0 / bearing.rolling.exponent()),
                     required: 1.0,
                 }));
-                planets.push(made(*kind, Some(bearing), bore, life, is_usual));
-                let Some(of_teeth) = self.ratings.roots(one.place(), *kind, bore)? else {
+                held.planets.push(made(kind, Some(bearing), bore, life));
+                let Some(of_teeth) = self.ratings.roots(one.place(), kind, bore)? else {
                     continue 'bearings;
                 };
-                let all = of_teeth.iter().chain(&of_bearing).map(Governing::ratio);
+                let all = of_teeth.iter().chain(&held.governing).map(Governing::ratio);
                 ratio = all.fold(ratio, f64::min);
             }
-            if ratio >= 1.0 && !is_usual {
-                unusual = Some((planets, of_bearing));
-                continue;
-            }
             if ratio >= 1.0 {
-                return Ok(Chosen::Planets(planets, of_bearing));
-            }
-            if best.as_ref().is_none_or(|(least, ..)| ratio > *least) {
-                best = Some((ratio, planets, of_bearing));
+                let is_first = held.misses.count() == 0;
+                best = Some(held);
+                if is_first {
+                    break;
+                }
+            } else if nearest.as_ref().is_none_or(|(least, _)| ratio > *least) {
+                nearest = Some((ratio, held));
             }
         }
-        if let Some((planets, governing)) = unusual {
-            return Ok(Chosen::Planets(planets, governing));
-        }
-        Ok(match best {
-            Some((_, planets, governing)) => Chosen::Planets(planets, governing),
+        Ok(match best.or(nearest.map(|(_, held)| held)) {
+            Some(held) => Chosen::Planets(held),
             None if is_none => Chosen::TooWide,
             None => Chosen::NotCalculable,
         })
     }
 }
 
-/// Planets of a design with what their bearings require, if bearings fit.
+/// Planets with what their bearings require, and the rules of practice that they miss.
+#[derive(Default)]
+struct Held {
+    planets: Vec<DesignedPlanet>,
+    governing: Vec<Governing>,
+    misses: Misses,
+}
+
+/// Planets of a design, if bearings fit.
 enum Chosen {
-    Planets(Vec<DesignedPlanet>, Vec<Governing>),
+    Planets(Held),
     /// No bearing is as narrow as the planets.
     TooWide,
     /// Rims outside what the standard holds for.

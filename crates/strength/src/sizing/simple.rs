@@ -2,7 +2,7 @@
 
 use super::search::search;
 use super::task::{
-    Body, Design, Layout, MeshLoads, PlanetStep, SizedGear, SizedMesh, SizedPlanet, StaticDemand, Task,
+    Body, Design, Layout, MeshLoads, Pin, PlanetStep, SizedGear, SizedMesh, SizedPlanet, StaticDemand, Task,
 };
 use super::{Found, Objective, Space, Tried};
 use crate::checks::{not_negative, positive};
@@ -99,6 +99,8 @@ pub struct Sizing {
     pub planet_bore: Option<Length>,
     /// Mass of a planet for the force on its bearing, in place of that of its shape.
     pub planet_mass: Option<Mass>,
+    /// Rules for the pins of the planets.
+    pub planet_pin: Pin,
     /// The least angle between neighbouring planets at given angles; `None` if they must be at equal angles.
     pub least_planet_angle: Option<Angle>,
     /// Objective that is minimized.
@@ -149,6 +151,7 @@ impl Sizing {
                 bore: self.planet_bore,
                 mass: self.planet_mass,
                 sharing: None,
+                pin: self.planet_pin,
             }],
             has_one_bearing: false,
             face_widths: vec![face_widths],
@@ -161,6 +164,7 @@ impl Sizing {
             planet_rim: self.planet_rim,
             ring_rim: self.ring_rim,
             objective: self.objective,
+            least_planet_angle: self.least_planet_angle,
             has_stated_shifts: self.held_shifts.is_some(),
             practice: self.practice.clone(),
         }
@@ -210,7 +214,13 @@ impl Sizing {
                 speed: step.sun_speed.abs() * (sun / planet),
             }
         };
-        self.duty.iter().map(step).collect()
+        let still = AngularVelocity::default();
+        let loading = self.overloads.iter().filter(|one| one.sun_torque.si() != 0.0);
+        let overload = |one: &SetOverload| {
+            let SetOverload { sun_torque, .. } = *one;
+            step(&SetStep { share: 0.0, sun_torque, sun_speed: still, carrier_speed: still })
+        };
+        self.duty.iter().map(step).chain(loading.map(overload)).collect()
     }
 
     /// Layouts with one module and number of planets, whose gears are those of this set whatever its loads.
@@ -229,7 +239,11 @@ impl Sizing {
         let (loads, _) = self.loads(first.planets)?;
         let loaded = |own: &Layout| Layout {
             loads: Arc::clone(&loads),
-            bearing_loads: vec![self.bearing_loads(own.planets, own.radii[0], [&own.pairs[0], &own.pairs[1]])],
+            bearing_loads: vec![self.bearing_loads(
+                own.planets,
+                own.radii[0],
+                [&own.pairs[0], &own.pairs[1]],
+            )],
             ..own.clone()
         };
         let layouts: Vec<Layout> = geometries.iter().map(loaded).collect();

@@ -12,10 +12,10 @@ use crate::spectrum::{GearDuty, Step, Worn, check_shares};
 use crate::{Error, Quantity};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::{InvoluteGear, Pair};
-use epicyclic_judge::Limits;
+use epicyclic_judge::{Limits, Rule};
 use epicyclic_units::Physical;
 use std::sync::Arc;
-use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length, Mass, Time, Torque};
+use uom::si::f64::{Angle, AngularVelocity, Force, KinematicViscosity, Length, Mass, Time, Torque};
 
 /// Part of the gearbox that a gear turns with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,6 +57,25 @@ pub struct SizedPlanet {
     pub mass: Option<Mass>,
     /// Mesh load factor `K_γ` for its bearing, in place of that of the layout.
     pub sharing: Option<f64>,
+    /// Rules for its pin.
+    pub pin: Pin,
+}
+
+/// Rules of practice for planets on their pins, by the rolling elements of their bearings.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pin {
+    /// Rule for the speed of the bearing.
+    pub speed: Rule,
+    /// Rule for the acceleration about the axis.
+    pub orbit: Rule,
+    /// Mean diameter of a bearing that is of no table.
+    pub mean_diameter: Option<Length>,
+}
+
+impl Default for Pin {
+    fn default() -> Self {
+        Self { speed: Rule::PinSpeed, orbit: Rule::OrbitAcceleration, mean_diameter: None }
+    }
 }
 
 /// Safeties required against a torque that comes a few times in the life.
@@ -118,7 +137,7 @@ pub struct Layout {
     pub loads: Arc<[MeshLoads]>,
     /// Mesh load factor `K_γ` for the bearings.
     pub sharing: f64,
-    /// Loads of the bearings of each kind of planets.
+    /// Loads of the bearings of each kind of planets, over the duty and, without a share, against overloads.
     pub bearing_loads: Vec<Vec<PlanetStep>>,
 }
 
@@ -154,10 +173,12 @@ pub struct Task {
     pub ring_rim: f64,
     /// Objective that is minimized.
     pub objective: Objective,
+    /// The least angle between neighbouring planets; `None` if they are at equal angles.
+    pub least_planet_angle: Option<Angle>,
     /// Whether the profile shifts are stated, not chosen.
     pub has_stated_shifts: bool,
-    /// Limits of usual practice: designs beyond them come after all others, or are left out. `None` does not
-    /// look at them.
+    /// Limits of usual practice: designs that miss fewer of its rules come first, and those with an error are
+    /// left out. `None` does not look at them.
     pub practice: Option<Limits>,
 }
 
@@ -271,8 +292,6 @@ pub struct DesignedPlanet {
     pub bore: Option<Length>,
     /// The least rim between root circle and bore; `None` of solid ones.
     pub rim: Option<Length>,
-    /// Whether the bearing is usual for its load; true without a bearing.
-    pub is_usual: bool,
     /// `L_10` of the bearing over the duty; `None` without a bearing, and where it never turns under load.
     pub life: Option<Time>,
 }
@@ -300,8 +319,8 @@ pub struct Design {
     pub meshes: Vec<Option<[GearDuty<Worn>; 2]>>,
     /// The overload requirement that is met least; `None` where no overload loads the set.
     pub overload: Option<Governing>,
-    /// Whether usual practice is kept; true where nothing looks at it.
-    pub is_usual: bool,
+    /// Number of rules of practice that the design misses with a warning; 0 where nothing looks at them.
+    pub rules_missed: u32,
     /// The requirement that is met least.
     pub governing: Governing,
 }

@@ -1,11 +1,10 @@
 //! Flanks and cross-sections of a set at one module and one face width, at every centre distance.
 
-use super::practice::{self, Practice};
+use super::practice::Misses;
 use super::rated::{Place, Ratings};
 use super::search::Masses;
 use super::simple::{SetStep, Sizing, layouts};
 use crate::Error;
-use epicyclic_judge::Severity;
 use epicyclic_units::Physical;
 use std::f64::consts::FRAC_PI_4;
 use std::ops::ControlFlow;
@@ -15,8 +14,10 @@ use uom::si::f64::Length;
 /// What a set bears at one module, face width and centre distance.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Trial {
-    /// Warnings by usual practice, of gears and meshes.
-    pub(crate) warnings: f64,
+    /// Rules of usual practice that gears and meshes miss.
+    pub(crate) missed: u32,
+    /// Whether practice refuses them.
+    is_refused: bool,
     /// Least safety of the flanks under each duty.
     pub(crate) flanks: Vec<f64>,
     /// Cross-section of all gears times their density for each number of planets, with planets of the largest
@@ -44,15 +45,19 @@ impl Sizing {
         let (mut all, _) = layouts(self, &modules_mm, &task, &|| ControlFlow::Continue(()))?;
         let mut trials = vec![];
         for own in &all {
-            let worst = task.practice.as_ref().and_then(|limits| Practice::of(&task, own, limits).geometry);
+            let limits = task.practice.as_ref();
+            let misses =
+                limits.map_or_else(Misses::default, |limits| Misses::of_geometry(&task, own, limits));
             let bore = (own.gears[1].root_diameter() - 2.0 * self.planet_rim).max(0.0);
-            let bored = FRAC_PI_4 * (bore * own.modules[0].si()).powi(2) * self.gears[1].material.density.si();
+            let bored =
+                FRAC_PI_4 * (bore * own.modules[0].si()).powi(2) * self.gears[1].material.density.si();
             let section = |count: &u32| {
                 let layout = super::Layout { planets: *count, ..own.clone() };
                 Masses::new(&task, &layout).solid[0] - f64::from(*count) * bored
             };
             trials.push(Trial {
-                warnings: if worst == Some(Severity::Error) { f64::INFINITY } else { practice::rank(worst) },
+                missed: misses.count(),
+                is_refused: misses.is_error,
                 flanks: vec![],
                 sections: planets.iter().map(section).collect(),
                 ring: own.ring_diameter(&task).unwrap_or_default(),
@@ -79,7 +84,7 @@ impl Sizing {
                 trial.flanks.push(weakest);
             }
         }
-        trials.retain(|trial| trial.warnings.is_finite() && trial.flanks.iter().all(|safety| *safety > 0.0));
+        trials.retain(|trial| !trial.is_refused && trial.flanks.iter().all(|safety| *safety > 0.0));
         Ok(trials)
     }
 }

@@ -16,14 +16,12 @@ use super::records::planet_name;
 use crate::answer::Warning;
 use crate::shared::gearbox::Gearbox;
 use crate::tolerance::rounded;
-use epicyclic_formats::gearbox::{GearboxFile, RollingEntry};
+use epicyclic_formats::gearbox::{GearboxFile, PlanetData, RollingEntry};
+use epicyclic_gears::involute::practice::orbit_acceleration;
 use epicyclic_judge::Rule;
 use epicyclic_units::Physical;
 use epicyclic_units::format::trimmed;
 use uom::si::f64::{AngularVelocity, Length};
-
-/// Acceleration of gravity, m/s².
-pub(crate) const GRAVITY: f64 = 9.806_65;
 
 /// Digits of a figure in a warning.
 const DIGITS: usize = 4;
@@ -35,9 +33,8 @@ pub(crate) fn warning(subject: &Gearbox, worked: &[&Worked<'_>]) -> Option<Warni
     let mut beyond: Vec<String> = vec![];
     for bearing in subject.planet_bearings.iter().filter(|bearing| bearing.load_rating.is_some()) {
         let set = &subject.train.sets()[bearing.set];
-        let Some((rolling, diameter)) = stated(&file, set.id(), &set.planets()[bearing.planet].name) else {
-            continue;
-        };
+        let Some(data) = file.set_data(set) else { continue };
+        let PlanetData { rolling, bearing_diameter: diameter, .. } = data.planets[bearing.planet];
         for Worked { analysis, input, .. } in worked {
             let Some(speed) = input.speed else { continue };
             let planet = analysis.sets()[bearing.set].planets[bearing.planet];
@@ -75,15 +72,6 @@ pub(crate) fn orbit_rule(rolling: RollingEntry) -> Rule {
     if rolling == RollingEntry::Needles { Rule::NeedleAcceleration } else { Rule::OrbitAcceleration }
 }
 
-/// Rolling elements and mean diameter of a planet's bearing, from the file.
-pub(crate) fn stated(file: &GearboxFile, set: &str, planet: &str) -> Option<(RollingEntry, Option<Length>)> {
-    if let Some(entry) = file.sets.iter().find(|entry| entry.id == set) {
-        return Some((entry.bearing_rolling, entry.bearing_diameter.map(|of| of.0)));
-    }
-    let entry = file.compound_sets.iter().find(|entry| entry.id == set)?.planet_sizes.get(planet)?;
-    Some((entry.bearing_rolling, entry.bearing_diameter.map(|of| of.0)))
-}
-
 fn on_pin(of: &str, rolling: RollingEntry, speed: AngularVelocity, diameter: Length) -> Option<String> {
     let (speed_rpm, diameter_mm) = (speed.rpm(), diameter.mm());
     let kind = if rolling == RollingEntry::FullComplement { "full of rollers" } else { "with a cage" };
@@ -99,7 +87,7 @@ fn on_pin(of: &str, rolling: RollingEntry, speed: AngularVelocity, diameter: Len
 }
 
 fn in_orbit(of: &str, rolling: RollingEntry, carrier: AngularVelocity, radius: Length) -> Option<String> {
-    let acceleration = radius.si() * carrier.si() * carrier.si() / GRAVITY;
+    let acceleration = orbit_acceleration(radius.si(), carrier.si());
     let most = orbit_rule(rolling).bounds().required().most;
     (acceleration > most)
         .then(|| format!("{of}: {} g in its orbit, at most {most} g", trimmed(acceleration, DIGITS)))

@@ -1,7 +1,7 @@
 //! Tooth numbers and sizes of one scheme.
 
-use super::records::{SizesStep, TeethStep, TeethTaken};
 use super::making::{Load, MAKING, warnings, with_load};
+use super::records::{SizesStep, TeethStep, TeethTaken};
 use super::{Wanted, order_of_teeth};
 use crate::answer::Warning;
 use crate::error::Error;
@@ -167,10 +167,10 @@ impl Tried {
         self.size.mass_kg.filter(|_| self.is_whole())
     }
 
-    /// Whether a set has no size, and then numbers of errors and of warnings by usual practice as 0 or 1.
-    fn beyond_practice(&self) -> [bool; 3] {
+    /// Whether a set has no size, and then numbers of errors and of warnings by usual practice.
+    fn beyond_practice(&self) -> (bool, [usize; 2]) {
         let [errors, warnings, _] = self.size.judgement.misses();
-        [!self.is_whole(), errors > 0, warnings > 0]
+        (!self.is_whole(), [errors, warnings])
     }
 
     /// Objective to minimize; infinite if a set has no size.

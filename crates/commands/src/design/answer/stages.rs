@@ -108,10 +108,14 @@ pub struct TrainOfStages {
     pub ratios: Vec<f64>,
     /// Ratio of the train.
     pub ratio: f64,
-    /// Warnings by usual practice of all stages.
-    pub beyond_practice: f64,
+    /// Stages that usual practice warns of.
+    pub unusual_stages: u32,
+    /// Rules of usual practice that the stages miss.
+    pub rules_missed: u32,
     /// Mass in kg that decides: of gears, carriers and housing by a rule, or of the gears.
     pub mass_kg: f64,
+    /// This mass with a quarter more for each rule missed, in kg.
+    pub price_kg: f64,
 }
 
 impl Answer for Stages {
@@ -124,8 +128,10 @@ impl TrainOfStages {
             teeth: train.stages.iter().map(|teeth| teeth.map(epicyclic_gears::ToothCount::get)).collect(),
             ratios: train.stages.iter().map(|[sun, _, ring]| 1.0 + ring.as_f64() / sun.as_f64()).collect(),
             ratio: train.ratio,
-            beyond_practice: train.warnings,
+            unusual_stages: train.unusual_stages,
+            rules_missed: train.rules_missed,
             mass_kg: train.mass_kg,
+            price_kg: train.price_kg,
         }
     }
 }
@@ -165,11 +171,11 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
     let mut trains: Vec<TrainsOf> = found.all.iter().map(TrainsOf::of).collect();
     let cost = |of: &TrainsOf| {
         let best = of.best.as_ref()?;
-        Some((best.beyond_practice, best.mass_kg))
+        Some((best.unusual_stages, best.price_kg))
     };
     let taken = (0..trains.len()).filter(|place| cost(&trains[*place]).is_some()).min_by(|one, other| {
         let [one, other] = [one, other].map(|place| cost(&trains[*place]).unwrap_or_default());
-        one.0.total_cmp(&other.0).then(one.1.total_cmp(&other.1))
+        one.0.cmp(&other.0).then(one.1.total_cmp(&other.1))
     });
     if let Some(place) = taken {
         trains[place].taken = true;

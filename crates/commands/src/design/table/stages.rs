@@ -21,16 +21,18 @@ impl AsReport for Stages {
 
 /// What was asked and reached, the trains, and assumed values.
 pub(crate) fn parts_of_stages(stages: &Stages) -> Vec<Part> {
-    vec![Part::Facts(asked(stages)), Part::Records(trains(&stages.trains)), Part::Records(searched(stages)), Part::Records(basis(&stages.basis))]
+    vec![
+        Part::Facts(asked(stages)),
+        Part::Records(trains(&stages.trains)),
+        Part::Records(searched(stages)),
+        Part::Records(basis(&stages.basis)),
+    ]
 }
 
 /// The train with its ratio, ring, mass, least safeties and life.
 pub(crate) fn in_short(stages: &Stages) -> String {
-    let asked = format!(
-        "{} ± {} %",
-        trimmed(stages.asked_ratio, DIGITS),
-        trimmed(100.0 * stages.tolerance, DIGITS)
-    );
+    let asked =
+        format!("{} ± {} %", trimmed(stages.asked_ratio, DIGITS), trimmed(100.0 * stages.tolerance, DIGITS));
     let (Some(ratio), Some(sizes)) = (stages.ratio, &stages.sizes) else {
         return format!("No stages with i = {asked} that hold were found.");
     };
@@ -43,9 +45,12 @@ pub(crate) fn in_short(stages: &Stages) -> String {
     all.extend(sizes.whole_kg.map(|mass| format!("whole about {}", words(Dimension::Mass, mass, 2))));
     let gears = || found.iter().flat_map(|design| &design.over_duty);
     let least = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::min);
-    all.extend(least(&mut gears().map(|gear| gear.flank.safety)).map(|of| format!("least S_H {}", trimmed(of, 3))));
+    all.extend(
+        least(&mut gears().map(|gear| gear.flank.safety)).map(|of| format!("least S_H {}", trimmed(of, 3))),
+    );
     all.extend(least(&mut gears().map(|gear| gear.root.safety)).map(|of| format!("S_F {}", trimmed(of, 3))));
-    let bearings = found.iter().flat_map(|design| &design.planet_sizes).filter_map(|planet| planet.bearing.as_ref());
+    let bearings =
+        found.iter().flat_map(|design| &design.planet_sizes).filter_map(|planet| planet.bearing.as_ref());
     let life = least(&mut bearings.filter_map(|bearing| bearing.life_s));
     all.extend(life.map(|life| format!("L_10 {} h", trimmed(hours(life), 3))));
     format!("{}.", all.join(", "))
@@ -55,23 +60,35 @@ fn asked(stages: &Stages) -> Section {
     let of = |dimension, value: Option<f64>| value.map_or(Figure::None, |value| quantity(dimension, value));
     let deviation = stages.ratio.map(|ratio| percent(ratio / stages.asked_ratio - 1.0));
     let rows = vec![
-        Row::new("ratio", "ratio", "i", [
-            Figure::Number(stages.asked_ratio),
-            stages.ratio.map_or(Figure::None, Figure::Number),
-            deviation.map_or(Figure::None, text),
-        ]),
-        Row::new("output_speed", "speed of the output", "n", [
-            quantity(Dimension::AngularSpeed, stages.asked_output_speed_rad_s),
-            of(Dimension::AngularSpeed, stages.output_speed_rad_s),
-            Figure::None,
-        ]),
-        Row::new("output_torque", "torque on the output, without losses", "T", [
-            Figure::None,
-            of(Dimension::Torque, stages.output_torque_n_m),
-            Figure::None,
-        ]),
+        Row::new(
+            "ratio",
+            "ratio",
+            "i",
+            [
+                Figure::Number(stages.asked_ratio),
+                stages.ratio.map_or(Figure::None, Figure::Number),
+                deviation.map_or(Figure::None, text),
+            ],
+        ),
+        Row::new(
+            "output_speed",
+            "speed of the output",
+            "n",
+            [
+                quantity(Dimension::AngularSpeed, stages.asked_output_speed_rad_s),
+                of(Dimension::AngularSpeed, stages.output_speed_rad_s),
+                Figure::None,
+            ],
+        ),
+        Row::new(
+            "output_torque",
+            "torque on the output, without losses",
+            "T",
+            [Figure::None, of(Dimension::Torque, stages.output_torque_n_m), Figure::None],
+        ),
     ];
-    const COLUMNS: &[(&str, &str)] = &[("asked", "asked"), ("reached", "reached"), ("deviation", "deviation")];
+    const COLUMNS: &[(&str, &str)] =
+        &[("asked", "asked"), ("reached", "reached"), ("deviation", "deviation")];
     Section { name: "asked_and_reached", title: "Asked and reached", columns: COLUMNS, rows, note: "" }
 }
 
@@ -96,11 +113,11 @@ fn trains(all: &[TrainsOf]) -> Records {
         })
         .number("ratio", "i", |(_, train, _)| train.map(|train| train.ratio))
         .quantity("mass", "mass", Dimension::Mass, |(_, train, _)| train.map(|train| train.mass_kg))
-        .number("beyond_practice", "warnings", |(_, train, _)| train.map(|train| train.beyond_practice))
-        .view("The best trains of each number of stages", "stages taken teeth ratio mass beyond_practice")
+        .number("rules_missed", "rules missed", |(_, train, _)| train.map(|train| f64::from(train.rules_missed)))
+        .view("The best trains of each number of stages", "stages taken teeth ratio mass rules_missed")
         .note(
-            "Fewer warnings by usual practice come first, then less mass: of gears, carriers and housing by a rule, \
-             or what --minimise says. --stages decides otherwise.",
+            "Trains that keep to usual practice come first, then less mass, of which each rule missed counts a quarter: \
+             of gears, carriers and housing by a rule, or what --minimise says. --stages decides otherwise.",
         )
         .the_answer()
         .records()

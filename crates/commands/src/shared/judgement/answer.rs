@@ -18,7 +18,8 @@ const MOST_NAMED: usize = 2;
 pub struct Judgement {
     /// Number of checks that hold.
     pub held: usize,
-    /// Check that holds with the least room up to its limit; null if none has a limit.
+    /// Check that holds with the ratio of value and limit nearest to 1, of figures whose ratio is a margin: no
+    /// shifts, divisors, efficiencies, temperatures and stated factors; null if there is none.
     pub nearest: Option<Nearest>,
     /// Checks, those that do not hold first, the worst first of all.
     pub checks: Vec<Judged>,
@@ -52,7 +53,7 @@ pub struct Judged {
     pub remedy: Option<&'static str>,
 }
 
-/// Check that holds, with the least room up to its limit.
+/// Check that holds, with the least margin up to its limit.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Nearest {

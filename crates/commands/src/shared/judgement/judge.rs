@@ -9,7 +9,8 @@ use epicyclic_judge::{Limits, Rule, Verdict};
 #[derive(Debug, Default)]
 pub(super) struct Judge {
     pub(super) limits: Limits,
-    checks: Vec<(Judged, f64)>,
+    /// Checks, each with its [margin](Verdict::margin).
+    checks: Vec<(Judged, Option<f64>)>,
     not_judged: Vec<NotJudged>,
 }
 
@@ -17,6 +18,11 @@ impl Judge {
     /// Judges a value by the usual bounds of a rule.
     pub(super) fn see(&mut self, rule: Rule, of: &[&str], value: f64) {
         self.take(of, self.limits.judge(rule, value));
+    }
+
+    /// Judges a value by the least one that the gearbox allows.
+    pub(super) fn see_least(&mut self, rule: Rule, of: &[&str], least: f64, value: f64) {
+        self.take(of, self.limits.judge_least(rule, least, value));
     }
 
     /// Takes a verdict.
@@ -34,20 +40,31 @@ impl Judge {
             message: verdict.miss(),
             remedy: (!verdict.holds()).then(|| verdict.remedy()),
         };
-        // A rule without bounds has nothing to come near to.
-        self.checks.push((judged, verdict.room));
+        self.checks.push((judged, verdict.margin()));
+    }
+
+    /// Whether a rule is judged for a set.
+    pub(super) fn has(&self, rule: Rule, set: &str) -> bool {
+        let is_own = |check: &Judged| check.name == rule.name() && check.of.iter().any(|of| of == set);
+        self.checks.iter().any(|(check, _)| is_own(check))
+    }
+
+    /// Whether a part of a set has a check, or is named for a rule without one.
+    pub(super) fn has_any(&self, name: &str, of: &[&str]) -> bool {
+        self.not_judged.iter().any(|one| one.of == name)
+            || self.checks.iter().any(|(check, _)| check.of == of)
     }
 
     /// Notes rules that cannot be judged for lack of data.
     pub(super) fn lacks(&mut self, of: &str, rules: &[Rule], missing: Vec<String>) {
-        let rules = rules.iter().map(|rule| rule.name()).collect();
-        self.not_judged.push(NotJudged { of: of.to_owned(), rules, missing });
-    }
-
-    /// Notes rules that cannot be judged for a reason, if there is one.
-    pub(super) fn lacks_if(&mut self, of: &str, rules: &[Rule], why: Option<String>) {
-        if let Some(why) = why {
-            self.lacks(of, rules, vec![why]);
+        let alike = |one: &&mut NotJudged| one.of == of && one.missing == missing;
+        let mut names: Vec<&str> = rules.iter().map(|rule| rule.name()).collect();
+        match self.not_judged.iter_mut().find(alike) {
+            Some(one) => {
+                names.retain(|name| !one.rules.contains(name));
+                one.rules.append(&mut names);
+            }
+            None => self.not_judged.push(NotJudged { of: of.to_owned(), rules: names, missing }),
         }
     }
 
@@ -66,7 +83,7 @@ impl Judge {
                 message: check.message.clone(),
                 remedy: check.remedy,
             };
-            self.checks.push((judged, f64::INFINITY));
+            self.checks.push((judged, None));
         }
         for of in &all.not_checked {
             let missing = of.missing.iter().map(|key| (*key).to_owned()).collect();
@@ -78,9 +95,9 @@ impl Judge {
     pub(super) fn judgement(mut self) -> Judgement {
         // Errors first; among equals the order of the checks, which is that of the sets.
         self.checks.sort_by_key(|(check, _)| (check.holds, std::cmp::Reverse(check.severity)));
-        let nearest =
-            self.checks.iter().filter(|(check, room)| check.holds && (APART..f64::INFINITY).contains(room));
-        let nearest = nearest.min_by(|(_, one), (_, other)| one.total_cmp(other)).map(|(check, _)| Nearest {
+        let margins = self.checks.iter().filter_map(|(check, margin)| Some((check, (*margin)?)));
+        let margins = margins.filter(|(_, margin)| *margin >= 1.0 + APART);
+        let nearest = margins.min_by(|(_, one), (_, other)| one.total_cmp(other)).map(|(check, _)| Nearest {
             name: check.name,
             of: check.of.clone(),
             value: check.value.unwrap_or(check.limit),

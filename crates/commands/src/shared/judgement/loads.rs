@@ -1,38 +1,36 @@
 //! Rules for loads, speeds and losses.
 
 use super::judge::Judge;
-use super::teeth::width_ratio;
-use crate::analyze::answer::pins::{GRAVITY, orbit_rule, speed_rule, stated};
+use super::teeth::{in_mesh, judged_by_width};
+use crate::analyze::answer::pins::{orbit_rule, speed_rule};
+use crate::analyze::answer::records::planet_name;
 use crate::analyze::answer::{Input, Worked};
 use crate::shared::gearbox::Gearbox;
-use crate::shared::toothed::toothed;
+use crate::shared::toothed::lacking;
 use crate::strength::answer::duty::{WorkedStep, steps};
 use crate::strength::answer::load::SetLoad;
-use crate::strength::answer::records::{BearingOverDuty, MeshName};
-use crate::strength::answer::{Strength, over_duty};
-use epicyclic_formats::gearbox::{GearboxFile, RollingEntry, SetData};
+use crate::strength::answer::records::{Against, BearingOverDuty, MeshName, NotRated, Reason};
+use crate::strength::answer::{Lacking, Strength, over_duty};
+use epicyclic_formats::gearbox::{GearboxFile, PlanetData, SetData};
+use epicyclic_gears::involute::practice::{of_face_load, of_speed, orbit_acceleration, pin_speed};
+use epicyclic_gears::life::Rolling;
 use epicyclic_judge::Rule;
+use epicyclic_strength::rating::Place;
 use epicyclic_train::PlanetSet;
 use epicyclic_units::Physical;
-use std::f64::consts::TAU;
+use std::borrow::Cow;
 
-/// Rules that need the strength of the teeth.
-const OF_STRENGTH: [Rule; 3] = [Rule::FlankSafety, Rule::RootSafety, Rule::DynamicFactor];
-
-/// Rules that need a duty.
-const OF_DUTY: [Rule; 5] = [
-    Rule::BearingLife,
-    Rule::BearingStaticSafety,
-    Rule::OrbitAcceleration,
-    Rule::SpurSpeed,
-    Rule::HelicalSpeed,
-];
+/// Rules for the teeth of each set that need their strength.
+const OF_TEETH: [Rule; 4] = [Rule::FlankSafety, Rule::RootSafety, Rule::DynamicFactor, Rule::FaceLoad];
 
 /// Symbol of the dynamic factor.
 const DYNAMIC: &str = "K_v";
 
 /// Symbol of the face load factor of flanks.
 const FACE_LOAD: &str = "K_Hβ";
+
+/// A set to judge, with its index in the gearbox and its data of the file.
+type Of<'a> = (usize, &'a PlanetSet, SetData<'a>);
 
 /// Judges what the file says of loads: over its duty, or at an operating point.
 pub(super) fn judge(
@@ -43,37 +41,25 @@ pub(super) fn judge(
     strength: Option<&Strength>,
 ) {
     of_gears(judge, subject);
-    let name = subject.train.name();
-    let is_wanted = |id: &str| set.is_none_or(|set| set == id);
-    let (own, why) = match strength {
-        Some(_) => (None, None),
-        None => match over_duty(subject, file) {
-            Ok(Some(strength)) => (Some(strength), None),
-            Ok(None) => (None, Some("duty, oil, life and the strength of sets".to_owned())),
-            Err(error) => (None, Some(error.to_string())),
-        },
+    let sets =
+        subject.train.sets().iter().enumerate().filter(|(_, one)| set.is_none_or(|set| set == one.id()));
+    let sets: Vec<Of<'_>> = sets.filter_map(|(place, set)| Some((place, set, file.set_data(set)?))).collect();
+    let rated = match strength {
+        Some(strength) => Ok(Ok(Cow::Borrowed(strength))),
+        None => over_duty(subject, file).map(|rated| rated.map(Cow::Owned)),
     };
-    judge.lacks_if(name, &OF_STRENGTH, why);
-    if let Some(strength) = strength.or(own.as_ref()) {
-        of_strength(judge, file, strength, &is_wanted);
-        for one in subject.train.sets().iter().filter(|set| is_wanted(set.id())) {
-            if let Some(data) = file.set_data(one) {
-                of_face_loads(judge, subject, strength, one, &data);
-            }
-        }
+    match rated {
+        Ok(Ok(strength)) => of_strength(judge, subject, &sets, &strength),
+        Ok(Err(Lacking { keys, not_rated })) => of_lacks(judge, &sets, &Missing::of(keys), &not_rated),
+        Err(error) => of_lacks(judge, &sets, &Missing::of(vec![error.to_string()]), &[]),
     }
-    let why = match steps(subject, &file.duty) {
-        _ if file.duty.is_empty() => Some("duty".to_owned()),
-        Err(error) => Some(error.to_string()),
-        Ok(steps) => {
-            let sets = subject.train.sets().iter().enumerate();
-            for one in sets.filter(|(_, set)| is_wanted(set.id())) {
-                of_speeds(judge, subject, file, one, &steps);
-            }
-            None
-        }
+    let worked = match steps(subject, &file.duty) {
+        _ if file.duty.is_empty() => Err("duty".to_owned()),
+        worked => worked.map_err(|error| error.to_string()),
     };
-    judge.lacks_if(name, &OF_DUTY, why);
+    for of in &sets {
+        of_speeds(judge, subject, of, &worked);
+    }
 }
 
 /// Circulating power and efficiency of each gear.
@@ -97,49 +83,120 @@ fn of_gears(judge: &mut Judge, subject: &Gearbox) {
     }
 }
 
-/// Safeties, lives and load factors.
-fn of_strength(judge: &mut Judge, file: &GearboxFile, strength: &Strength, is_wanted: &dyn Fn(&str) -> bool) {
-    for (set, mesh, gear, safeties) in safeties(strength) {
-        if !is_wanted(set) {
-            continue;
-        }
-        let name = format!("{gear} in the mesh {}", mesh.gears.join("–"));
-        for (rule, safety, required) in [
-            (Rule::FlankSafety, safeties[0], strength.required.flank),
-            (Rule::RootSafety, safeties[1], strength.required.root),
-        ] {
-            if let Some(safety) = safety {
-                judge.see(rule, &[set, &name], safety / required);
+/// Safeties, lives and load factors of sets, and what of them has no result.
+fn of_strength(judge: &mut Judge, subject: &Gearbox, sets: &[Of<'_>], strength: &Strength) {
+    for safety in strength.safeties().filter(|one| sets.iter().any(|(_, set, _)| set.id() == one.set)) {
+        let against = if safety.against == Against::Overload { ", overload" } else { "" };
+        let name = format!("{} in the mesh {}{against}", safety.toothed_gear, safety.mesh.gears.join("–"));
+        judge.see_least(rule_of(safety.place), &[&safety.set, &name], safety.required, safety.safety);
+    }
+    for (_, set, data) in sets {
+        of_dynamics(judge, strength, set.id());
+        of_face_loads(judge, subject, strength, set, data);
+    }
+    // Torques that come a few times have no dynamic and face load factors here; lives need a duty.
+    let is_at_point = strength.operating_point.is_some();
+    let of_factors = lacking(&[("duty", is_at_point || !strength.duty.is_empty())]);
+    let of_lives = match is_at_point {
+        true => vec!["at an operating point bearings have no life".to_owned()],
+        false => lacking(&[("duty", !strength.duty.is_empty())]),
+    };
+    for (_, set, data) in sets {
+        for (place, planet) in data.planets.iter().enumerate().filter(|_| !set.is_pair()) {
+            let name = planet_name(set, place);
+            let row = strength.bearings.iter().find(|one| one.set == set.id() && one.planet == name);
+            if let Some(row) = row {
+                of_bearing(judge, (set, place), planet, row, strength.life_s);
             }
         }
     }
-    for one in strength.overload.iter().filter(|one| is_wanted(&one.set)) {
-        let name = format!("{} in the mesh {}, overload", one.toothed_gear, one.mesh.gears.join("–"));
-        for (rule, safety, required) in [
-            (Rule::FlankSafety, one.flank_safety, one.required.flank),
-            (Rule::RootSafety, one.root_safety, one.required.root),
-        ] {
-            if let Some(safety) = safety {
-                judge.see(rule, &[&one.set, &name], safety / required);
-            }
-        }
-    }
-    of_dynamics(judge, strength, is_wanted);
-    for bearing in strength.bearings.iter().filter(|bearing| is_wanted(&bearing.set)) {
-        of_bearing(judge, file, strength, bearing);
+    let missing = Missing { safeties: vec![], factors: of_factors, lives: of_lives };
+    of_lacks(judge, sets, &missing, &strength.not_rated);
+}
+
+/// Rule for the safety of a flank or root.
+const fn rule_of(place: Place) -> Rule {
+    match place {
+        Place::Flank => Rule::FlankSafety,
+        Place::Root => Rule::RootSafety,
     }
 }
 
-/// Set, mesh, gear and safeties of flank and root.
-fn safeties(strength: &Strength) -> impl Iterator<Item = (&str, &MeshName, &str, [Option<f64>; 2])> {
-    let points = strength.at_point.iter().map(|one| {
-        (one.set.as_str(), &one.mesh, one.toothed_gear.as_str(), [one.flank_safety, one.root_safety])
+/// Keys of the gearbox that are missing, or a reason in words: for safeties, for load factors, for lives.
+struct Missing {
+    safeties: Vec<String>,
+    factors: Vec<String>,
+    lives: Vec<String>,
+}
+
+impl Missing {
+    fn of(all: Vec<String>) -> Self {
+        Self { safeties: all.clone(), factors: all.clone(), lives: all }
+    }
+}
+
+/// Notes the rules of sets that need their strength and have no check, with what is missing of the gearbox
+/// and of the sets that are not rated.
+fn of_lacks(judge: &mut Judge, sets: &[Of<'_>], missing: &Missing, not_rated: &[NotRated]) {
+    for (_, set, data) in sets {
+        let rows = || not_rated.iter().filter(|row| row.set == set.id());
+        for rule in OF_TEETH {
+            let is_judged = judge.has(rule, set.id());
+            let of_gearbox = match rule {
+                Rule::DynamicFactor | Rule::FaceLoad => &missing.factors,
+                _ => &missing.safeties,
+            };
+            // A set that has no load in some gears is judged in the others.
+            let is_idle = |row: &NotRated| matches!(row.reason, Reason::NoTorque | Reason::NoRolling);
+            let counts = |row: &&NotRated| {
+                row.place.is_none_or(|place| rule_of(place) == rule) && !(is_judged && is_idle(row))
+            };
+            let mut has_row = false;
+            for row in rows().filter(counts) {
+                has_row = true;
+                judge.lacks(&part(row), &[rule], joined(of_gearbox, row.lacks()));
+            }
+            if !is_judged && !has_row {
+                let none = || vec!["it has no result".to_owned()];
+                let why = Some(of_gearbox.clone()).filter(|why| !why.is_empty());
+                judge.lacks(set.id(), &[rule], why.unwrap_or_else(none));
+            }
+        }
+        for (place, planet) in data.planets.iter().enumerate().filter(|_| !set.is_pair()) {
+            let name = bearing_name(set, place);
+            let of = format!("{}, {name}", set.id());
+            if judge.has_any(&of, &[set.id(), &name]) {
+                continue;
+            }
+            let keys = [
+                ("load_rating", planet.bearing.is_some()),
+                ("static_load_rating", planet.static_load_rating.is_some()),
+                ("bearing_diameter", planet.bearing_diameter.is_some()),
+            ];
+            let balls = (Rolling::from(planet.rolling) == Rolling::Balls).then_some(Rule::BallLoad);
+            let rules = [Rule::BearingLife, Rule::BearingStaticSafety, Rule::BearingLeastLoad];
+            let rules: Vec<Rule> =
+                rules.into_iter().chain([speed_rule(planet.rolling)]).chain(balls).collect();
+            judge.lacks(&of, &rules, joined(&missing.lives, lacking(&keys)));
+        }
+    }
+}
+
+/// What is missing, each once.
+fn joined(one: &[String], other: Vec<String>) -> Vec<String> {
+    let mut all = one.to_vec();
+    all.extend(other.into_iter().filter(|of| !one.contains(of)));
+    all
+}
+
+/// Part of a set that is not rated.
+fn part(row: &NotRated) -> String {
+    let gear = row.toothed_gear.as_ref().map(|gear| match row.place {
+        Some(place) => format!("{place} of the {gear} in the mesh "),
+        None => format!("{gear} in the mesh "),
     });
-    let duties = strength.over_duty.iter().map(|one| {
-        let safety = [&one.flank, &one.root].map(|wear| wear.as_ref().map(|wear| wear.safety));
-        (one.set.as_str(), &one.mesh, one.toothed_gear.as_str(), safety)
-    });
-    points.chain(duties)
+    let mesh = row.mesh.as_ref().map(|mesh| format!("{}{}", gear.unwrap_or_default(), mesh.gears.join("–")));
+    [Some(row.set.clone()), mesh].into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 
 /// A factor of a mesh.
@@ -176,11 +233,11 @@ fn factored(strength: &Strength) -> impl Iterator<Item = Factored<'_>> {
     over_duty.chain(at_point)
 }
 
-/// The greatest dynamic factor of each mesh.
-fn of_dynamics(judge: &mut Judge, strength: &Strength, is_wanted: &dyn Fn(&str) -> bool) {
+/// The greatest dynamic factor of each mesh of a set.
+fn of_dynamics(judge: &mut Judge, strength: &Strength, set: &str) {
     let mut greatest: Vec<Factored<'_>> = vec![];
-    for one in factored(strength).filter(|one| one.symbol == DYNAMIC && is_wanted(one.set)) {
-        match greatest.iter_mut().find(|known| known.set == one.set && known.mesh == one.mesh) {
+    for one in factored(strength).filter(|one| one.symbol == DYNAMIC && one.set == set) {
+        match greatest.iter_mut().find(|known| known.mesh == one.mesh) {
             Some(known) => known.greatest = known.greatest.max(one.greatest),
             None => greatest.push(one),
         }
@@ -198,38 +255,53 @@ fn of_face_loads(
     set: &PlanetSet,
     data: &SetData<'_>,
 ) {
-    let Ok(Ok(toothed)) = toothed(subject, data, set) else { return };
-    for mesh in &toothed.meshes {
+    let has_module = data.modules.iter().any(Option::is_some);
+    let Ok(toothed) = in_mesh(subject, data, set, has_module) else { return };
+    for (mesh, diameter) in judged_by_width(&toothed) {
         let name = MeshName::of(set, mesh.gears);
         let Some(width) = data.common_width(mesh.gears) else { continue };
         let is_own = |one: &Factored<'_>| one.set == set.id() && *one.mesh == name && one.symbol == FACE_LOAD;
-        if let Some(given) = factored(strength).find(|one| is_own(one) && one.is_given)
-            && !mesh.pair.is_internal()
-        {
-            let ratio = width_ratio(mesh, width);
-            let of = [set.id(), &name.gears.join("–")];
-            judge.see(Rule::FaceLoad, &of, given.greatest / (1.0 + 0.4 * ratio * ratio));
+        if let Some(given) = factored(strength).find(|one| is_own(one) && one.is_given) {
+            let verdict = of_face_load(&judge.limits, width.si() / diameter, given.greatest);
+            judge.take(&[set.id(), &name.gears.join("–")], verdict);
         }
     }
 }
 
-/// Life, static safety, speed and load of a planet bearing.
-fn of_bearing(judge: &mut Judge, file: &GearboxFile, strength: &Strength, bearing: &BearingOverDuty) {
-    let rolling =
-        stated(file, &bearing.set, &bearing.planet).map_or(RollingEntry::default(), |(rolling, _)| rolling);
-    // Planets of short sets have no name.
-    let name = match bearing.planet.parse::<u32>() {
-        Ok(_) => "planet bearing".to_owned(),
-        Err(_) => format!("bearing of the {}", bearing.planet),
-    };
-    let of = [bearing.set.as_str(), name.as_str()];
-    if let Some(life) = bearing.life_s() {
-        judge.see(Rule::BearingLife, &of, life / strength.life_s);
+/// Name of the bearing of a planet; planets of short sets have no name.
+fn bearing_name(set: &PlanetSet, place: usize) -> String {
+    match set.planets()[place].name.as_str() {
+        "" => "planet bearing".to_owned(),
+        name => format!("bearing of the {name}"),
+    }
+}
+
+/// Life, static safety, speed and load of a planet bearing; with a force that does not follow none of them.
+fn of_bearing(
+    judge: &mut Judge,
+    (set, place): (&PlanetSet, usize),
+    planet: &PlanetData,
+    bearing: &BearingOverDuty,
+    required_life_s: f64,
+) {
+    let name = bearing_name(set, place);
+    let (of, name_of) = ([set.id(), name.as_str()], format!("{}, {name}", set.id()));
+    let speed_rule = speed_rule(planet.rolling);
+    if bearing.greatest_force_n.is_none() {
+        let rules = [Rule::BearingLife, Rule::BearingStaticSafety, Rule::BearingLeastLoad, speed_rule];
+        return judge.lacks(&name_of, &rules, bearing.missing.clone());
+    }
+    let idle = || vec!["does not turn under load".to_owned()];
+    match bearing.life_s() {
+        Some(life) => judge.see_least(Rule::BearingLife, &of, required_life_s / HOUR_S, life / HOUR_S),
+        None => judge.lacks(&name_of, &[Rule::BearingLife], idle()),
     }
     match bearing.static_safety {
         Some(safety) => judge.see(Rule::BearingStaticSafety, &of, safety),
         None => {
-            judge.lacks(&name_of(&of), &[Rule::BearingStaticSafety], vec!["static_load_rating".to_owned()]);
+            let is_known = planet.static_load_rating.is_some();
+            let why = if is_known { "carries no load" } else { "static_load_rating" };
+            judge.lacks(&name_of, &[Rule::BearingStaticSafety], vec![why.to_owned()]);
         }
     }
     let force = bearing.steps.iter().map(|step| step.force_n).fold(0.0, f64::max);
@@ -242,31 +314,30 @@ fn of_bearing(judge: &mut Judge, file: &GearboxFile, strength: &Strength, bearin
     }
     let fastest = bearing.steps.iter().map(|step| step.speed_rad_s).fold(0.0, f64::max);
     match bearing.mean_diameter_m {
-        // Revolutions a minute times mm.
-        Some(diameter) => judge.see(speed_rule(rolling), &of, fastest * 60.0 / TAU * 1e3 * diameter),
-        None => judge.lacks(&name_of(&of), &[Rule::PinSpeed], vec!["bearing_diameter".to_owned()]),
+        Some(diameter) => judge.see(speed_rule, &of, pin_speed(fastest, diameter)),
+        None => judge.lacks(&name_of, &[speed_rule], vec!["bearing_diameter".to_owned()]),
     }
 }
 
-fn name_of(of: &[&str]) -> String {
-    of.join(", ")
-}
+/// Seconds in an hour.
+const HOUR_S: f64 = 3600.0;
 
-/// Speeds of the meshes, and the acceleration of the planets about the axis.
+/// Speeds of the meshes, and the acceleration of the planets about the axis, over the steps of the duty or
+/// with the reason why there are none.
 fn of_speeds(
     judge: &mut Judge,
     subject: &Gearbox,
-    file: &GearboxFile,
-    (place, set): (usize, &PlanetSet),
-    steps: &[WorkedStep<'_>],
+    (place, set, data): &Of<'_>,
+    steps: &Result<Vec<WorkedStep<'_>>, String>,
 ) {
-    let Some(data) = file.set_data(set) else { return };
-    let toothed = match toothed(subject, &data, set) {
-        Ok(Ok(toothed)) if data.modules.iter().any(Option::is_some) => toothed,
-        _ => {
-            let rules = [Rule::SpurSpeed, Rule::HelicalSpeed, Rule::OrbitAcceleration];
-            return judge.lacks(set.id(), &rules, vec!["module".to_owned()]);
-        }
+    let toothed = in_mesh(subject, data, set, data.modules.iter().any(Option::is_some));
+    let (Ok(toothed), Ok(steps)) = (&toothed, steps) else {
+        let is_helical = set.tooth_shape().is_helical();
+        let orbits = data.planets.iter().filter(|_| !set.is_pair()).map(|of| orbit_rule(of.rolling));
+        let of_mesh = if is_helical { Rule::HelicalSpeed } else { Rule::SpurSpeed };
+        let rules: Vec<Rule> = [of_mesh].into_iter().chain(orbits).collect();
+        let why: Vec<String> = steps.as_ref().err().cloned().into_iter().collect();
+        return judge.lacks(set.id(), &rules, joined(&why, toothed.err().unwrap_or_default()));
     };
     let mut fastest = vec![0.0_f64; toothed.meshes.len()];
     let mut carrier = 0.0_f64;
@@ -275,26 +346,23 @@ fn of_speeds(
         let speed = entry.speed.0;
         let turning = worked.analysis.speed(set.carrier()).unwrap_or_default();
         carrier = carrier.max((speed * turning).si().abs());
-        let Ok(load) = SetLoad::of(place, worked, Some(speed)) else { continue };
+        let Ok(load) = SetLoad::of(*place, worked, Some(speed)) else { continue };
         for ((mesh, own), fastest) in toothed.meshes.iter().zip(load.of_meshes(set)).zip(&mut fastest) {
             let radius = mesh.pair.gears()[0].reference_diameter() * mesh.module / 2.0;
             *fastest = fastest.max((load.speed.si() * own.speeds[0]).abs() * radius);
         }
     }
     for (mesh, speed) in toothed.meshes.iter().zip(fastest).filter(|(_, speed)| *speed > 0.0) {
-        let is_spur = mesh.pair.gears()[0].profile().helix_angle.si() == 0.0;
-        let rule = if is_spur { Rule::SpurSpeed } else { Rule::HelicalSpeed };
         let name = mesh.gears.map(|gear| set.gear_name(gear)).join("–");
-        judge.see(rule, &[set.id(), &name], speed);
+        judge.take(&[set.id(), &name], of_speed(&judge.limits, &mesh.pair, speed));
     }
     if !set.is_pair() && carrier > 0.0 {
-        for (planet, radius) in set.planets().iter().zip(&toothed.radii) {
+        for ((planet, radius), of_file) in set.planets().iter().zip(&toothed.radii).zip(&data.planets) {
             let Some(radius) = radius else { continue };
             let of = [set.id(), planet.name.as_str()];
-            let rolling = stated(file, set.id(), &planet.name).map_or(RollingEntry::default(), |of| of.0);
             // Planets of short sets have no name.
             let of = &of[..1 + usize::from(!planet.name.is_empty())];
-            judge.see(orbit_rule(rolling), of, radius * carrier * carrier / GRAVITY);
+            judge.see(orbit_rule(of_file.rolling), of, orbit_acceleration(*radius, carrier));
         }
     }
 }

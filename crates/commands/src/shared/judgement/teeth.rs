@@ -6,8 +6,10 @@ use crate::shared::toothed::{lacking, toothed};
 use crate::strength::answer::materials::{floating, given_sharing};
 use epicyclic_formats::gearbox::{GearboxFile, MaterialClass, SetData};
 use epicyclic_gears::geometry::GearKind;
-use epicyclic_gears::involute::practice::{of_mesh, of_shift, shift_rule};
-use epicyclic_gears::mesh::TipCircle;
+use epicyclic_gears::involute::practice::{
+    of_gap, of_gear, of_mesh, of_total_contact, shift_rule, width_diameters,
+};
+use epicyclic_gears::teeth::gcd;
 use epicyclic_judge::Rule;
 use epicyclic_strength::load::{Floating, load_sharing};
 use epicyclic_strength::material::{self, Class};
@@ -16,7 +18,6 @@ use epicyclic_train::planet_set::GearOf;
 use epicyclic_train::toothed::{ToothedMesh, ToothedSet};
 use epicyclic_units::Physical;
 use std::f64::consts::TAU;
-use uom::si::f64::Length;
 
 /// Rules that need the teeth of a set in mesh.
 const IN_MESH: [Rule; 8] = [
@@ -41,16 +42,9 @@ pub(super) fn judge(
     sharing(judge, set, data);
     // Tooth numbers alone describe a scheme, not gears that someone would cut.
     let is_described = set.tooth_shape().shifts.is_some() || data.modules.iter().any(Option::is_some);
-    if !is_described {
-        return judge.lacks(set.id(), &IN_MESH, vec!["module".to_owned()]);
-    }
-    let toothed = match toothed(subject, data, set) {
-        Ok(Ok(toothed)) => toothed,
-        Ok(Err(missing)) => {
-            let missing = missing.map_or_else(|| "bevel gears have no rules here".to_owned(), str::to_owned);
-            return judge.lacks(set.id(), &IN_MESH, vec![missing]);
-        }
-        Err(error) => return judge.lacks(set.id(), &IN_MESH, vec![error.to_string()]),
+    let toothed = match in_mesh(subject, data, set, is_described) {
+        Ok(toothed) => toothed,
+        Err(missing) => return judge.lacks(set.id(), &IN_MESH, missing),
     };
     let of = Of { set, data, file, toothed: &toothed };
     of.gears(judge);
@@ -58,6 +52,23 @@ pub(super) fn judge(
     of.widths(judge);
     of.rims(judge);
     of.neighbours(judge);
+}
+
+/// The gears of a set in mesh, or what is missing for them; besides teeth a module is, unless that is known.
+pub(super) fn in_mesh(
+    subject: &Gearbox,
+    data: &SetData<'_>,
+    set: &PlanetSet,
+    has_module: bool,
+) -> Result<ToothedSet, Vec<String>> {
+    let module = || lacking(&[("module", has_module)]);
+    match toothed(subject, data, set) {
+        Ok(Ok(toothed)) if has_module => Ok(toothed),
+        Ok(Ok(_)) => Err(module()),
+        Ok(Err(Some(key))) => Err([vec![key.to_owned()], module()].concat()),
+        Ok(Err(None)) => Err(vec!["bevel gears have no rules here".to_owned()]),
+        Err(error) => Err(vec![error.to_string()]),
+    }
 }
 
 /// A set with its gears in mesh.
@@ -77,10 +88,6 @@ impl Of<'_> {
         mesh.gears.map(|gear| self.name(gear)).join("–")
     }
 
-    fn is_internal(&self, mesh: &ToothedMesh) -> bool {
-        mesh.pair.is_internal()
-    }
-
     fn gears(&self, judge: &mut Judge) {
         let materials = self.data.strength.map(|strength| self.data.of_gears(&strength.materials));
         for (place, of) in self.data.of.iter().enumerate() {
@@ -89,10 +96,11 @@ impl Of<'_> {
             let own = [self.set.id(), name.as_str()];
             let rule = shift_rule(gear, matches!(of, GearOf::Planet(..)), self.set.is_pair());
             let own_meshes = self.toothed.meshes.iter().filter(|mesh| mesh.gears.contains(of));
-            judge.take(&own, of_shift(&judge.limits, rule, gear, own_meshes.map(|mesh| &mesh.pair)));
             let material = materials.as_ref().and_then(|all| all[place]);
-            if material.is_some_and(|material| self.is_case_hardened(material)) {
-                judge.see(Rule::HardenedTips, &own, gear.tip_thickness());
+            let is_hardened = material.is_some_and(|material| self.is_case_hardened(material));
+            let meshes = own_meshes.map(|mesh| &mesh.pair);
+            for verdict in of_gear(&judge.limits, rule, gear, meshes, is_hardened) {
+                judge.take(&own, verdict);
             }
         }
     }
@@ -118,32 +126,28 @@ impl Of<'_> {
                 );
                 judge.take(&[self.set.id(), &name], verdict);
             }
-            if let Some(width) = self.data.common_width(mesh.gears).filter(|_| one.profile().is_helical()) {
-                let total = pair.transverse_contact_ratio() + pair.overlap_ratio(width.si() / mesh.module);
-                judge.see(Rule::HelicalContact, &of, total);
+            let width = self.data.common_width(mesh.gears).map(|width| width.si() / mesh.module);
+            if let Some(total) = width.and_then(|width| of_total_contact(&judge.limits, pair, width)) {
+                judge.take(&of, total);
             }
-            let divisor = gcd(one.teeth().get(), other.teeth().get());
-            judge.see(Rule::HuntingTooth, &of, f64::from(divisor));
+            let divisor = gcd(one.teeth().get().into(), other.teeth().get().into());
+            judge.see(Rule::HuntingTooth, &of, divisor as f64);
         }
     }
 
     fn widths(&self, judge: &mut Judge) {
-        let external = self.toothed.meshes.iter().filter(|mesh| !self.is_internal(mesh));
-        let mut is_lacking = false;
-        for mesh in external {
-            let name = self.mesh_name(mesh);
-            let Some(width) = self.data.common_width(mesh.gears).filter(|_| self.has_module()) else {
-                is_lacking = true;
-                continue;
-            };
-            judge.see(Rule::FaceWidth, &[self.set.id(), &name], width_ratio(mesh, width));
-        }
-        if is_lacking {
-            let known = [
-                ("module", self.has_module()),
-                ("face_width", self.data.face_widths.iter().all(Option::is_some)),
-            ];
-            judge.lacks(self.set.id(), &[Rule::FaceWidth], lacking(&known));
+        let known = [
+            ("module", self.has_module()),
+            ("face_width", self.data.face_widths.iter().all(Option::is_some)),
+        ];
+        for (mesh, diameter) in judged_by_width(self.toothed) {
+            match self.data.common_width(mesh.gears).filter(|_| self.has_module()) {
+                Some(width) => {
+                    let name = self.mesh_name(mesh);
+                    judge.see(Rule::FaceWidth, &[self.set.id(), &name], width.si() / diameter);
+                }
+                None => judge.lacks(self.set.id(), &[Rule::FaceWidth], lacking(&known)),
+            }
         }
     }
 
@@ -151,24 +155,50 @@ impl Of<'_> {
         self.data.modules.iter().any(Option::is_some)
     }
 
+    /// Rims that are stated; under a planet's teeth otherwise what its bore leaves of them.
     fn rims(&self, judge: &mut Judge) {
-        let Some(strength) = self.data.strength.filter(|_| self.has_module()) else { return };
+        if !self.has_module() {
+            return;
+        }
         for (name, of) in self.data.gears.names.iter().zip(&self.data.of) {
-            let Some(gear) = self.toothed.gear(*of) else { continue };
+            let Some((gear, module)) = self.toothed.gear(*of).zip(self.module(*of)) else { continue };
             let is_ring = gear.kind() == GearKind::Internal;
-            let own = strength.rims.get(name);
-            let rim = own.or(match of {
-                GearOf::Planet(..) => strength.planet_rim.as_ref(),
-                GearOf::Central(_) if is_ring => strength.ring_rim.as_ref(),
-                GearOf::Central(_) => None,
+            let rule = if is_ring { Rule::RingRim } else { Rule::PlanetRim };
+            let stated = self.data.strength.and_then(|strength| {
+                let of_kind = match of {
+                    GearOf::Planet(..) => strength.planet_rim.as_ref(),
+                    GearOf::Central(_) if is_ring => strength.ring_rim.as_ref(),
+                    GearOf::Central(_) => None,
+                };
+                strength.rims.get(name).or(of_kind)
             });
-            let module =
-                self.toothed.meshes.iter().find(|mesh| mesh.gears.contains(of)).map(|mesh| mesh.module);
-            if let (Some(rim), Some(module)) = (rim, module) {
-                let rule = if is_ring { Rule::RingRim } else { Rule::PlanetRim };
-                judge.see(rule, &[self.set.id(), &self.name(*of)], rim.0.si() / module);
+            match (stated, of) {
+                (Some(rim), _) => judge.see(rule, &[self.set.id(), &self.name(*of)], rim.0.si() / module),
+                (None, GearOf::Planet(planet, _)) => {
+                    self.bored(judge, *of, *planet, gear.root_diameter() * module);
+                }
+                (None, GearOf::Central(_)) => {}
             }
         }
+    }
+
+    /// Judges the rim of a planet's gear over its bore. The outside of a bearing is larger than its mean
+    /// diameter, which alone shows only that a rim is too thin.
+    fn bored(&self, judge: &mut Judge, gear: GearOf, planet: usize, root_m: f64) {
+        let Some((of, module)) = self.data.planets.get(planet).zip(self.module(gear)) else { return };
+        let diameters = [of.bore, of.bearing_diameter].into_iter().flatten().map(Physical::si);
+        let Some(largest) = diameters.reduce(f64::max) else { return };
+        let verdict = judge.limits.judge(Rule::PlanetRim, (root_m - largest) / 2.0 / module);
+        if of.bore.is_none() && verdict.holds() {
+            let key = if self.set.short().is_some() { "planet_bore" } else { "bore" };
+            return judge.lacks(self.set.id(), &[Rule::PlanetRim], vec![key.to_owned()]);
+        }
+        judge.take(&[self.set.id(), &self.name(gear)], verdict);
+    }
+
+    /// Module of a gear, that of its first mesh.
+    fn module(&self, gear: GearOf) -> Option<f64> {
+        self.toothed.meshes.iter().find(|mesh| mesh.gears.contains(&gear)).map(|mesh| mesh.module)
     }
 
     /// Gaps between neighbouring planets of one kind.
@@ -179,29 +209,25 @@ impl Of<'_> {
         };
         let equal = TAU / f64::from(planets);
         let angle = self.set.least_planet_angle().map_or(equal, Physical::si);
-        for (gear, radius) in self.data.of.iter().filter_map(|of| match of {
-            GearOf::Planet(planet, _) => Some((*of, self.toothed.radii[*planet]?)),
-            GearOf::Central(_) => None,
-        }) {
-            let mesh = self.toothed.meshes.iter().find(|mesh| mesh.gears.contains(&gear));
-            let (Some(mesh), Some(own)) = (mesh, self.toothed.gear(gear)) else { continue };
-            let circle =
-                TipCircle { centre_radius: radius / mesh.module, tip_radius: own.tip_diameter() / 2.0 };
-            let gap = circle.gap(circle, angle);
-            let name = self.name(gear);
-            let of = [self.set.id(), name.as_str()];
-            judge.see(Rule::NeighbourGap, &of, gap);
-            if self.has_module() {
-                judge.see(Rule::NeighbourGapLength, &of, 1e3 * gap * mesh.module);
+        for gear in &self.data.of {
+            let GearOf::Planet(planet, _) = gear else { continue };
+            let own = self.toothed.radii[*planet].zip(self.module(*gear)).zip(self.toothed.gear(*gear));
+            let Some(((radius, module), own)) = own else { continue };
+            let stated = Some(module).filter(|_| self.has_module());
+            for verdict in of_gap(&judge.limits, own, radius / module, angle, stated) {
+                judge.take(&[self.set.id(), &self.name(*gear)], verdict);
             }
         }
     }
 }
 
-/// Face width over the reference diameter of the smaller gear of a mesh.
-pub(super) fn width_ratio(mesh: &ToothedMesh, width: Length) -> f64 {
-    let [one, other] = mesh.pair.gears().map(|gear| gear.reference_diameter());
-    width.si() / (one.min(other) * mesh.module)
+/// Meshes whose face width is judged, each with the reference diameter of its smaller gear, in m.
+pub(super) fn judged_by_width(toothed: &ToothedSet) -> impl Iterator<Item = (&ToothedMesh, f64)> {
+    let meshes: Vec<_> = toothed.meshes.iter().map(|mesh| (mesh.gears, &mesh.pair)).collect();
+    let diameters = width_diameters(&meshes);
+    let of = |(mesh, diameter): (_, Option<f64>)| Some((mesh, diameter?));
+    let all = toothed.meshes.iter().zip(diameters).filter_map(of);
+    all.map(|(mesh, diameter): (&ToothedMesh, f64)| (mesh, diameter * mesh.module))
 }
 
 /// Judges a load sharing factor that is given.
@@ -212,14 +238,6 @@ fn sharing(judge: &mut Judge, set: &PlanetSet, data: &SetData<'_>) {
     if let (Some(given), Ok(usual)) = (given, load_sharing(planets, floating))
         && planets > 1
     {
-        judge.see(Rule::LoadSharing, &[set.id()], given / usual);
+        judge.see_least(Rule::LoadSharing, &[set.id()], usual, given);
     }
-}
-
-/// Greatest common divisor.
-const fn gcd(mut one: u32, mut other: u32) -> u32 {
-    while other != 0 {
-        (one, other) = (other, one % other);
-    }
-    one
 }

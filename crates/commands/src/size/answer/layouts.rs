@@ -16,6 +16,7 @@
 //! planets joins are chosen apart: the distance of that mesh is free, and the planets stand at the angle that
 //! their shifts give.
 
+use crate::analyze::answer::Worked;
 use crate::error::Error;
 use crate::size::options::Request;
 use crate::strength::answer::duty::WorkedStep;
@@ -522,31 +523,36 @@ impl Making<'_> {
         let still = AngularVelocity::default();
         let mut all = vec![];
         for bearing in set.bearings(self.set.place, &size)? {
-            let mut own = vec![];
-            for WorkedStep(entry, worked) in self.steps {
-                let mut step = PlanetStep {
-                    share: entry.share.0.si(),
-                    tangential: Default::default(),
-                    radial: Default::default(),
-                    carrier_speed: still,
-                    speed: still,
-                };
-                if let Some(worked) = worked {
+            let loaded =
+                |worked: &Worked<'_>, share: f64| {
                     let torques = worked.member_torques(self.set.place);
                     let forces = bearing.forces(torques.as_deref(), Some(still))?;
-                    let turning = worked.analysis.sets()[self.set.place].planets[bearing.planet];
-                    let (Some(tangential), Some(radial), Some(turning)) =
-                        (forces.tangential, forces.radial, turning)
-                    else {
-                        return Ok(None);
-                    };
-                    let carrier = worked.analysis.speed(set.carrier()).unwrap_or_default();
-                    let relative = crate::tolerance::rounded(turning.relative);
-                    (step.tangential, step.radial) = (tangential, radial);
-                    step.carrier_speed = entry.speed.0 * carrier;
-                    step.speed = (entry.speed.0 * relative).abs();
-                }
-                own.push(step);
+                    Ok::<_, Error>(forces.tangential.zip(forces.radial).map(|(tangential, radial)| {
+                        PlanetStep { share, tangential, radial, carrier_speed: still, speed: still }
+                    }))
+                };
+            let mut own = vec![];
+            for WorkedStep(entry, worked) in self.steps {
+                let share = entry.share.0.si();
+                let Some(worked) = worked else {
+                    let (tangential, radial) = Default::default();
+                    own.push(PlanetStep { share, tangential, radial, carrier_speed: still, speed: still });
+                    continue;
+                };
+                let turning = worked.analysis.sets()[self.set.place].planets[bearing.planet];
+                let (Some(step), Some(turning)) = (loaded(worked, share)?, turning) else {
+                    return Ok(None);
+                };
+                let carrier = worked.analysis.speed(set.carrier()).unwrap_or_default();
+                let relative = crate::tolerance::rounded(turning.relative);
+                own.push(PlanetStep {
+                    carrier_speed: entry.speed.0 * carrier,
+                    speed: (entry.speed.0 * relative).abs(),
+                    ..step
+                });
+            }
+            for peak in self.peaks {
+                own.extend(loaded(&peak.worked, 0.0)?);
             }
             all.push(own);
         }

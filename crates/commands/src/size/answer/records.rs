@@ -58,7 +58,7 @@ impl Sought {
             centre_distance_step_m: space.centre_distance_step.si(),
             reach_in_modules: space.reach,
             width_ratio: space.width_ratio,
-            largest_ring_m: space.largest_ring.map(|ring| ring.si()),
+            largest_ring_m: space.largest_ring.map(Physical::si),
             least_tip_thickness_in_modules: request.tip_thickness.get(),
             planet_rim_in_modules: request.planet_rim.get(),
             ring_rim_in_modules: request.ring_rim.get(),
@@ -303,7 +303,7 @@ pub struct SizedDesign {
     pub gears: Vec<SizedTeeth>,
     /// Whether the aim of the profile shifts is met; otherwise it is met only as far as the limits allow.
     pub aim_met: bool,
-    /// Whether shifts, sliding, tips, widths and bearings keep to usual practice; true where it does not count.
+    /// Whether gears, widths, speeds and bearings keep to usual practice; true where it does not count.
     pub usual: bool,
     /// Planets of each kind; none for a pair.
     pub planet_sizes: Vec<SizedPlanet>,
@@ -381,7 +381,7 @@ impl SizedDesign {
             gears: layout.gears.iter().enumerate().map(teeth).collect(),
             aim_met: layout.is_aim_met,
             planet_sizes: design.planets.iter().enumerate().map(planet).collect(),
-            usual: design.is_usual,
+            usual: design.rules_missed == 0,
             ring_diameter_m: design.ring_diameter.map(Physical::si),
             mass_kg: design.mass.si(),
             structure_kg: design.structure.si(),

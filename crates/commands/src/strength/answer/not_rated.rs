@@ -139,6 +139,11 @@ impl NotRated {
         }
     }
 
+    /// Keys that are missing, or the reason in words.
+    pub(crate) fn lacks(&self) -> Vec<String> {
+        if self.reason == Reason::KeysMissing { self.missing.clone() } else { vec![self.why()] }
+    }
+
     /// Part and reason in words: `set 1: module missing`.
     pub(crate) fn told(&self) -> String {
         format!("{}: {}", self.of(), self.why())

@@ -378,23 +378,32 @@ impl Governing {
     }
 }
 
+/// Safeties of flank and root of each rated gear: at operating points, over a duty, against overloads.
+pub(super) fn all_safeties(
+    at_point: &[Rated],
+    over_duty: &[OverDuty],
+    overload: &[Overloaded],
+    required: Required,
+) -> impl Iterator<Item = Governing> {
+    let points = at_point.iter().flat_map(move |one| {
+        let of = (Against::OperatingPoint, Some(&one.gear), &one.set, &one.mesh, &one.toothed_gear);
+        Governing::both(of, [one.flank_safety, one.root_safety], required)
+    });
+    let duties = over_duty.iter().flat_map(move |one| {
+        let safety = |wear: &Option<Wear>| wear.as_ref().map(|wear| wear.safety);
+        let of = (Against::Duty, None, &one.set, &one.mesh, &one.toothed_gear);
+        Governing::both(of, [safety(&one.flank), safety(&one.root)], required)
+    });
+    let overloads = overload.iter().flat_map(|one| {
+        let of = (Against::Overload, Some(&one.gear), &one.set, &one.mesh, &one.toothed_gear);
+        Governing::both(of, [one.flank_safety, one.root_safety], one.required)
+    });
+    points.chain(duties).chain(overloads)
+}
+
 impl Safeties {
-    /// Safeties of flank and root of each rated gear.
     fn all(&self, required: Required) -> impl Iterator<Item = Governing> {
-        let points = self.at_point.iter().flat_map(move |one| {
-            let of = (Against::OperatingPoint, Some(&one.gear), &one.set, &one.mesh, &one.toothed_gear);
-            Governing::both(of, [one.flank_safety, one.root_safety], required)
-        });
-        let duties = self.over_duty.iter().flat_map(move |one| {
-            let safety = |wear: &Option<Wear>| wear.as_ref().map(|wear| wear.safety);
-            let of = (Against::Duty, None, &one.set, &one.mesh, &one.toothed_gear);
-            Governing::both(of, [safety(&one.flank), safety(&one.root)], required)
-        });
-        let overloads = self.overload.iter().flat_map(|one| {
-            let of = (Against::Overload, Some(&one.gear), &one.set, &one.mesh, &one.toothed_gear);
-            Governing::both(of, [one.flank_safety, one.root_safety], one.required)
-        });
-        points.chain(duties).chain(overloads)
+        all_safeties(&self.at_point, &self.over_duty, &self.overload, required)
     }
 
     /// Safety with the least ratio to the required one, the first of equal ones.
