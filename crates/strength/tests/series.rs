@@ -42,7 +42,7 @@ fn conveyor() -> Order {
     };
     let shaper = GearShaper::of_teeth(ToothCount::new(20).unwrap());
     let shaped = Cutting { fillet: Some(0.3), tool: Some(Tool::Shaper(shaper)), ..Cutting::default() };
-    let given = Given::load_factors([1.5, 1.1, 1.25, 1.0, 1.0]);
+    let given = Given::load_factors([1.5, 1.25, 1.1, 1.25, 1.0]);
     let ring = given.with(Symbol::StaticNotchSensitivity, 1.0);
     let of_stage = Sizing {
         teeth: [24, 30, 84].map(|teeth| ToothCount::new(teeth).unwrap()),
@@ -77,7 +77,7 @@ fn conveyor() -> Order {
             centre_distance_step: mm(1.0),
             reach: 1.0,
             width_ratio: None,
-            largest_ring: Some(mm(480.0)),
+            largest_ring: Some(mm(540.0)),
             bearings: listed_rollers()
                 .iter()
                 .cloned()

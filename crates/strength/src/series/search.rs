@@ -14,22 +14,26 @@ const RANGE: f64 = 1.03;
 /// Growth of the bound up to which trains are listed, from one round to the next.
 const GROWTH: f64 = 1.06;
 
-/// Mass over the least bound above which a train with one more stage beyond usual practice is looked at
-/// first.
+/// Price over the least bound up to which trains are listed in rounds; then all with as many stages beyond
+/// usual practice.
 const HEAVIEST: f64 = 2.0;
 
 /// Stages that are sized at most.
 const MOST: u64 = 3000;
 
-/// Bounds up to which trains are listed, round by round.
+/// Trains that are listed at most at a time.
+const MOST_LISTED: usize = 2_000_000;
+
+/// Bounds up to which trains are listed, round by round; the last has no end.
 fn levels(first: Cost, stages: usize) -> impl Iterator<Item = Cost> {
     let prices = move || {
         let all = std::iter::successors(Some(first.price * GROWTH), |price| Some(price * GROWTH));
         all.take_while(move |price| *price < HEAVIEST * first.price)
     };
-    (0..=stages).flat_map(move |more| {
+    let levels = (0..=stages).flat_map(move |more| {
         prices().map(move |price| Cost { unusual: first.unusual + more as f64, price, ..first })
-    })
+    });
+    levels.chain([Cost { unusual: f64::INFINITY, price: f64::INFINITY, ..first }])
 }
 
 /// The best `most` trains of each number of stages, unless `goes_on`, which is called now and then, breaks.
@@ -224,6 +228,9 @@ impl Search<'_> {
         };
         let own = &self.table.own[range(product)];
         for place in places {
+            if all.len() >= MOST_LISTED {
+                return;
+            }
             let Some(own) = own[place] else { continue };
             let (product, cost) = (product * ratios[place], cost + own);
             sets.push(place);
@@ -283,12 +290,14 @@ impl Search<'_> {
     fn best(&mut self, most: usize) -> Result<(Vec<Train>, bool), Error> {
         let mut found: Vec<Train> = vec![];
         let Some(first) = self.table.rest_of(self.count, 0) else { return Ok((found, true)) };
+        let mut is_whole = true;
         let mut listed = Cost { unusual: -1.0, ..Cost::default() };
         let mut queue: BinaryHeap<Reverse<Queued>> = BinaryHeap::new();
         for within in levels(first, self.count) {
             let mut all = vec![];
             self.list(&mut vec![], (1.0, Cost::default()), [listed, within], &mut all);
             listed = within;
+            is_whole &= all.len() < MOST_LISTED;
             queue.extend(all.into_iter().map(Reverse));
             while queue.peek().is_some_and(|next| next.0.cost <= within) {
                 let Some(Reverse(next)) = queue.pop() else { break };
@@ -316,11 +325,11 @@ impl Search<'_> {
                     _ => found.push(self.train(&next, products[next.sets.len()])),
                 }
                 if found.len() == most {
-                    return Ok((found, true));
+                    return Ok((found, is_whole));
                 }
             }
         }
-        Ok((found, true))
+        Ok((found, is_whole))
     }
 
     fn train(&self, of: &Queued, ratio: f64) -> Train {
