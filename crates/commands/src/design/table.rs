@@ -1,4 +1,4 @@
-//! A design from speeds and power, step by step; [`stages`] for one ratio.
+//! A design from speeds and power, step by step, and stages in series for one ratio.
 
 pub(crate) mod stages;
 
