@@ -424,7 +424,8 @@ fn agrees(task: &Sizing) -> Result<usize, TestCaseError> {
     let mut held: Vec<&Tried> = tried.iter().filter(|one| one.holds).collect();
     // Of the bearings the one with the fewest rules missed.
     held.sort_by(|one, other| {
-        one.rank.cmp(&other.rank).then(one.objectives[0].total_cmp(&other.objectives[0]))
+        let [a, b] = [one, other].map(|tried| tried.objectives);
+        one.rank.cmp(&other.rank).then(a[0].total_cmp(&b[0])).then(a[1].total_cmp(&b[1]))
     });
     let mut seen = vec![];
     held.retain(|one| {
@@ -494,21 +495,21 @@ fn the_best_is_that_of_every_trial() {
     assert!(agrees(&Sizing { objective: Objective::Ring, ..by_practice }).unwrap() > 10);
 }
 
-/// Where every design has a warning, a narrow face with one more does not come first.
+/// Where every design has a warning, a narrow face with one more does not come first for a tenth of the mass.
 #[test]
 fn a_warning_that_all_have_does_not_hide_another() {
     let mut task = Sizing { practice: Some(epicyclic_judge::Limits::default()), ..hoist() };
     // Beyond 150 g in every layout.
     task.duty = vec![step(1.0, 60.0, 4000.0, 2500.0)];
     task.life = Time::new::<hour>(50.0);
-    task.space.face_widths = [8.0, 30.0, 40.0].map(mm).to_vec();
+    task.space.face_widths = [18.0, 20.0, 40.0].map(mm).to_vec();
     (task.space.planets, task.space.bearings) = (vec![3], vec![]);
     let found = size_all(&task, 1).unwrap();
     let best = &found.found[0];
     assert_eq!(best.rules_missed, 1);
     assert!(best.width_ratios[0] > 0.4, "{:?}", best.width_ratios);
     let narrow = size_all(&Sizing { practice: None, ..task }, 1).unwrap();
-    assert_eq!(in_mm(narrow.found[0].face_widths[0]), 8.0);
+    assert!(narrow.found[0].width_ratios[0] < 0.4, "{:?}", narrow.found[0].width_ratios);
 }
 
 #[test]

@@ -15,19 +15,19 @@
 //! the [sizing](crate::sizing).
 //!
 //! # Objective
-//! First the number of stages with warnings by usual practice, then the mass, each warning a quarter more: of the gears, or by
-//! [`Objective::Whole`](crate::sizing::Objective::Whole) of gears, carriers and housing. Both are sums over
-//! the stages.
+//! First the number of stages with warnings by usual practice, then the mass, a quarter more for each warning:
+//! of the gears, or by [`Objective::Whole`](crate::sizing::Objective::Whole) of gears, carriers and housing.
+//! Both are sums over the stages.
 //!
 //! # How the best train is found
-//! A stage has a bound below its mass for each torque : the flank of one trial at a middling size
-//! tells how much volume the teeth need. All trains are put in the order of the sums of these bounds. The
-//! first train gets one of its stages sized, for its own torque and speed, and goes back into the queue with
-//! the mass in place of the bound. A train that comes first with all stages sized is the best: every other
-//! has a bound that is no lower.
+//! Each set is tried at one module and every centre distance. Its flanks there give the volume of teeth that a
+//! torque needs, its planets the bearings that fit: together a bound below the mass of a stage. All trains are
+//! put in the order of the sums of these bounds. The first train gets one of its stages sized, first for the
+//! least load of a range, then for its own, and goes back into the queue with the mass in place of the bound.
+//! A train that comes first with all stages sized is the best: no other has a lower bound.
 //!
-//! The bound takes flanks from the trial, with room for the factors that change with the
-//! size. It is no proof; a trial of every train on small spaces checks it.
+//! The bound leaves room for the factors of flanks that change with the size. The room is no proof: every train
+//! of small spaces is sized in the tests, and the best is the same.
 
 mod bearings;
 mod search;
@@ -65,7 +65,7 @@ pub struct InputStep {
     pub speed: AngularVelocity,
 }
 
-/// What a train has to do.
+/// Order for trains.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Order {
     /// Numbers of stages.
@@ -94,7 +94,7 @@ pub struct Train {
     pub rules_missed: u32,
     /// Mass in kg that the objective counts: of the gears, or of the whole.
     pub mass_kg: f64,
-    /// This mass with a quarter more for each rule missed, in kg.
+    /// Mass with a quarter more for each rule missed, in kg.
     pub price_kg: f64,
 }
 
