@@ -61,8 +61,8 @@ impl Bearings {
         [0, 1].map(|kind: usize| libm::pow(turns, 1.0 / self.kinds[kind].exponent))
     }
 
-    /// Width of the narrowest bearing that fits into a bore and lives long enough under a force at the greatest
-    /// torque; `None` if there is none.
+    /// Width of the narrowest bearing that fits into a bore and lives long enough; `None` if no bearing does.
+    /// The force is that at the greatest torque.
     pub(super) fn width(&self, bore: f64, force: f64, wear: [f64; 2]) -> Option<f64> {
         if self.is_none {
             return Some(0.0);

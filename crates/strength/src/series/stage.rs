@@ -35,7 +35,7 @@ const LOAD: f64 = 5e6;
 /// Quotient of neighbouring speeds for which flanks are tried.
 const BETWEEN_SPEEDS: f64 = 4.0;
 
-/// What counts of a stage or a train, in this order.
+/// Cost of a stage or a train; the fields count in their order.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Cost {
     /// Stages beyond usual practice.
@@ -82,7 +82,7 @@ impl Add for Cost {
     }
 }
 
-/// A set with what its trials tell.
+/// Set with the results of its trials.
 #[derive(Debug, Clone)]
 pub(super) struct Stage {
     pub(super) teeth: [ToothCount; 3],
@@ -283,7 +283,7 @@ impl<'a> Stages<'a> {
         Some((Cost::of(missed, mass), width))
     }
 
-    /// Rules that a face misses that is too wide; `None` where practice refuses it. One that is too narrow may
+    /// Rules missed by a face that is too wide; `None` if practice refuses it. A face that is too narrow may
     /// become wider.
     fn of_width(&self, ratio: f64) -> Option<u32> {
         let Some(limits) = &self.order.of_stage.practice else { return Some(0) };

@@ -1,9 +1,9 @@
 //! Usual practice in a search: the rules that gears, widths and bearings of a design miss.
 //!
-//! Designs without warnings come first. Of the others each rule with a warning makes mass, or ring, count by
-//! [`PRICE`] more. Remarks do not count. Errors of gears and
-//! widths leave designs out. The rules are those of [`practice`](epicyclic_gears::involute::practice) for
-//! gears, meshes, widths, gaps and speeds, [`Rule::LoadSharing`], the rims, and for bearings
+//! Designs without warnings come first. For the others mass, or ring, is multiplied by [`PRICE`] for each rule
+//! with a warning. Remarks do not count. Errors of gears and widths leave designs out. The rules are those of
+//! [`practice`](epicyclic_gears::involute::practice) for gears, meshes, widths, gaps and speeds,
+//! [`Rule::LoadSharing`], the rims, and for bearings
 //! [`Rule::BallLoad`], [`Rule::BearingStaticSafety`], [`Rule::BearingLeastLoad`] and the rule of
 //! [`Pin::speed`](super::task::Pin::speed).
 

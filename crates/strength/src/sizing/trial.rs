@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use uom::si::f64::Length;
 
-/// What a set bears at one module, face width and centre distance.
+/// Strength and mass of a set at one module, face width and centre distance.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Trial {
     /// Rules of usual practice that gears and meshes miss.

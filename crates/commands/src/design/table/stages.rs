@@ -19,7 +19,7 @@ impl AsReport for Stages {
     }
 }
 
-/// What was asked and reached, the trains, and assumed values.
+/// Ratio and speeds asked and reached, the trains, and assumed values.
 pub(crate) fn parts_of_stages(stages: &Stages) -> Vec<Part> {
     vec![
         Part::Facts(asked(stages)),

@@ -182,7 +182,7 @@ fn of_lacks(judge: &mut Judge, sets: &[Of<'_>], missing: &Missing, not_rated: &[
     }
 }
 
-/// What is missing, each once.
+/// Missing keys, each once.
 fn joined(one: &[String], other: Vec<String>) -> Vec<String> {
     let mut all = one.to_vec();
     all.extend(other.into_iter().filter(|of| !one.contains(of)));
