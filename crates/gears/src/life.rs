@@ -30,17 +30,35 @@ pub enum Rolling {
     /// Balls, `p = 3`.
     #[default]
     Balls,
-    /// Rollers or needles, `p = 10/3`.
+    /// Rollers in a cage, `p = 10/3`.
     Rollers,
+    /// Needles in a cage, which bear a faster orbit.
+    Needles,
+    /// Rollers or needles without a cage, which bear less speed.
+    FullComplement,
 }
 
 impl Rolling {
+    /// Each kind.
+    pub const ALL: [Self; 4] = [Self::Balls, Self::Rollers, Self::Needles, Self::FullComplement];
+
     /// The exponent `p`.
     #[must_use]
     pub const fn exponent(self) -> f64 {
         match self {
             Self::Balls => 3.0,
-            Self::Rollers => 10.0 / 3.0,
+            Self::Rollers | Self::Needles | Self::FullComplement => 10.0 / 3.0,
+        }
+    }
+
+    /// Name in files and tables of bearings.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Balls => "balls",
+            Self::Rollers => "rollers",
+            Self::Needles => "needles",
+            Self::FullComplement => "full_complement",
         }
     }
 }

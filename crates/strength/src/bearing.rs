@@ -132,7 +132,7 @@ pub fn life_modification(
     let film = libm::pow(kappa, exponent);
     let (rest, power) = match rolling {
         Rolling::Balls => (1.0 - libm::pow(2.5671 - balls / film, 0.83) * libm::cbrt(ratio), -9.3),
-        Rolling::Rollers => (1.0 - (1.5859 - rollers / film) * libm::pow(ratio, 0.4), -9.185),
+        _ => (1.0 - (1.5859 - rollers / film) * libm::pow(ratio, 0.4), -9.185),
     };
     Ok(if rest > 0.0 { (0.1 * libm::pow(rest, power)).min(MOST) } else { MOST })
 }

@@ -56,7 +56,7 @@ pub fn row_forces(force: [Force; 2], moment: [Torque; 2], span: Length) -> [[For
 pub fn equivalent_load(rolling: Rolling, rows: [Force; 2]) -> Force {
     let exponent = match rolling {
         Rolling::Balls => 10.0 / 3.0,
-        Rolling::Rollers => 9.0 / 2.0,
+        _ => 9.0 / 2.0,
     };
     let largest = rows[0].max(rows[1]);
     if largest.si() == 0.0 {
@@ -123,7 +123,7 @@ mod tests {
                 let together = equivalent_load(rolling, rows);
                 let (unit, exponent, slope) = match rolling {
                     Rolling::Balls => (libm::pow(2.0, 0.7), 3.0, 10.0 / 9.0),
-                    Rolling::Rollers => (libm::pow(2.0, 7.0 / 9.0), 4.0, 9.0 / 8.0),
+                    _ => (libm::pow(2.0, 7.0 / 9.0), 4.0, 9.0 / 8.0),
                 };
                 // Lives in the measure of the unit's rating 1; failures of rows with one slope add up.
                 let life = |load: f64, rating: f64| libm::pow(rating / load, exponent);

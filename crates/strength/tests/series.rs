@@ -94,6 +94,7 @@ fn conveyor() -> Order {
             rings: 50..=150,
             ring_offsets: 0..=0,
             ring_to_sun_ratio: 2.0..=9.0,
+            is_hunting: false,
         },
         duty: vec![InputStep {
             share: 1.0,
@@ -131,11 +132,15 @@ fn alone(order: &Order, teeth: [ToothCount; 3], before: f64) -> Option<[f64; 2]>
 
 /// Cost of every train, the best first.
 fn every_train(order: &Order, stages: usize) -> Vec<[f64; 2]> {
-    let Teeth { suns, planets, rings, ring_offsets, ring_to_sun_ratio } = &order.teeth;
+    let Teeth { suns, planets, rings, ring_offsets, ring_to_sun_ratio, is_hunting } = &order.teeth;
     let mut sets = vec![];
     for (sun, planet) in suns.clone().flat_map(|sun| planets.clone().map(move |planet| (sun, planet))) {
         for offset in ring_offsets.clone() {
             let ring = (sun + 2 * planet).checked_add_signed(offset).unwrap();
+            let has_divisor = (2..=planet).any(|of| planet % of == 0 && (sun % of == 0 || ring % of == 0));
+            if *is_hunting && has_divisor {
+                continue;
+            }
             if rings.contains(&ring) && ring_to_sun_ratio.contains(&(f64::from(ring) / f64::from(sun))) {
                 sets.push([sun, planet, ring].map(|teeth| ToothCount::new(teeth).unwrap()));
             }
@@ -201,7 +206,7 @@ fn small(ratio: f64, torque: f64, suns: u32, objective: Objective) -> Order {
     Order {
         stages: 1..=2,
         ratio: ratio * 0.97..=ratio * 1.03,
-        teeth: Teeth { suns: suns..=suns + 4, planets: 27..=45, ring_offsets: -1..=0, ..order.teeth },
+        teeth: Teeth { suns: suns..=suns + 4, planets: 27..=45, ring_offsets: -1..=0, is_hunting: suns % 3 == 0, ..order.teeth },
         duty: vec![
             InputStep { share: 0.7, ..step },
             InputStep { share: 0.3, torque: step.torque * 0.5, ..step },

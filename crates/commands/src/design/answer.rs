@@ -4,6 +4,7 @@
 //! - [`basis`]: assumed materials, factors, oil and life.
 //! - [`records`]: steps, each with its choice and the next best.
 //! - [`stages`]: stages in series for one ratio.
+//! - [`transmission`]: a list of gears.
 //! - [`ways_out`]: limits to relax if no gearbox is found, each with the gearbox that is then found.
 //!
 //! Each step keeps only the best result of the previous step, so that a person can follow it and choose
@@ -16,6 +17,7 @@ pub mod basis;
 mod making;
 pub mod records;
 pub mod stages;
+pub mod transmission;
 pub mod ways_out;
 
 use crate::answer::{Answer, Warning};

@@ -3,7 +3,9 @@
 use crate::design::answer::Design;
 use crate::design::answer::records::SizesStep;
 use crate::design::answer::stages::Stages;
+use crate::design::answer::transmission::Transmission;
 use crate::design::table::stages::{self, parts_of_stages};
+use crate::design::table::transmission::{self, parts_of_transmission};
 use crate::design::table::{in_short, parts_of_choice, parts_of_sizes};
 use crate::page::sheet::{Arrangement, Block, Section, Sheet};
 use crate::table::report::{AsReport, Report};
@@ -15,6 +17,15 @@ pub fn sheet_of_stages(stages: &Stages, gearbox: Option<Sheet>, command: &str) -
     let Some(mut sheet) = gearbox else { return empty(stages::in_short(stages), stages.report(), command) };
     sheet.sections.insert(0, Section::new("How it was chosen", vec![all]).arranged(Arrangement::Rows));
     finished(sheet, stages.sizes.as_ref(), command)
+}
+
+/// Builds the page of a gearbox for a list of gears, as [`sheet`] that of a gearbox of a scheme.
+#[must_use]
+pub fn sheet_of_transmission(of: &Transmission, gearbox: Option<Sheet>, command: &str) -> Sheet {
+    let all = Block::Answer(Report { parts: parts_of_transmission(of), ..Report::default() });
+    let Some(mut sheet) = gearbox else { return empty(transmission::in_short(of), of.report(), command) };
+    sheet.sections.insert(0, Section::new("How it was chosen", vec![all]).arranged(Arrangement::Rows));
+    finished(sheet, of.sizes.as_ref(), command)
 }
 
 /// Page without a gearbox.

@@ -107,8 +107,12 @@ pub struct Request {
     #[arg(long, value_name = "RANGE", conflicts_with_all = ["speeds", "ratios"], value_parser = stages, help_heading = STAGES)]
     pub stages: Option<RangeInclusive<u32>>,
 
-    /// What the gearbox is for: usual K_A, life and safeties, for what --basis, --factors and --life do not
-    /// say.
+    /// Only gears that have no common divisor with their mates, as is usual of wind turbines.
+    #[arg(long, conflicts_with_all = ["speeds", "ratios"], help_heading = STAGES)]
+    pub hunting_teeth: bool,
+
+    /// What the gearbox is for: usual K_A, life, safeties and kinds of bearings, for what --basis, --factors,
+    /// --life and --bearing-type do not say.
     #[arg(long, value_enum)]
     pub application: Option<Application>,
 
@@ -281,9 +285,20 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     if request.is_of_stages() {
         return run_stages(call, args, &request);
     }
+    if request.is_of_gears() {
+        let of_gears = request.answer_gears(&|| call.goes_on())?;
+        return deliver_gears(call, args, &of_gears);
+    }
     let shown = Progress::new(call);
     let design = request.answer(&|at| shown.at(at.share))?;
     drop(shown);
+    // Where no scheme of the catalogue holds, some other structure may.
+    if design.file.is_none() && request.may_be_of_gears(&design) {
+        let of_gears = request.transmission(request.ratios_of(&design), &|| call.goes_on())?;
+        if of_gears.file.is_some() {
+            return deliver_gears(call, args, &of_gears);
+        }
+    }
     let files = match (&args.save, &design.file) {
         (Some(file), Some(text)) => vec![(file.clone(), text.clone().into_bytes())],
         _ => vec![],
@@ -308,6 +323,31 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
                 .unwrap_or_default();
             Err(Failure::NothingFound(format!("no gearbox that holds was found{way}")))
         }
+    }
+}
+
+/// Delivers a gearbox for a list of gears.
+fn deliver_gears(call: &Call<'_>, args: &Args, of_gears: &Transmission) -> Result<(), Failure> {
+    let files = match (&args.save, &of_gears.file) {
+        (Some(file), Some(text)) => vec![(file.clone(), text.clone().into_bytes())],
+        _ => vec![],
+    };
+    if args.output.is_page() {
+        let own = own_page(call, of_gears.file.as_deref())?;
+        let sheet = crate::design::page::sheet_of_transmission(of_gears, own, &imprint::command(call));
+        args.output.deliver_page(call, files, of_gears, Ok(sheet), &args.page.imprint())?;
+    } else {
+        args.output.deliver_with(call, files, of_gears)?;
+    }
+    match (&of_gears.file, of_gears.gearboxes.is_empty()) {
+        (Some(_), _) => Ok(()),
+        (None, true) => Err(Failure::NothingFound(
+            "no gearbox with these gears was found; a larger --tolerance, other --sun, --planet or --ring may give some"
+                .to_owned(),
+        )),
+        (None, false) => Err(Failure::NothingFound(
+            "no sizes that hold were found; other --modules, --planets or --max-ring may give some".to_owned(),
+        )),
     }
 }
 
@@ -406,7 +446,7 @@ impl Request {
             shares: self.shares.iter().flat_map(|shares| &shares.0).map(|share| share.0.si()).collect(),
             overload: self.overload()?,
             basis: self.basis()?,
-            size: self.sizes.clone(),
+            size: self.space(),
         })
     }
 
@@ -426,18 +466,17 @@ impl Request {
             (None, Some(output)) => (speed / output.0).si(),
             (None, None) => return Err(due()),
         };
-        if !(ratio.is_finite() && ratio.abs() > 1.0) {
-            let message = format!(
-                "{}: stages in series turn more slowly than their input; a ratio above 1 is due",
-                trimmed(ratio, 6)
-            );
+        // A quotient of the fast speed over the slow one; the direction is that of the input.
+        let steps_up = ratio.abs() < 1.0;
+        let quotient = if steps_up { 1.0 / ratio } else { ratio }.abs();
+        if !(quotient.is_finite() && quotient > 1.0) {
+            let message = format!("{}: stages in series have a ratio other than 0 and 1", trimmed(ratio, 6));
             let option = if self.ratio.is_some() { "--ratio" } else { "--output-speed" };
             return Err(Failure::invalid(option, message));
         }
-        let ratio = ratio.abs();
         let load = match (self.torque, self.output_torque, self.power) {
             (Some(torque), ..) => Some(Load::Torque(torque.0)),
-            (_, Some(torque), _) => Some(Load::Torque(torque.0 / ratio)),
+            (_, Some(torque), _) => Some(Load::Torque(torque.0 / ratio.abs())),
             (.., power) => power.map(|power| Load::Power(power.0)),
         };
         let duty = Duty { input_speed: Some(self.input.0), load };
@@ -454,10 +493,12 @@ impl Request {
                 "stages in series are chosen by a mass, mass or whole; --max-ring bounds their rings";
             return Err(Failure::invalid("--minimise", message));
         }
-        let bounds = self.teeth([17..=30, 17..=80, 50..=160])?;
+        let bounds = self.teeth([Application::suns(self.application), 17..=80, 50..=160])?;
         let stages = self.stages.clone().unwrap_or(1..=MOST_STAGES);
         Ok(WantedStages {
-            ratio,
+            ratio: quotient,
+            steps_up,
+            has_slow_shaft: self.application.is_none_or(Application::has_slow_shaft),
             tolerance,
             stages: *stages.start() as usize..=*stages.end() as usize,
             teeth: Teeth {
@@ -466,13 +507,63 @@ impl Request {
                 rings: bounds.ring,
                 ring_offsets: self.ring_offset.clone().unwrap_or(0..=0),
                 ring_to_sun_ratio: self.criteria.k(Bounds::default().ring_to_sun_ratio)?,
+                is_hunting: self.hunting_teeth || self.application == Some(Application::Wind),
             },
             speed,
             torque: duty.torque().map_err(refuse_of)?.ok_or(Error::NoLoad).map_err(refuse_of)?,
             overload: self.overload()?,
             basis: self.basis()?,
-            size: SizeRequest { minimise: Some(minimise), ..self.sizes.clone() },
+            size: SizeRequest { minimise: Some(minimise), ..self.space() },
         })
+    }
+
+    /// Space of the sizes.
+    fn space(&self) -> SizeRequest {
+        self.application.map_or_else(|| self.sizes.clone(), |application| application.space(&self.sizes))
+    }
+
+    /// Whether a list of all gears is asked for: of more ratios than a scheme has braked gears, in both
+    /// directions, or with one of 1.
+    fn is_of_gears(&self) -> bool {
+        let ratios: Vec<f64> = self.speeds.ratios.iter().flat_map(|list| &list.0).map(|of| of.get()).collect();
+        let signs = [ratios.iter().any(|ratio| *ratio < 0.0), ratios.iter().any(|ratio| *ratio > 0.0)];
+        ratios.len() > MOST_BRAKED || signs == [true; 2] || ratios.len() > 1 && ratios.contains(&1.0)
+    }
+
+    /// Whether a list of gears may stand for a design without sizes.
+    fn may_be_of_gears(&self, design: &Design) -> bool {
+        self.scheme.is_none() && self.tooth_design.is_none() && !self.may_reverse && design.teeth.is_none()
+    }
+
+    /// Ratios of all gears of a design, the slowest first.
+    fn ratios_of(&self, design: &Design) -> Vec<f64> {
+        let _ = design;
+        vec![]
+    }
+
+    /// Designs a gearbox for a list of gears. The closure is called now and then, and may end the search.
+    ///
+    /// # Errors
+    /// As of [`Request::answer`].
+    pub fn answer_gears(
+        &self,
+        goes_on: &(dyn Fn() -> ControlFlow<()> + Sync),
+    ) -> Result<Transmission, Failure> {
+        let ratios = self.speeds.ratios.iter().flat_map(|list| &list.0).map(|of| of.get()).collect();
+        self.transmission(ratios, goes_on)
+    }
+
+    fn transmission(
+        &self,
+        ratios: Vec<f64>,
+        goes_on: &(dyn Fn() -> ControlFlow<()> + Sync),
+    ) -> Result<Transmission, Failure> {
+        if let Some(wrong) = ratios.iter().find(|ratio| !(ratio.is_finite() && **ratio != 0.0)) {
+            return Err(Failure::invalid("--ratios", format!("{wrong} is no ratio; it must not be 0")));
+        }
+        let Wanted { selection, bounds, shares, overload, basis, size, .. } = self.wanted_sizes()?;
+        let _ = (selection, bounds, shares, overload, basis, size);
+        todo!()
     }
 
     /// Whether stages in series are asked for.

@@ -21,6 +21,27 @@ use epicyclic_strength::sizing::Requirement;
 use epicyclic_units::Dimension;
 use epicyclic_units::format::trimmed;
 
+/// Ring, masses, least safeties and life of the best sizes.
+pub(crate) fn of_sizes(sizes: &SizesStep, whole_kg: Option<f64>) -> Vec<String> {
+    let found: Vec<&SizedDesign> = sizes.sets.iter().filter_map(|set| set.found.first()).collect();
+    let mut all = vec![];
+    let rings = found.iter().filter_map(|design| design.ring_diameter_m);
+    all.extend(rings.reduce(f64::max).map(|ring| format!("ring {}", words(Dimension::Length, ring, DIGITS))));
+    all.extend(sizes.mass_kg.map(|mass| format!("gears {}", words(Dimension::Mass, mass, 3))));
+    all.extend(whole_kg.map(|mass| format!("whole about {}", words(Dimension::Mass, mass, 2))));
+    let gears = || found.iter().flat_map(|design| &design.over_duty);
+    let least = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::min);
+    all.extend(
+        least(&mut gears().map(|gear| gear.flank.safety)).map(|of| format!("least S_H {}", trimmed(of, 3))),
+    );
+    all.extend(least(&mut gears().map(|gear| gear.root.safety)).map(|of| format!("S_F {}", trimmed(of, 3))));
+    let bearings =
+        found.iter().flat_map(|design| &design.planet_sizes).filter_map(|planet| planet.bearing.as_ref());
+    let life = least(&mut bearings.filter_map(|bearing| bearing.life_s));
+    all.extend(life.map(|life| format!("L_10 {} h", trimmed(hours(life), 3))));
+    all
+}
+
 /// Digits of ratios and of lengths in words.
 const DIGITS: usize = 4;
 

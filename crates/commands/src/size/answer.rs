@@ -8,7 +8,6 @@ mod layouts;
 pub mod records;
 mod saved;
 
-use crate::analyze::answer::pins::{orbit_rule, speed_rule};
 use crate::analyze::answer::warnings::tilting;
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
@@ -374,15 +373,7 @@ fn task(
         bore: planet.bore,
         mass: planet.mass,
         sharing: planet.load_sharing,
-        pin: match planet.bearing.is_some() || space.bearings.is_empty() {
-            // A bearing that is chosen replaces the stated elements.
-            false => Pin::default(),
-            true => Pin {
-                speed: speed_rule(planet.rolling),
-                orbit: orbit_rule(planet.rolling),
-                mean_diameter: planet.bearing_diameter,
-            },
-        },
+        pin: Pin { rolling: planet.rolling.into(), mean_diameter: planet.bearing_diameter },
     };
     let task = Task {
         gears: data.of.iter().enumerate().map(gear).collect(),

@@ -5,10 +5,11 @@ use crate::shared::lists::Quantities;
 use epicyclic_formats::{RangeError, Span};
 use epicyclic_gears::involute::family::Aim;
 use epicyclic_gears::involute::set::Limits;
+use epicyclic_gears::life::Rolling;
 use epicyclic_gears::mesh::USUAL_PLANET_GAP;
 use epicyclic_judge as judge;
 use epicyclic_strength::sizing::bearing::{Bearing, listed, listed_rollers};
-use epicyclic_strength::sizing::{Objective, STANDARD_MODULES_MM, Space};
+use epicyclic_strength::sizing::{Objective, STANDARD_MODULES_MM, Space, in_bore};
 use epicyclic_strength::{self as strength, Quantity as Of};
 use epicyclic_units::{Module, Number, Physical as _, Quantity};
 use std::ops::RangeInclusive;
@@ -36,9 +37,10 @@ pub struct Request {
     #[arg(long, value_name = "RANGE", default_value = "3..6", value_parser = planets)]
     pub planets: RangeInclusive<u32>,
 
-    /// Step of the centre distances, which are its multiples within one module of the natural one.
-    #[arg(long, value_name = "LENGTH", default_value = "0.5mm", allow_hyphen_values = true)]
-    pub centre_distance_step: Quantity<Length>,
+    /// Step of the centre distances, which are its multiples within one module of the natural one. Default:
+    /// 0.5 mm, with modules below 1 mm 0.1 mm.
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub centre_distance_step: Option<Quantity<Length>>,
 
     /// The greatest face width over the reference diameter of the smallest sun, of a pair of the smaller
     /// gear. Default: no bound.
@@ -65,10 +67,9 @@ pub struct Request {
     #[arg(long, value_name = "MODULES", default_value = "3.5", allow_hyphen_values = true)]
     pub ring_rim: Number,
 
-    /// Which bearings of the tables are taken: deep groove ball bearings, cylindrical roller bearings, or
-    /// both.
-    #[arg(long, value_enum, default_value_t = BearingType::Any, conflicts_with_all = ["bearings", "no_bearings"])]
-    pub bearing_type: BearingType,
+    /// Kinds of bearings to choose from. Default: balls, rollers; with --application what is usual.
+    #[arg(long, value_enum, value_name = "KINDS", value_delimiter = ',', conflicts_with_all = ["bearings", "no_bearings"])]
+    pub bearing_type: Option<Vec<BearingType>>,
 
     /// Bearings side by side in a planet, at most: 1 or 2; a pair is rated by ISO 281 as one double-row
     /// bearing.
@@ -99,26 +100,48 @@ pub struct Request {
     pub bearings: Option<Vec<Bearing>>,
 }
 
-/// Bearings of the tables.
+/// Kinds of planet bearings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum BearingType {
     /// Deep groove ball bearings of the series 60, 62, 63.
     Balls,
     /// Cylindrical roller bearings of the series NJ 2, NJ 22, NJ 3, NJ 23.
     Rollers,
-    /// Both.
-    Any,
+    /// Cylindrical rollers in a cage, in the bore of the planet, rated by their dimensions.
+    RollersInBore,
+    /// Needles in a cage, in the bore of the planet.
+    Needles,
+    /// Cylindrical rollers without a cage, in the bore of the planet.
+    FullComplement,
+}
+
+impl BearingType {
+    /// Kinds of bearings where none are asked for.
+    pub(crate) const USUAL: [Self; 2] = [Self::Balls, Self::Rollers];
+
+    fn listed(self) -> &'static [Bearing] {
+        match self {
+            Self::Balls => listed(),
+            Self::Rollers => listed_rollers(),
+            Self::RollersInBore => in_bore::listed(Rolling::Rollers),
+            Self::Needles => in_bore::listed(Rolling::Needles),
+            Self::FullComplement => in_bore::listed(Rolling::FullComplement),
+        }
+    }
 }
 
 impl Request {
     pub(crate) fn space(&self) -> Space {
+        let modules: Vec<Length> = self.modules.as_ref().map_or_else(usual_modules, |modules| {
+            modules.values().into_iter().map(Module::length).collect()
+        });
+        let is_fine = modules.iter().any(|module| module.mm() < 1.0);
+        let step = || Length::from_mm(if is_fine { 0.1 } else { 0.5 });
         Space {
-            modules: self.modules.as_ref().map_or_else(usual_modules, |modules| {
-                modules.values().into_iter().map(Module::length).collect()
-            }),
+            modules,
             face_widths: self.face_widths.as_ref().map_or_else(usual_face_widths, Quantities::values),
             planets: self.planets.clone().collect(),
-            centre_distance_step: self.centre_distance_step.0,
+            centre_distance_step: self.centre_distance_step.map_or_else(step, |step| step.0),
             reach: REACH,
             width_ratio: self.width_ratio.map(Number::get),
             largest_ring: self.max_ring.map(|ring| ring.0),
@@ -128,12 +151,11 @@ impl Request {
 
     /// Bearings to choose from, alone and as pairs.
     fn bearings(&self) -> Vec<Bearing> {
-        let single = match (&self.bearings, self.bearing_type) {
+        let kinds = self.bearing_type.as_deref().unwrap_or(&BearingType::USUAL);
+        let single = match &self.bearings {
             _ if self.no_bearings => vec![],
-            (Some(bearings), _) => bearings.clone(),
-            (None, BearingType::Balls) => listed().to_vec(),
-            (None, BearingType::Rollers) => listed_rollers().to_vec(),
-            (None, BearingType::Any) => [listed(), listed_rollers()].concat(),
+            Some(bearings) => bearings.clone(),
+            None => kinds.iter().flat_map(|kind| kind.listed()).cloned().collect(),
         };
         let pairs: Vec<Bearing> =
             single.iter().filter(|_| self.bearing_rows > 1).map(Bearing::pair).collect();

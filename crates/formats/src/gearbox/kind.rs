@@ -27,7 +27,9 @@ impl From<RollingEntry> for Rolling {
     fn from(rolling: RollingEntry) -> Self {
         match rolling {
             RollingEntry::Unstated | RollingEntry::Balls => Self::Balls,
-            RollingEntry::Rollers | RollingEntry::Needles | RollingEntry::FullComplement => Self::Rollers,
+            RollingEntry::Rollers => Self::Rollers,
+            RollingEntry::Needles => Self::Needles,
+            RollingEntry::FullComplement => Self::FullComplement,
         }
     }
 }

@@ -15,6 +15,7 @@
 use super::gear::InvoluteGear;
 use super::pair::Pair;
 use crate::gear_kind::GearKind;
+use crate::life::Rolling;
 use crate::mesh::TipCircle;
 use epicyclic_judge::{Limits, Rule, Severity, Verdict};
 use std::f64::consts::TAU;
@@ -143,6 +144,24 @@ pub fn orbit_acceleration(radius_m: f64, carrier_rad_s: f64) -> f64 {
 #[must_use]
 pub fn pin_speed(speed_rad_s: f64, mean_diameter_m: f64) -> f64 {
     speed_rad_s * 60.0 / TAU * 1e3 * mean_diameter_m
+}
+
+/// Rule for the speed of a bearing on its pin.
+#[must_use]
+pub const fn pin_speed_rule(rolling: Rolling) -> Rule {
+    match rolling {
+        Rolling::FullComplement => Rule::FullPinSpeed,
+        _ => Rule::PinSpeed,
+    }
+}
+
+/// Rule for the acceleration of the planets about the axis.
+#[must_use]
+pub const fn orbit_rule(rolling: Rolling) -> Rule {
+    match rolling {
+        Rolling::Needles => Rule::NeedleAcceleration,
+        _ => Rule::OrbitAcceleration,
+    }
 }
 
 #[cfg(test)]

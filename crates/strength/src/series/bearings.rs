@@ -21,7 +21,7 @@ struct OfKind {
 /// The bearings of the space as planets ask for them.
 #[derive(Debug)]
 pub(super) struct Bearings {
-    kinds: [OfKind; 2],
+    kinds: [OfKind; 4],
     /// Whether planets need no bearing.
     is_none: bool,
 }
@@ -53,17 +53,17 @@ impl Bearings {
             }
             OfKind { exponent, wear: libm::pow(sum, 1.0 / exponent), by_diameter }
         };
-        Self { kinds: [Rolling::Balls, Rolling::Rollers].map(kind), is_none: all.is_empty() }
+        Self { kinds: Rolling::ALL.map(kind), is_none: all.is_empty() }
     }
 
     /// `turns^(1/p)` of each kind of bearings, for the turns of a planet over those of the input.
-    pub(super) fn wear(&self, turns: f64) -> [f64; 2] {
-        [0, 1].map(|kind: usize| libm::pow(turns, 1.0 / self.kinds[kind].exponent))
+    pub(super) fn wear(&self, turns: f64) -> [f64; 4] {
+        [0, 1, 2, 3].map(|kind: usize| libm::pow(turns, 1.0 / self.kinds[kind].exponent))
     }
 
     /// Width of the narrowest bearing that fits into a bore and lives long enough; `None` if no bearing does.
     /// The force is that at the greatest torque.
-    pub(super) fn width(&self, bore: f64, force: f64, wear: [f64; 2]) -> Option<f64> {
+    pub(super) fn width(&self, bore: f64, force: f64, wear: [f64; 4]) -> Option<f64> {
         if self.is_none {
             return Some(0.0);
         }

@@ -33,11 +33,37 @@ mod bearings;
 mod search;
 mod stage;
 
-use crate::sizing::Sizing;
+use crate::sizing::{STEEL, Sizing};
 use epicyclic_gears::ToothCount;
+use epicyclic_units::Physical;
 pub use search::search;
+use std::f64::consts::{FRAC_PI_4, PI};
 use std::ops::RangeInclusive;
-use uom::si::f64::{AngularVelocity, Torque};
+use uom::si::f64::{AngularVelocity, Mass, Torque};
+
+/// Torsional stress of a slow shaft in N/m², under the torque of the duty and under the greatest one.
+const TORSION: [f64; 2] = [40e6, 80e6];
+
+/// Length of a slow shaft in its diameters: two between its bearings, the others for seals, the carrier and
+/// what is driven.
+const SHAFT_LENGTH: f64 = 5.0;
+
+/// Mass of bearings and seals over that of their shaft.
+const SHAFT_BEARINGS: f64 = 0.5;
+
+/// Mass of the slow shaft with its bearings and seals, by the torque of the duty and the greatest one.
+///
+/// ```text
+/// d³ = 16/π·max(T/40 MPa, T_max/80 MPa)        M = 1.5·ρ·π/4·d²·5·d
+/// ```
+///
+/// The shaft is solid and of steel; its bearings and seals weigh half as much again.
+#[must_use]
+pub fn slow_shaft(torque: Torque, greatest: Torque) -> Mass {
+    let [usual, most] = TORSION;
+    let cube = 16.0 / PI * (torque.si() / usual).max(greatest.si() / most);
+    Mass::from_si((1.0 + SHAFT_BEARINGS) * STEEL * FRAC_PI_4 * SHAFT_LENGTH * cube)
+}
 
 /// Tooth numbers of the sets to choose from.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,6 +78,8 @@ pub struct Teeth {
     pub ring_offsets: RangeInclusive<i32>,
     /// Ring over sun.
     pub ring_to_sun_ratio: RangeInclusive<f64>,
+    /// Whether gears in mesh have no common divisor.
+    pub is_hunting: bool,
 }
 
 /// A step of the duty at the input.

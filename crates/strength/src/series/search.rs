@@ -4,6 +4,7 @@ use super::stage::{Cost, Geometries, Stage, Stages};
 use super::{Found, Order, Teeth, Train, Trains};
 use crate::Error;
 use epicyclic_gears::ToothCount;
+use epicyclic_gears::teeth::gcd;
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap};
 use std::ops::{Add, ControlFlow, RangeInclusive};
@@ -77,6 +78,9 @@ impl Teeth {
                     let Ok(ring) = u32::try_from(ring) else { continue };
                     let k = f64::from(ring) / f64::from(sun);
                     if !self.rings.contains(&ring) || !self.ring_to_sun_ratio.contains(&k) {
+                        continue;
+                    }
+                    if self.is_hunting && [sun, ring].iter().any(|of| gcd(u64::from(planet), u64::from(*of)) > 1) {
                         continue;
                     }
                     let teeth = [sun, planet, ring].map(ToothCount::new);

@@ -63,7 +63,7 @@ impl Bearing {
     pub fn pair(&self) -> Self {
         let exponent = match self.rolling {
             Rolling::Balls => ROWS_OF_BALLS,
-            Rolling::Rollers => ROWS_OF_ROLLERS,
+            _ => ROWS_OF_ROLLERS,
         };
         Self {
             designation: format!("2 x {}", self.designation),
@@ -173,11 +173,8 @@ fn bearing(line: usize, row: &str, places: [Option<usize>; COLUMNS.len()]) -> Re
     if cell(0).is_empty() {
         return Err(wrong(0, "a designation"));
     }
-    let rolling = match cell(1) {
-        "balls" => Rolling::Balls,
-        "rollers" => Rolling::Rollers,
-        _ => return Err(wrong(1, "balls or rollers")),
-    };
+    let rolling = Rolling::ALL.into_iter().find(|rolling| rolling.name() == cell(1));
+    let rolling = rolling.ok_or_else(|| wrong(1, "balls, rollers, needles or full_complement"))?;
     let bore = number(2)?;
     let outside = number(3)?;
     if outside <= bore {
@@ -277,7 +274,7 @@ mod tests {
             of(&format!("{head}a,balls,30,10,9,5,1\n")),
             "bearings, line 2, column D_mm: `10`; a number above that of d_mm is needed"
         );
-        assert!(of(&format!("{head}a,needles,10,30,9,5,1\n")).ends_with("balls or rollers is needed"));
+        assert!(of(&format!("{head}a,cones,10,30,9,5,1\n")).ends_with("needles or full_complement is needed"));
         assert!(of(&format!("{head},balls,10,30,9,5,1\n")).contains("column designation"));
         assert!(of("designation,D_mm\n").contains("column rolling"));
         assert!(of("designation,colour\n").contains("column colour"));

@@ -74,6 +74,7 @@
 //! by side (two: [`Bearing::pair`](bearing::Bearing::pair)).
 
 pub mod bearing;
+pub mod in_bore;
 pub(crate) mod practice;
 mod rated;
 mod search;
@@ -100,7 +101,7 @@ const CHEEKS: f64 = 0.12;
 const WALL: f64 = 0.16;
 
 /// Density of carrier and housing, kg/m³.
-const STEEL: f64 = 7850.0;
+pub(crate) const STEEL: f64 = 7850.0;
 
 /// Mass of carrier and housing of a set in kg, by the outside diameter of its ring and its face width, in m.
 ///

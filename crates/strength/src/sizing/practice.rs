@@ -4,8 +4,8 @@
 //! with a warning. Remarks do not count. Errors of gears and widths leave designs out. The rules are those of
 //! [`practice`](epicyclic_gears::involute::practice) for gears, meshes, widths, gaps and speeds,
 //! [`Rule::LoadSharing`], the rims, and for bearings
-//! [`Rule::BallLoad`], [`Rule::BearingStaticSafety`], [`Rule::BearingLeastLoad`] and the rule of
-//! [`Pin::speed`](super::task::Pin::speed).
+//! [`Rule::BallLoad`], [`Rule::BearingStaticSafety`], [`Rule::BearingLeastLoad`], and those of speed and
+//! acceleration that hold for their rolling elements.
 
 use super::bearing::Bearing;
 use super::rated::rim_of;
@@ -17,8 +17,8 @@ use crate::material::Class;
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::Pair;
 use epicyclic_gears::involute::practice::{
-    of_face_load, of_gap, of_gear, of_mesh, of_speed, of_total_contact, orbit_acceleration, pin_speed,
-    shift_rule, width_diameters,
+    of_face_load, of_gap, of_gear, of_mesh, of_speed, of_total_contact, orbit_acceleration, orbit_rule,
+    pin_speed, pin_speed_rule, shift_rule, width_diameters,
 };
 use epicyclic_gears::life::Rolling;
 use epicyclic_judge::{Limits, Rule, Severity, Verdict};
@@ -156,20 +156,17 @@ fn of_gears(task: &Task, layout: &Layout, limits: &Limits) -> Vec<Verdict> {
     layout.gears.iter().enumerate().flat_map(of).collect()
 }
 
-/// Gaps between planets, their acceleration about the axis, and a load sharing factor that is given.
+/// Gaps between planets, and a load sharing factor that is given.
 fn of_planets(task: &Task, layout: &Layout, limits: &Limits) -> Vec<Verdict> {
     let planets = layout.planets;
     let mut all = vec![];
     let angle = task.least_planet_angle.map_or(TAU / f64::from(planets), Physical::si);
-    for (kind, sized) in task.planets.iter().enumerate() {
+    for kind in 0..task.planets.len() {
         let radius = layout.radii[kind].si();
         for gear in task.gears_of(kind).filter(|_| planets > 1 && radius > 0.0) {
             let module = layout.module(task, gear).si();
             all.extend(of_gap(limits, &layout.gears[gear], radius / module, angle, Some(module)));
         }
-        let fastest = layout.bearing_loads[kind].iter().map(|step| step.carrier_speed.si().abs());
-        let acceleration = orbit_acceleration(radius, fastest.fold(0.0, f64::max));
-        all.push(limits.judge(sized.pin.orbit, acceleration));
     }
     if let Some(method) = task.meshes.first().map(|mesh| mesh.method).filter(|_| planets > 1)
         && let Some(given) = method.given.of(Side::First, Symbol::LoadSharing)
@@ -209,12 +206,16 @@ pub(super) fn of_pin(
     };
     let rims = task.gears_of(kind).filter(|_| bore > 0.0).map(rim);
     let mut all: Vec<Verdict> = rims.collect();
+    let pin = &task.planets[kind].pin;
+    let rolling = bearing.map_or(pin.rolling, |bearing| bearing.rolling);
+    let fastest = layout.bearing_loads[kind].iter().map(|step| step.carrier_speed.si().abs());
+    let acceleration = orbit_acceleration(layout.radii[kind].si(), fastest.fold(0.0, f64::max));
+    all.push(limits.judge(orbit_rule(rolling), acceleration));
     if let Some(bearing) = bearing {
         // Overloads come without a share of the time, and count for the static safety alone.
         let loads = || duty.iter().filter(|step| step.share > 0.0).map(|step| step.load.si());
         let greatest = loads().fold(0.0, f64::max);
         let at_rest = duty.iter().map(|step| step.load.si()).fold(0.0, f64::max);
-        let pin = &task.planets[kind].pin;
         if bearing.rolling == Rolling::Balls {
             all.push(limits.judge(Rule::BallLoad, greatest / 1e3));
         }
@@ -226,7 +227,7 @@ pub(super) fn of_pin(
         }
         if let Some(diameter) = bearing.mean_diameter().or(pin.mean_diameter) {
             let fastest = duty.iter().map(|step| step.speed.si().abs()).fold(0.0, f64::max);
-            all.push(limits.judge(pin.speed, pin_speed(fastest, diameter.si())));
+            all.push(limits.judge(pin_speed_rule(rolling), pin_speed(fastest, diameter.si())));
         }
     }
     Misses::of(all)

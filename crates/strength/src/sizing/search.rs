@@ -14,7 +14,7 @@ use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 use std::f64::consts::FRAC_PI_4;
 use std::ops::ControlFlow;
-use uom::si::f64::{Force, Length, Mass};
+use uom::si::f64::{Force, Length, Mass, Time};
 
 /// The best `most` designs of these layouts, unless `goes_on`, which is called now and then, breaks. `tried`
 /// is what was left out before.
@@ -496,21 +496,35 @@ impl Search<'_> {
                 bearing_duty(own, *kind, (mass, sharing))
             };
             let duties: Vec<_> = kinds.iter().map(|kind| (*kind, duty(kind))).collect();
+            let mut lives = vec![];
+            for (_, duty) in &duties {
+                lives.push(life_over_duty(
+                    bearing.rolling,
+                    bearing.load_rating,
+                    duty,
+                    Reliability::Percent90,
+                )?);
+            }
+            let carried = |life: &Time| {
+                libm::pow(life.hours() / task.life.hours(), 1.0 / bearing.rolling.exponent())
+            };
+            let mut ratio = lives.iter().flatten().map(carried).fold(f64::INFINITY, f64::min);
+            // Teeth only lower it: most bearings of a table need no look at them.
+            if ratio < 1.0 && (best.is_some() || nearest.as_ref().is_some_and(|(least, _)| ratio <= *least)) {
+                continue;
+            }
             let of_pins = duties.iter().map(|(kind, duty)| misses(*kind, Some(bearing), duty, bore));
             let mut held = Held { misses: of_pins.fold(Misses::default(), Misses::with), ..Held::default() };
             // A smaller bore is heavier: it helps only with fewer misses.
             if best.as_ref().is_some_and(|best| best.misses.count() <= held.misses.count()) {
                 continue;
             }
-            let mut ratio = f64::INFINITY;
-            for (kind, duty) in duties {
-                let life =
-                    life_over_duty(bearing.rolling, bearing.load_rating, &duty, Reliability::Percent90)?;
+            for (kind, life) in kinds.iter().copied().zip(lives) {
                 held.governing.extend(life.map(|life| Governing {
                     requirement: Requirement::BearingLife,
                     mesh: None,
                     gear: task.gears_of(kind).next().unwrap_or_default(),
-                    value: libm::pow(life.hours() / task.life.hours(), 1.0 / bearing.rolling.exponent()),
+                    value: carried(&life),
                     required: 1.0,
                 }));
                 held.planets.push(made(kind, Some(bearing), bore, life));

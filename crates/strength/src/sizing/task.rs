@@ -12,7 +12,8 @@ use crate::spectrum::{GearDuty, Step, Worn, check_shares};
 use crate::{Error, Quantity};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::{InvoluteGear, Pair};
-use epicyclic_judge::{Limits, Rule};
+use epicyclic_gears::life::Rolling;
+use epicyclic_judge::Limits;
 use epicyclic_units::Physical;
 use std::sync::Arc;
 use uom::si::f64::{Angle, AngularVelocity, Force, KinematicViscosity, Length, Mass, Time, Torque};
@@ -57,25 +58,17 @@ pub struct SizedPlanet {
     pub mass: Option<Mass>,
     /// Mesh load factor `K_γ` for its bearing, in place of that of the layout.
     pub sharing: Option<f64>,
-    /// Rules for its pin.
+    /// What is known of its pin.
     pub pin: Pin,
 }
 
-/// Rules of practice for planets on their pins, by the rolling elements of their bearings.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// What is known of planets on their pins where no bearing of a table is chosen.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Pin {
-    /// Rule for the speed of the bearing.
-    pub speed: Rule,
-    /// Rule for the acceleration about the axis.
-    pub orbit: Rule,
-    /// Mean diameter of a bearing that is of no table.
+    /// Rolling elements.
+    pub rolling: Rolling,
+    /// Mean diameter of the bearing.
     pub mean_diameter: Option<Length>,
-}
-
-impl Default for Pin {
-    fn default() -> Self {
-        Self { speed: Rule::PinSpeed, orbit: Rule::OrbitAcceleration, mean_diameter: None }
-    }
 }
 
 /// Safeties required against a torque that comes a few times in the life.

@@ -16,8 +16,9 @@ use super::records::planet_name;
 use crate::answer::Warning;
 use crate::shared::gearbox::Gearbox;
 use crate::tolerance::rounded;
-use epicyclic_formats::gearbox::{GearboxFile, PlanetData, RollingEntry};
-use epicyclic_gears::involute::practice::orbit_acceleration;
+use epicyclic_formats::gearbox::{GearboxFile, PlanetData};
+use epicyclic_gears::involute::practice::{orbit_acceleration, orbit_rule, pin_speed_rule};
+use epicyclic_gears::life::Rolling;
 use epicyclic_judge::Rule;
 use epicyclic_units::Physical;
 use epicyclic_units::format::trimmed;
@@ -35,6 +36,7 @@ pub(crate) fn warning(subject: &Gearbox, worked: &[&Worked<'_>]) -> Option<Warni
         let set = &subject.train.sets()[bearing.set];
         let Some(data) = file.set_data(set) else { continue };
         let PlanetData { rolling, bearing_diameter: diameter, .. } = data.planets[bearing.planet];
+        let rolling = rolling.into();
         for Worked { analysis, input, .. } in worked {
             let Some(speed) = input.speed else { continue };
             let planet = analysis.sets()[bearing.set].planets[bearing.planet];
@@ -62,20 +64,10 @@ pub(crate) fn warning(subject: &Gearbox, worked: &[&Worked<'_>]) -> Option<Warni
 pub(crate) const OF_PINS: [Rule; 4] =
     [Rule::PinSpeed, Rule::FullPinSpeed, Rule::OrbitAcceleration, Rule::NeedleAcceleration];
 
-/// Rule for the speed of a bearing on its pin.
-pub(crate) fn speed_rule(rolling: RollingEntry) -> Rule {
-    if rolling == RollingEntry::FullComplement { Rule::FullPinSpeed } else { Rule::PinSpeed }
-}
-
-/// Rule for the acceleration of a bearing in its orbit.
-pub(crate) fn orbit_rule(rolling: RollingEntry) -> Rule {
-    if rolling == RollingEntry::Needles { Rule::NeedleAcceleration } else { Rule::OrbitAcceleration }
-}
-
-fn on_pin(of: &str, rolling: RollingEntry, speed: AngularVelocity, diameter: Length) -> Option<String> {
+fn on_pin(of: &str, rolling: Rolling, speed: AngularVelocity, diameter: Length) -> Option<String> {
     let (speed_rpm, diameter_mm) = (speed.rpm(), diameter.mm());
-    let kind = if rolling == RollingEntry::FullComplement { "full of rollers" } else { "with a cage" };
-    let most = speed_rule(rolling).bounds().required().most;
+    let kind = if rolling == Rolling::FullComplement { "full of rollers" } else { "with a cage" };
+    let most = pin_speed_rule(rolling).bounds().required().most;
     (speed_rpm * diameter_mm > most).then(|| {
         format!(
             "{of}: {} rpm on its pin, at most {} rpm for d_m {} mm {kind} (n·d_m {most} mm/min)",
@@ -86,7 +78,7 @@ fn on_pin(of: &str, rolling: RollingEntry, speed: AngularVelocity, diameter: Len
     })
 }
 
-fn in_orbit(of: &str, rolling: RollingEntry, carrier: AngularVelocity, radius: Length) -> Option<String> {
+fn in_orbit(of: &str, rolling: Rolling, carrier: AngularVelocity, radius: Length) -> Option<String> {
     let acceleration = orbit_acceleration(radius.si(), carrier.si());
     let most = orbit_rule(rolling).bounds().required().most;
     (acceleration > most)

@@ -1,7 +1,15 @@
 //! Usual values of what a gearbox is for.
 
 use super::basis::Basis;
+use crate::shared::lists::List;
+use crate::size::options::{BearingType, Request as SizeRequest};
 use epicyclic_formats::yaml::{Mapping, Value};
+use epicyclic_units::{Module, Physical, Quantity};
+use std::ops::RangeInclusive;
+use uom::si::f64::Length;
+
+/// Modules of servo drives in mm, of series I of DIN 780.
+const FINE_MODULES_MM: [f64; 9] = [0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.25, 1.5, 2.0];
 
 /// What a gearbox is for, with the values that are usual of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -47,6 +55,39 @@ impl Application {
             Self::Automatic => (1.0, 3_000, [1.0, 1.2]),
         };
         Usual { k_a, life_h, safeties }
+    }
+
+    /// Space of the sizes, with what is usual in place of what is not asked for.
+    pub(crate) fn space(self, asked: &SizeRequest) -> SizeRequest {
+        use BearingType::{FullComplement, Needles, Rollers, RollersInBore};
+        let bearings: &[BearingType] = match self {
+            Self::Conveyor | Self::Mixer => &[Rollers],
+            Self::Travel | Self::Slewing | Self::Winch => &[Rollers, FullComplement],
+            Self::Wind => &[Rollers, RollersInBore],
+            Self::Robot | Self::Automatic => &[Needles],
+        };
+        let mut space = asked.clone();
+        space.bearing_type.get_or_insert_with(|| bearings.to_vec());
+        if self == Self::Robot {
+            let modules = || List(FINE_MODULES_MM.iter().map(|mm| Quantity(Module::from_si(mm * 1e-3))).collect());
+            space.modules.get_or_insert_with(modules);
+            let widths = || List((5..=40).map(|mm| Quantity(Length::from_mm(f64::from(mm)))).collect());
+            space.face_widths.get_or_insert_with(widths);
+        }
+        space
+    }
+
+    /// Whether the slow shaft is part of the gearbox. A rotor's shaft is clamped in the carrier.
+    pub(crate) fn has_slow_shaft(self) -> bool {
+        self != Self::Wind
+    }
+
+    /// Teeth of suns in series: those of servo drives are small.
+    pub(crate) const fn suns(of: Option<Self>) -> RangeInclusive<u32> {
+        match of {
+            Some(Self::Robot) => 12..=30,
+            _ => 17..=30,
+        }
     }
 
     /// The default basis with the values of the application.

@@ -11,7 +11,8 @@ use crate::size::answer::{self as size, sizing_of};
 use crate::size::options::Request as SizeRequest;
 use epicyclic_formats::Document;
 use epicyclic_formats::yaml::{Mapping, Value, to_string};
-use epicyclic_strength::series::{InputStep, Order, Teeth, Train, Trains, search};
+use epicyclic_gears::ToothCount;
+use epicyclic_strength::series::{InputStep, Order, Teeth, Train, Trains, search, slow_shaft};
 use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -24,8 +25,12 @@ const MOST: usize = 2;
 /// Order for stages in series.
 #[derive(Debug, Clone)]
 pub struct WantedStages {
-    /// Speed of the input over that of the output.
+    /// Speed of the fast shaft over that of the slow one.
     pub ratio: f64,
+    /// Whether the output is the fast shaft.
+    pub steps_up: bool,
+    /// Whether the slow shaft with its bearings is part of the gearbox.
+    pub has_slow_shaft: bool,
     /// Allowed relative deviation of the ratio.
     pub tolerance: f64,
     /// Numbers of stages.
@@ -70,6 +75,11 @@ pub struct Stages {
     pub trains: Vec<TrainsOf>,
     /// Assumed values by key.
     pub basis: Vec<BasisKey>,
+    /// Mass of gears, carriers and housing by a rule, and of the slow shaft, in kg; null if no train holds.
+    pub whole_kg: Option<f64>,
+    /// Mass of the slow shaft with its bearings and seals by a rule, in kg; null if no train holds, or where
+    /// the shaft is part of the machine.
+    pub slow_shaft_kg: Option<f64>,
     /// Sizes of the train taken, with their strength over the duty; null if no train holds.
     pub sizes: Option<SizesStep>,
     /// Gearbox file with sizes; null if no train holds.
@@ -122,12 +132,35 @@ impl Answer for Stages {
     const NAME: &'static str = "design-stages";
 }
 
+impl WantedStages {
+    /// Ratio of input over output, for the quotient of the fast speed over the slow one.
+    fn from_input(&self, quotient: f64) -> f64 {
+        if self.steps_up { 1.0 / quotient } else { quotient }
+    }
+
+    /// The duty of the fast shaft. Where the output is fast, its torque is the largest that a train within a
+    /// tolerance gives it.
+    fn fast(&self, tolerance: f64) -> InputStep {
+        let (torque, speed) = match self.steps_up {
+            true => (self.torque / (self.ratio * (1.0 - tolerance)), self.speed * self.ratio),
+            false => (self.torque, self.speed),
+        };
+        InputStep { share: 1.0, torque, speed }
+    }
+}
+
 impl TrainOfStages {
-    fn of(train: &Train) -> Self {
+    /// The search goes from the fast shaft on.
+    fn of(wanted: &WantedStages, train: &Train) -> Self {
+        let mut stages = train.stages.clone();
+        if wanted.steps_up {
+            stages.reverse();
+        }
+        let ratio = |[sun, _, ring]: &[ToothCount; 3]| wanted.from_input(1.0 + ring.as_f64() / sun.as_f64());
         Self {
-            teeth: train.stages.iter().map(|teeth| teeth.map(epicyclic_gears::ToothCount::get)).collect(),
-            ratios: train.stages.iter().map(|[sun, _, ring]| 1.0 + ring.as_f64() / sun.as_f64()).collect(),
-            ratio: train.ratio,
+            teeth: stages.iter().map(|teeth| teeth.map(ToothCount::get)).collect(),
+            ratios: stages.iter().map(ratio).collect(),
+            ratio: wanted.from_input(train.ratio),
             unusual_stages: train.unusual_stages,
             rules_missed: train.rules_missed,
             mass_kg: train.mass_kg,
@@ -137,8 +170,8 @@ impl TrainOfStages {
 }
 
 impl TrainsOf {
-    fn of(trains: &Trains) -> Self {
-        let mut found = trains.found.iter().map(TrainOfStages::of);
+    fn of(wanted: &WantedStages, trains: &Trains) -> Self {
+        let mut found = trains.found.iter().map(|train| TrainOfStages::of(wanted, train));
         Self {
             stages: trains.stages,
             compared: trains.trains,
@@ -168,7 +201,7 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
         }
     }
     let found = found.expect("there are classes");
-    let mut trains: Vec<TrainsOf> = found.all.iter().map(TrainsOf::of).collect();
+    let mut trains: Vec<TrainsOf> = found.all.iter().map(|trains| TrainsOf::of(wanted, trains)).collect();
     let cost = |of: &TrainsOf| {
         let best = of.best.as_ref()?;
         Some((best.unusual_stages, best.price_kg))
@@ -192,17 +225,25 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
         sizes = Some(SizesStep::of(size));
     }
     let ratio = train.as_ref().map(|train| train.ratio);
+    let slow_shaft_kg = train.as_ref().filter(|_| wanted.has_slow_shaft).map(|train| {
+        let of_input = if wanted.steps_up { 1.0 } else { train.ratio };
+        let torque = wanted.torque.abs() * of_input;
+        slow_shaft(torque, torque * wanted.overload.unwrap_or(1.0)).si()
+    });
+    let structures = sizes.as_ref().and_then(|sizes: &SizesStep| sizes.whole_kg);
     let speed = wanted.speed.si();
     Ok(Stages {
-        asked_ratio: wanted.ratio,
+        asked_ratio: wanted.from_input(wanted.ratio),
         tolerance: wanted.tolerance,
         searched_tolerance: within,
         ratio,
         input_speed_rad_s: speed,
-        asked_output_speed_rad_s: speed / wanted.ratio,
+        asked_output_speed_rad_s: speed / wanted.from_input(wanted.ratio),
         output_speed_rad_s: ratio.map(|ratio| speed / ratio),
         output_torque_n_m: ratio.map(|ratio| wanted.torque.si() * ratio),
         sets: found.sets,
+        whole_kg: structures.map(|mass| mass + slow_shaft_kg.unwrap_or_default()),
+        slow_shaft_kg,
         trains,
         basis: wanted.basis.told(),
         sizes,
@@ -216,13 +257,18 @@ fn order(wanted: &WantedStages, tolerance: f64) -> Result<Order, Error> {
     // Materials, factors and tools are read from a file, as those of the gearbox will be.
     let making = text(wanted, &[[24, 30, 84]])?;
     let document = Document::parse_one(MAKING, making.as_bytes())?;
-    let of_stage = sizing_of(&one(&document, &Choice::default())?, &wanted.size)?;
+    let mut of_stage = sizing_of(&one(&document, &Choice::default())?, &wanted.size)?;
+    if wanted.steps_up {
+        for overload in &mut of_stage.overloads {
+            overload.sun_torque = wanted.fast(tolerance).torque * wanted.overload.unwrap_or(1.0);
+        }
+    }
     let [less, more] = [1.0 - tolerance, 1.0 + tolerance];
     Ok(Order {
         stages: wanted.stages.clone(),
         ratio: wanted.ratio * less..=wanted.ratio * more,
         teeth: wanted.teeth.clone(),
-        duty: vec![InputStep { share: 1.0, torque: wanted.torque, speed: wanted.speed }],
+        duty: vec![wanted.fast(tolerance)],
         of_stage,
     })
 }
@@ -238,11 +284,12 @@ fn text(wanted: &WantedStages, teeth: &[[u32; 3]]) -> Result<String, Error> {
         Value::Mapping(keys.into_iter().map(|(key, value)| (Value::from(key), value)).collect::<Mapping>())
     };
     let set = |(place, [sun, planet, ring]): (usize, &[u32; 3])| {
+        let [of_sun, of_carrier] = if wanted.steps_up { [place + 1, place] } else { [place, place + 1] };
         of_keys(vec![
             ("id", format!("stage {}", place + 1).into()),
-            ("sun", shaft(place).into()),
+            ("sun", shaft(of_sun).into()),
             ("ring", "ground".into()),
-            ("carrier", shaft(place + 1).into()),
+            ("carrier", shaft(of_carrier).into()),
             ("teeth", Value::Sequence(vec![(*sun).into(), (*ring).into()])),
             ("planet_teeth", Value::Sequence(vec![(*planet).into()])),
         ])

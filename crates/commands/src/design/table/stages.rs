@@ -1,12 +1,11 @@
 //! Stages in series, asked and reached, with what came next.
 
 use crate::design::answer::stages::{Stages, TrainOfStages, TrainsOf};
-use crate::design::table::{DIGITS, basis, parts_of_sizes};
+use crate::design::table::{DIGITS, basis, of_sizes, parts_of_sizes};
 use crate::select::table::percent;
-use crate::size::answer::records::SizedDesign;
 use crate::table::columns::Table;
-use crate::table::figure::{Figure, hours, text};
-use crate::table::quantities::{quantity, words};
+use crate::table::figure::{Figure, text};
+use crate::table::quantities::quantity;
 use crate::table::report::{AsReport, Part, Records, Report, Row, Section, warned};
 use epicyclic_units::Dimension;
 use epicyclic_units::format::trimmed;
@@ -31,29 +30,22 @@ pub(crate) fn parts_of_stages(stages: &Stages) -> Vec<Part> {
 
 /// The train with its ratio, ring, mass, least safeties and life.
 pub(crate) fn in_short(stages: &Stages) -> String {
-    let asked =
-        format!("{} ± {} %", trimmed(stages.asked_ratio, DIGITS), trimmed(100.0 * stages.tolerance, DIGITS));
+    let asked = format!("{} ± {} %", of_ratio(stages.asked_ratio), trimmed(100.0 * stages.tolerance, DIGITS));
     let (Some(ratio), Some(sizes)) = (stages.ratio, &stages.sizes) else {
         return format!("No stages with i = {asked} that hold were found.");
     };
-    let found: Vec<&SizedDesign> = sizes.sets.iter().filter_map(|set| set.found.first()).collect();
-    let count = if found.len() == 1 { "1 stage".to_owned() } else { format!("{} stages", found.len()) };
-    let mut all = vec![format!("{count}, i = {} (asked {asked})", trimmed(ratio, DIGITS))];
-    let rings = found.iter().filter_map(|design| design.ring_diameter_m);
-    all.extend(rings.reduce(f64::max).map(|ring| format!("ring {}", words(Dimension::Length, ring, DIGITS))));
-    all.extend(sizes.mass_kg.map(|mass| format!("gears {}", words(Dimension::Mass, mass, 3))));
-    all.extend(sizes.whole_kg.map(|mass| format!("whole about {}", words(Dimension::Mass, mass, 2))));
-    let gears = || found.iter().flat_map(|design| &design.over_duty);
-    let least = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::min);
-    all.extend(
-        least(&mut gears().map(|gear| gear.flank.safety)).map(|of| format!("least S_H {}", trimmed(of, 3))),
-    );
-    all.extend(least(&mut gears().map(|gear| gear.root.safety)).map(|of| format!("S_F {}", trimmed(of, 3))));
-    let bearings =
-        found.iter().flat_map(|design| &design.planet_sizes).filter_map(|planet| planet.bearing.as_ref());
-    let life = least(&mut bearings.filter_map(|bearing| bearing.life_s));
-    all.extend(life.map(|life| format!("L_10 {} h", trimmed(hours(life), 3))));
+    let count = match sizes.sets.len() {
+        1 => "1 stage".to_owned(),
+        stages => format!("{stages} stages"),
+    };
+    let mut all = vec![format!("{count}, i = {} (asked {asked})", of_ratio(ratio))];
+    all.extend(of_sizes(sizes, stages.whole_kg));
     format!("{}.", all.join(", "))
+}
+
+/// A ratio, of a train that steps up as 1/99.2.
+fn of_ratio(ratio: f64) -> String {
+    if ratio < 1.0 { format!("1/{}", trimmed(1.0 / ratio, DIGITS)) } else { trimmed(ratio, DIGITS) }
 }
 
 fn asked(stages: &Stages) -> Section {
@@ -117,7 +109,8 @@ fn trains(all: &[TrainsOf]) -> Records {
         .view("The best trains of each number of stages", "stages taken teeth ratio mass rules_missed")
         .note(
             "Trains that keep to usual practice come first, then less mass, of which each rule missed counts a quarter: \
-             of gears, carriers and housing by a rule, or what --minimise says. --stages decides otherwise.",
+             of gears, carriers and housing by a rule, or what --minimise says. The slow shaft, which the whole counts as \
+             well, is alike for all. --stages decides otherwise.",
         )
         .the_answer()
         .records()

@@ -2,7 +2,6 @@
 
 use super::judge::Judge;
 use super::teeth::{in_mesh, judged_by_width};
-use crate::analyze::answer::pins::{orbit_rule, speed_rule};
 use crate::analyze::answer::records::planet_name;
 use crate::analyze::answer::{Input, Worked};
 use crate::shared::gearbox::Gearbox;
@@ -12,7 +11,9 @@ use crate::strength::answer::load::SetLoad;
 use crate::strength::answer::records::{Against, BearingOverDuty, MeshName, NotRated, Reason};
 use crate::strength::answer::{Lacking, Strength, over_duty};
 use epicyclic_formats::gearbox::{GearboxFile, PlanetData, SetData};
-use epicyclic_gears::involute::practice::{of_face_load, of_speed, orbit_acceleration, pin_speed};
+use epicyclic_gears::involute::practice::{
+    of_face_load, of_speed, orbit_acceleration, orbit_rule, pin_speed, pin_speed_rule,
+};
 use epicyclic_gears::life::Rolling;
 use epicyclic_judge::Rule;
 use epicyclic_strength::rating::Place;
@@ -176,7 +177,7 @@ fn of_lacks(judge: &mut Judge, sets: &[Of<'_>], missing: &Missing, not_rated: &[
             let balls = (Rolling::from(planet.rolling) == Rolling::Balls).then_some(Rule::BallLoad);
             let rules = [Rule::BearingLife, Rule::BearingStaticSafety, Rule::BearingLeastLoad];
             let rules: Vec<Rule> =
-                rules.into_iter().chain([speed_rule(planet.rolling)]).chain(balls).collect();
+                rules.into_iter().chain([pin_speed_rule(planet.rolling.into())]).chain(balls).collect();
             judge.lacks(&of, &rules, joined(&missing.lives, lacking(&keys)));
         }
     }
@@ -286,7 +287,7 @@ fn of_bearing(
 ) {
     let name = bearing_name(set, place);
     let (of, name_of) = ([set.id(), name.as_str()], format!("{}, {name}", set.id()));
-    let speed_rule = speed_rule(planet.rolling);
+    let speed_rule = pin_speed_rule(planet.rolling.into());
     if bearing.greatest_force_n.is_none() {
         let rules = [Rule::BearingLife, Rule::BearingStaticSafety, Rule::BearingLeastLoad, speed_rule];
         return judge.lacks(&name_of, &rules, bearing.missing.clone());
@@ -333,7 +334,7 @@ fn of_speeds(
     let toothed = in_mesh(subject, data, set, data.modules.iter().any(Option::is_some));
     let (Ok(toothed), Ok(steps)) = (&toothed, steps) else {
         let is_helical = set.tooth_shape().is_helical();
-        let orbits = data.planets.iter().filter(|_| !set.is_pair()).map(|of| orbit_rule(of.rolling));
+        let orbits = data.planets.iter().filter(|_| !set.is_pair()).map(|of| orbit_rule(of.rolling.into()));
         let of_mesh = if is_helical { Rule::HelicalSpeed } else { Rule::SpurSpeed };
         let rules: Vec<Rule> = [of_mesh].into_iter().chain(orbits).collect();
         let why: Vec<String> = steps.as_ref().err().cloned().into_iter().collect();
@@ -362,7 +363,7 @@ fn of_speeds(
             let of = [set.id(), planet.name.as_str()];
             // Planets of short sets have no name.
             let of = &of[..1 + usize::from(!planet.name.is_empty())];
-            judge.see(orbit_rule(of_file.rolling), of, orbit_acceleration(*radius, carrier));
+            judge.see(orbit_rule(of_file.rolling.into()), of, orbit_acceleration(*radius, carrier));
         }
     }
 }

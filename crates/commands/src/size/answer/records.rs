@@ -10,7 +10,6 @@ use crate::strength::answer::prepared::SetToSize;
 use crate::strength::answer::records::{NotRated, Reason, Wear};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::InvoluteGear;
-use epicyclic_gears::life::Rolling;
 use epicyclic_strength::factor::Side;
 use epicyclic_strength::sizing::{self, Design, DesignedPlanet, Found, Requirement};
 use epicyclic_strength::spectrum::{GearDuty, Worn};
@@ -185,8 +184,8 @@ fn mesh_name((set, families): Of<'_>, mesh: usize) -> MeshName {
 pub struct SizedBearing {
     /// Designation of the bearing; null if the file gives its load rating.
     pub designation: Option<String>,
-    /// Whether the bearing has rollers; otherwise it has balls.
-    pub rollers: bool,
+    /// Rolling elements: balls, rollers, needles, `full_complement`.
+    pub rolling: &'static str,
     /// Bore of the bearing (pin diameter) in m; null if the file gives its load rating.
     pub bore_m: Option<f64>,
     /// Outside diameter of the bearing (bore of the planet) in m; null for a solid planet.
@@ -353,7 +352,7 @@ impl SizedDesign {
         let bearing = |planet: &DesignedPlanet| {
             planet.bearing.as_ref().map(|bearing| SizedBearing {
                 designation: Some(bearing.designation.clone()).filter(|name| !name.is_empty()),
-                rollers: bearing.rolling == Rolling::Rollers,
+                rolling: bearing.rolling.name(),
                 bore_m: positive(bearing.bore),
                 outside_diameter_m: positive(bearing.outside_diameter),
                 width_m: positive(bearing.width),

@@ -116,7 +116,7 @@ fn write(entry: &mut Mapping, is_short: bool, design: &SizedDesign) {
     }
     for planet in &design.planet_sizes {
         let Some(bearing) = &planet.bearing else { continue };
-        let SizedBearing { rollers, outside_diameter_m, load_rating_n, .. } = bearing;
+        let SizedBearing { rolling, outside_diameter_m, load_rating_n, .. } = bearing;
         let mut keys: Vec<(&str, Value)> =
             vec![("load_rating", Value::from(format!("{} N", trimmed(*load_rating_n, DIGITS))))];
         let bore = if is_short { "planet_bore" } else { "bore" };
@@ -127,7 +127,7 @@ fn write(entry: &mut Mapping, is_short: bool, design: &SizedDesign) {
             ["static_load_rating", "fatigue_limit", "bearing_diameter"].iter().for_each(|key| {
                 of.remove(*key);
             });
-            keys.push(("bearing_rolling", Value::from(if *rollers { "rollers" } else { "balls" })));
+            keys.push(("bearing_rolling", Value::from(*rolling)));
             let newtons = |rating: f64| Value::from(format!("{} N", trimmed(rating, DIGITS)));
             keys.extend(bearing.static_load_rating_n.map(|rating| ("static_load_rating", newtons(rating))));
             let diameters = bearing.bore_m.zip(*outside_diameter_m);

@@ -149,7 +149,7 @@ impl File<'_> {
         let mut row = BearingOverDuty {
             set: set.id().to_owned(),
             planet: planet_name(set, bearing.planet),
-            rollers: rolling == Rolling::Rollers,
+            rollers: rolling != Rolling::Balls,
             load_rating_n: rating.si(),
             mean_diameter_m: given.bearing_diameter.map(|diameter| diameter.0.si()),
             load_sharing: sharing,

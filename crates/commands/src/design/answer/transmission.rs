@@ -1,0 +1,354 @@
+//! Gearboxes for a list of gears: structures, tooth numbers and sizes.
+//!
+//! Structures are those of [`synthesize`](crate::synthesize): at first with members on shafts alone, then with
+//! members on the housing and double-planet sets, from the fewest sets and shift elements up. The best of the
+//! first families get tooth numbers, and these the sizes that hold over the duty. Of all that have sizes the
+//! one with the fewest warnings is taken, then the lightest.
+
+use super::basis::Basis;
+use super::making::{Load, MAKING, warnings, with_load};
+use super::records::{BasisKey, SizesStep};
+use crate::answer::{Answer, Warning};
+use crate::error::Error;
+use crate::shared::gearbox::{Choice, one};
+use crate::shared::saved::names;
+use crate::size::answer::{self as size, Size};
+use crate::size::options::Request as SizeRequest;
+use crate::synthesize::answer::teeth::{TeethOfSet, TeethWanted};
+use crate::synthesize::answer::{Kept, Searching, ShiftElement, Solution, Wanted as Search, saved, solve};
+use epicyclic_formats::wanted_ratio::{Wanted as Ratio, WantedRatio};
+use epicyclic_formats::yaml::{Value, to_string};
+use epicyclic_formats::{Document, gearbox::written};
+use epicyclic_gears::efficiency::MeshEfficiency;
+use epicyclic_gears::synthesis::Bounds;
+use epicyclic_synthesis::Kind;
+use epicyclic_synthesis::rank::Objective;
+use epicyclic_synthesis::rules::Rules;
+use epicyclic_synthesis::shifts::Shifts;
+use epicyclic_synthesis::teeth::{Aim, Alike};
+use epicyclic_synthesis::usable::Usable;
+use epicyclic_units::Physical;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::ops::{ControlFlow, RangeInclusive};
+use uom::si::f64::{AngularVelocity, Torque};
+
+/// Structures that get tooth numbers, the best of their families.
+const STRUCTURES: usize = 3;
+
+/// Tooth numbers of a structure that get sizes.
+const TEETH: usize = 2;
+
+/// Efficiency of the two meshes of a set, by which structures are rated.
+const EFFICIENCY: f64 = 0.97;
+
+/// Order for a list of gears.
+#[derive(Debug, Clone)]
+pub struct WantedTransmission {
+    /// Ratio of each gear, input speed over output speed; below 0 of reverse.
+    pub ratios: Vec<f64>,
+    /// Allowed relative deviation of a ratio.
+    pub tolerance: f64,
+    /// Bounds of tooth numbers and numbers of planets.
+    pub bounds: Bounds,
+    /// Speed of the input.
+    pub speed: AngularVelocity,
+    /// Torque on the input in every gear.
+    pub torque: Torque,
+    /// Shares of the time of the gears; empty for equal shares.
+    pub shares: Vec<f64>,
+    /// Greatest torque during the life over the nominal torque.
+    pub overload: Option<f64>,
+    /// Materials, factors, oil and life.
+    pub basis: Basis,
+    /// Search space of sizes.
+    pub size: SizeRequest,
+}
+
+/// Gearbox for a list of gears, with sufficient strength.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Transmission {
+    /// Gears, required and reached.
+    pub gears: Vec<GearReached>,
+    /// Allowed relative deviation of a ratio.
+    pub tolerance: f64,
+    /// Speed of the input in rad/s.
+    pub input_speed_rad_s: f64,
+    /// Structures found, of the fewest sets and shift elements that give any.
+    pub structures: usize,
+    /// Gearboxes with tooth numbers, the one taken first.
+    pub gearboxes: Vec<GearboxWithTeeth>,
+    /// Assumed values by key.
+    pub basis: Vec<BasisKey>,
+    /// Sizes of the gearbox taken, with their strength over the duty; null if no structure was found.
+    pub sizes: Option<SizesStep>,
+    /// Gearbox file with sizes; null if a set has none.
+    pub file: Option<String>,
+    /// Warnings about the gearbox.
+    pub warnings: Vec<Warning>,
+}
+
+/// Gear, required and reached.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct GearReached {
+    /// Name of the gear.
+    pub gear: String,
+    /// Required ratio, input speed over output speed.
+    pub asked_ratio: f64,
+    /// Reached ratio; null if no structure was found.
+    pub ratio: Option<f64>,
+    /// Required speed of the output in rad/s.
+    pub asked_output_speed_rad_s: f64,
+    /// Reached speed of the output in rad/s; null if no structure was found.
+    pub output_speed_rad_s: Option<f64>,
+    /// Engaged shift elements.
+    pub engaged: Vec<String>,
+    /// Efficiency with the usual losses of the meshes; null without a structure, or if the losses hold the gear.
+    pub efficiency: Option<f64>,
+}
+
+/// Gearbox with tooth numbers.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct GearboxWithTeeth {
+    /// Links of sun, ring and carrier of each set: 0 the housing, 1 the input, 2 the output, letters the
+    /// others. A star marks a double-planet set.
+    pub structure: String,
+    /// Brakes and clutches.
+    pub shift_elements: Vec<ShiftElement>,
+    /// Shifts between neighbouring forward gears that exchange more than one shift element.
+    pub multiple_shifts: usize,
+    /// Least efficiency of a forward gear.
+    pub forward_efficiency: f64,
+    /// Tooth numbers of the sets.
+    pub sets: Vec<TeethOfSet>,
+    /// Largest relative deviation of a ratio.
+    pub greatest_deviation: f64,
+    /// Errors and warnings of the judge.
+    pub warnings: usize,
+    /// Mass of all gears in kg; null if a set has no size.
+    pub mass_kg: Option<f64>,
+    /// Outside diameter of the largest ring in m; null if a set has no size.
+    pub ring_diameter_m: Option<f64>,
+}
+
+impl Answer for Transmission {
+    const NAME: &'static str = "design-transmission";
+}
+
+/// Classes of structures in their order: class, sets, shift elements, those engaged, double-planet sets.
+type Classes = (Kind, [RangeInclusive<usize>; 4]);
+
+/// Larger classes take hours.
+const CLASSES: [Classes; 3] = [
+    (Kind::Core, [1..=3, 1..=5, 1..=3, 0..=0]),
+    (Kind::AllSparse, [1..=2, 1..=5, 1..=2, 0..=1]),
+    (Kind::AllSparse, [3..=3, 3..=5, 2..=2, 0..=1]),
+];
+
+/// Gearbox with sizes.
+struct Sized {
+    of: GearboxWithTeeth,
+    gears: Vec<GearReached>,
+    file: String,
+    size: Size,
+}
+
+/// Designs a gearbox for a list of gears. `goes_on` is called now and then, and may end the search.
+///
+/// # Errors
+/// [`Error::Shares`] unless there is one share per gear; [`Error::Synthesis`] for ratios that cannot be;
+/// errors of [`size`](SizeRequest::answer), which refer to the unfinished gearbox.
+pub fn answer(
+    wanted: &WantedTransmission,
+    goes_on: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<Transmission, Error> {
+    if !wanted.shares.is_empty() && wanted.shares.len() != wanted.ratios.len() {
+        return Err(Error::Shares { given: wanted.shares.len(), gears: names(&wanted.ratios) });
+    }
+    let (structures, found) = structures(wanted, goes_on)?;
+    let mut all = vec![];
+    for place in 0..TEETH {
+        for (solution, kept) in &found {
+            all.extend(Sized::of(wanted, (solution, kept), place, goes_on)?);
+        }
+    }
+    all.sort_by(|one, other| one.rank().partial_cmp(&other.rank()).expect("masses are numbers"));
+    let gearboxes = all.iter().map(|sized| sized.of.clone()).collect();
+    let mut transmission = Transmission {
+        gears: asked(wanted),
+        tolerance: wanted.tolerance,
+        input_speed_rad_s: wanted.speed.si(),
+        structures,
+        gearboxes,
+        basis: wanted.basis.told(),
+        sizes: None,
+        file: None,
+        warnings: vec![],
+    };
+    if let Some(taken) = all.into_iter().next() {
+        if taken.of.mass_kg.is_some() {
+            let document = Document::parse_one(MAKING, taken.file.as_bytes())?;
+            transmission.file = Some(size::saved(&document, &taken.size)?);
+        }
+        transmission.warnings = warnings(&taken.size, transmission.file.as_deref())?;
+        transmission.gears = taken.gears;
+        transmission.sizes = Some(SizesStep::of(taken.size));
+    }
+    Ok(transmission)
+}
+
+/// The gears as they are required.
+fn asked(wanted: &WantedTransmission) -> Vec<GearReached> {
+    let of = |(gear, ratio): (String, &f64)| GearReached {
+        gear,
+        asked_ratio: *ratio,
+        ratio: None,
+        asked_output_speed_rad_s: wanted.speed.si() / ratio,
+        output_speed_rad_s: None,
+        engaged: vec![],
+        efficiency: None,
+    };
+    names(&wanted.ratios).into_iter().zip(&wanted.ratios).map(of).collect()
+}
+
+/// How many structures have the ratios, and the best of the first families with their tooth numbers. Shifts of
+/// one element for one come first.
+fn structures(
+    wanted: &WantedTransmission,
+    goes_on: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<(usize, Vec<(Solution, Kept)>), Error> {
+    for neighbours in [true, false] {
+        for classes in &CLASSES {
+            let search = search(wanted, classes, Shifts { neighbours, skips: false })?;
+            let of_class = |_: &Searching, _| goes_on();
+            let (synthesis, kept) = match solve(&search, &of_class) {
+                // Ratios that no structure of these classes can have.
+                Err(Error::Synthesis(_)) => continue,
+                found => found?,
+            };
+            if !synthesis.complete && goes_on().is_break() {
+                return Err(epicyclic_strength::Error::Cancelled.into());
+            }
+            let is_of_use = |one: &Solution| one.beyond_limit.is_none() && one.missing_gears.is_empty();
+            let all = synthesis.solutions.into_iter().zip(kept);
+            let found: Vec<_> = all.filter(|(solution, _)| is_of_use(solution)).collect();
+            if found.iter().any(|(_, kept)| !kept.teeth.is_empty()) {
+                return Ok((synthesis.found, found));
+            }
+        }
+    }
+    Ok((0, vec![]))
+}
+
+fn search(
+    wanted: &WantedTransmission,
+    (kind, [sets, elements, engaged, double_planets]): &Classes,
+    shifts: Shifts,
+) -> Result<Search, Error> {
+    let gear = |ratio: &f64| WantedRatio {
+        wanted: Ratio::Around { ratio: *ratio, within: None },
+        optional: false,
+    };
+    let efficiency = MeshEfficiency::new(EFFICIENCY)?;
+    Ok(Search {
+        gears: wanted.ratios.iter().map(gear).collect(),
+        tolerance: wanted.tolerance,
+        kind: *kind,
+        sets: sets.clone(),
+        elements: elements.clone(),
+        engaged: engaged.clone(),
+        links: 0..=usize::MAX,
+        open: 0..=usize::MAX,
+        k: 1.4..=4.5,
+        double_planets: double_planets.clone(),
+        k_double: 1.6..=4.5,
+        equal_k: 1,
+        rules: Rules { shifts, ..Rules::default() },
+        limits: Default::default(),
+        drawable: false,
+        shares: None,
+        usable: Some(Usable::default()),
+        efficiency,
+        most: STRUCTURES,
+        all_gearboxes: false,
+        also: None,
+        order: vec![Objective::Drawable, Objective::Shifts, Objective::Efficiency],
+        objectives: Objective::ALL.to_vec(),
+        teeth: Some(TeethWanted {
+            bounds: wanted.bounds.clone(),
+            shifts: None,
+            alike: Alike { rings: 1, suns: 1, sets: 1 },
+            aim: Aim::Deviation,
+            most: TEETH,
+        }),
+        explain: None,
+    })
+}
+
+impl Sized {
+    /// Sizes a gearbox with its tooth numbers at a place; `None` if it has none there.
+    fn of(
+        wanted: &WantedTransmission,
+        (solution, kept): (&Solution, &Kept),
+        place: usize,
+        goes_on: &dyn Fn() -> ControlFlow<()>,
+    ) -> Result<Option<Self>, Error> {
+        let teeth = solution.teeth.as_ref().and_then(|teeth| teeth.choices.get(place));
+        let Some((teeth, design)) = teeth.zip(kept.teeth.get(place)) else { return Ok(None) };
+        let count = match wanted.ratios.len() {
+            1 => "1 gear".to_owned(),
+            gears => format!("{gears} gears"),
+        };
+        let gearbox = saved::gearbox(kept, &count, Some(design))?;
+        let text = written(&gearbox, &[]).map_err(|error| Error::Json(error.to_string()))?;
+        let mut file = Document::parse_one(MAKING, text.as_bytes())?.value().clone();
+        // The numbers of planets are left to the sizing.
+        let sets = file.get_mut("sets").and_then(Value::as_sequence_mut).into_iter().flatten();
+        for set in sets.filter_map(Value::as_mapping_mut) {
+            set.remove("planets");
+        }
+        let names: Vec<String> = gearbox.gears().iter().map(|gear| gear.name().to_owned()).collect();
+        let equal = vec![1.0 / names.len() as f64; names.len()];
+        let shares = if wanted.shares.is_empty() { &equal } else { &wanted.shares };
+        let gears: Vec<(&str, f64)> = names.iter().map(String::as_str).zip(shares.iter().copied()).collect();
+        let load = Load { torque: wanted.torque, speed: wanted.speed, overload: wanted.overload };
+        with_load(&mut file, &wanted.basis, &gears, load);
+        let file = to_string(&file).map_err(|error| Error::Json(error.to_string()))?;
+        let document = Document::parse_one(MAKING, file.as_bytes())?;
+        let size = size::answer(&one(&document, &Choice::default())?, &wanted.size, goes_on)?;
+        let reached = |((mut asked, own), ratio): ((GearReached, _), &crate::shared::records::Fraction)| {
+            let own: &crate::synthesize::answer::Gear = own;
+            let ratio = ratio.numerator as f64 / ratio.denominator as f64;
+            asked.ratio = Some(ratio);
+            asked.output_speed_rad_s = Some(wanted.speed.si() / ratio);
+            asked.engaged.clone_from(&own.engaged);
+            asked.efficiency = own.efficiency;
+            asked
+        };
+        let gears = asked(wanted).into_iter().zip(&solution.gears).zip(&teeth.ratios).map(reached).collect();
+        let rings = size.sets.iter().map(|set| set.found.first()?.ring_diameter_m);
+        let [errors, warnings, _] = size.judgement.misses();
+        let is_whole = size.not_sized.is_empty();
+        let of = GearboxWithTeeth {
+            structure: solution.structure.clone(),
+            shift_elements: solution.shift_elements.clone(),
+            multiple_shifts: solution.multiple_shifts,
+            forward_efficiency: solution.forward_efficiency,
+            sets: teeth.sets.clone(),
+            greatest_deviation: teeth.greatest_deviation,
+            warnings: errors + warnings,
+            mass_kg: size.mass_kg.filter(|_| is_whole),
+            ring_diameter_m: rings.flatten().reduce(f64::max).filter(|_| is_whole),
+        };
+        Ok(Some(Self { of, gears, file, size }))
+    }
+
+    /// Whether a set has no size, errors and warnings, mass.
+    fn rank(&self) -> (bool, usize, f64) {
+        let GearboxWithTeeth { warnings, mass_kg, .. } = self.of;
+        (mass_kg.is_none(), warnings, mass_kg.unwrap_or_default())
+    }
+}

@@ -1,0 +1,106 @@
+//! A gearbox for a list of gears, asked and reached, with what came next.
+
+use crate::design::answer::transmission::{GearboxWithTeeth, Transmission};
+use crate::design::table::{basis, of_sizes, parts_of_sizes};
+use crate::select::table::percent;
+use crate::synthesize::answer::teeth::TeethOfSet;
+use crate::table::columns::Table;
+use crate::table::report::{AsReport, Part, Records, Report, warned};
+use epicyclic_units::Dimension;
+
+impl AsReport for Transmission {
+    fn report(&self) -> Report {
+        let mut parts = parts_of_transmission(self);
+        parts.extend(self.sizes.iter().flat_map(parts_of_sizes));
+        Report { title: Some(in_short(self)), parts, warnings: warned(&self.warnings) }
+    }
+}
+
+/// Gears asked and reached, the gearboxes that were sized, and assumed values.
+pub(crate) fn parts_of_transmission(transmission: &Transmission) -> Vec<Part> {
+    let mut parts = vec![Part::Records(gears(transmission))];
+    if !transmission.gearboxes.is_empty() {
+        parts.push(Part::Records(gearboxes(&transmission.gearboxes)));
+    }
+    parts.push(Part::Records(basis(&transmission.basis)));
+    parts
+}
+
+/// The gearbox with its gears, shift elements, deviation, ring, mass, least safeties and life.
+pub(crate) fn in_short(transmission: &Transmission) -> String {
+    let count = |count: usize, one: &str| format!("{count} {one}{}", if count == 1 { "" } else { "s" });
+    let gears = count(transmission.gears.len(), "gear");
+    let (Some(taken), Some(sizes)) = (transmission.gearboxes.first(), &transmission.sizes) else {
+        return format!("No gearbox with these {gears} was found.");
+    };
+    let mut all = vec![
+        gears,
+        count(taken.sets.len(), "set"),
+        count(taken.shift_elements.len(), "shift element"),
+        format!(
+            "ratios within {} (asked {})",
+            percent(taken.greatest_deviation).trim_start_matches('+'),
+            percent(transmission.tolerance).trim_start_matches('+')
+        ),
+    ];
+    if transmission.file.is_none() {
+        all.push("no sizes that hold".to_owned());
+    }
+    all.extend(of_sizes(sizes, sizes.whole_kg));
+    format!("{}.", all.join(", "))
+}
+
+fn gears(transmission: &Transmission) -> Records {
+    Table::new("gears", transmission.gears.iter())
+        .words("gear", "gear", |of| of.gear.clone())
+        .number("asked_ratio", "i asked", |of| of.asked_ratio)
+        .number("ratio", "i reached", |of| of.ratio)
+        .words("deviation", "deviation", |of| of.ratio.map(|ratio| percent(ratio / of.asked_ratio - 1.0)))
+        .quantity("asked_output_speed", "n asked", Dimension::AngularSpeed, |of| of.asked_output_speed_rad_s)
+        .quantity("output_speed", "n reached", Dimension::AngularSpeed, |of| of.output_speed_rad_s)
+        .words("engaged", "engaged", |of| of.engaged.join(" "))
+        .number("efficiency", "η", |of| of.efficiency)
+        .view(
+            "Gears asked and reached",
+            "gear asked_ratio ratio deviation asked_output_speed output_speed engaged efficiency",
+        )
+        .note("n: of the output. η: with 0.97 for the meshes of a set.")
+        .the_answer()
+        .records()
+}
+
+/// Teeth of sun, planets and ring.
+fn teeth(of: &TeethOfSet) -> String {
+    let outer = of.outer_planet.map(|outer| format!("+{outer}")).unwrap_or_default();
+    format!("{} {}{outer} {}", of.sun, of.planet, of.ring)
+}
+
+fn gearboxes(all: &[GearboxWithTeeth]) -> Records {
+    let elements = |of: &GearboxWithTeeth| {
+        let all: Vec<String> =
+            of.shift_elements.iter().map(|element| format!("{} {}", element.name, element.joins)).collect();
+        all.join(", ")
+    };
+    Table::new("gearboxes", all.iter().enumerate())
+        .words("taken", "", |(place, of)| (*place == 0 && of.mass_kg.is_some()).then_some("taken"))
+        .words("structure", "structure", |(_, of)| of.structure.clone())
+        .words("shift_elements", "shift elements", move |(_, of)| elements(of))
+        .words("teeth", "sun, planet, ring", |(_, of)| {
+            of.sets.iter().map(teeth).collect::<Vec<String>>().join(" + ")
+        })
+        .words("deviation", "off by", |(_, of)| percent(of.greatest_deviation).trim_start_matches('+').to_owned())
+        .number("multiple_shifts", "mult.", |(_, of)| of.multiple_shifts as f64)
+        .number("warnings", "warnings", |(_, of)| of.warnings as f64)
+        .quantity("ring_diameter", "ring", Dimension::Length, |(_, of)| of.ring_diameter_m)
+        .quantity("mass", "gears", Dimension::Mass, |(_, of)| of.mass_kg)
+        .view(
+            "Gearboxes that were sized",
+            "taken structure shift_elements teeth deviation multiple_shifts warnings ring_diameter mass",
+        )
+        .note(
+            "Links: 0 the housing, 1 the input, 2 the output, letters the others; a set is sun-ring-carrier, with a star a \
+             double-planet set. A brake B holds its link, a clutch C joins two. mult.: shifts between neighbouring forward \
+             gears that exchange more than one shift element. Fewer warnings come first, then less mass of the gears.",
+        )
+        .records()
+}
