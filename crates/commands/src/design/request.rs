@@ -1,7 +1,5 @@
 //! The command `design`: from speeds and power to a gearbox whose sizes hold.
 
-use crate::design::answer::application::Application;
-use crate::design::answer::basis::Basis;
 use crate::design::answer::stages::{self, Stages, WantedStages};
 use crate::design::answer::{Design, Wanted, answer};
 use crate::design::table::way_out;
@@ -9,13 +7,15 @@ use crate::desk::Call;
 use crate::error::Error;
 use crate::failure::Failure;
 use crate::input;
-use crate::output::{NO_HEADING, OutputArgs};
+use crate::output::{NO_HEADING, OutputArgs, Reply};
 use crate::page::sheet::Sheet;
 use crate::progress::Progress;
 use crate::report::answer::gearbox;
 use crate::select::answer as select;
 use crate::select::answer::duty::{Duty, Load};
 use crate::select::answer::teeth::Watch;
+use crate::shared::application::Application;
+use crate::shared::basis::Basis;
 use crate::shared::gearbox::one;
 use crate::shared::gearbox_choice::refuse;
 use crate::shared::lists::List;
@@ -106,11 +106,6 @@ pub struct Request {
     /// Numbers of stages, from 1 to 4. Default: 1..4.
     #[arg(long, value_name = "RANGE", conflicts_with_all = ["speeds", "ratios"], value_parser = stages, help_heading = STAGES)]
     pub stages: Option<RangeInclusive<u32>>,
-
-    /// What the gearbox is for: usual K_A, life and safeties, for what --basis, --factors and --life do not
-    /// say.
-    #[arg(long, value_enum)]
-    pub application: Option<Application>,
 
     /// Power into the input in every gear.
     #[arg(long, allow_hyphen_values = true)]
@@ -406,7 +401,7 @@ impl Request {
             shares: self.shares.iter().flat_map(|shares| &shares.0).map(|share| share.0.si()).collect(),
             overload: self.overload()?,
             basis: self.basis()?,
-            size: self.sizes.clone(),
+            size: SizeRequest { application: None, ..self.sizes.clone() },
         })
     }
 
@@ -500,7 +495,7 @@ impl Request {
 
     /// The basis with the factors and the life of the request.
     fn basis(&self) -> Result<Basis, Failure> {
-        let usual = self.application.map_or_else(Basis::default, Application::basis);
+        let usual = self.sizes.application.map_or_else(Basis::default, Application::basis);
         let mut basis = match &self.basis {
             Some(own) => own.clone().completed_by(usual),
             None => usual,

@@ -3,14 +3,14 @@
 pub(crate) mod stages;
 
 use crate::design::answer::Design;
-use crate::design::answer::records::{BasisKey, SchemeStep, SizesStep, TeethStep, TeethTaken};
+use crate::design::answer::records::{SchemeStep, SizesStep, TeethStep, TeethTaken};
 use crate::design::answer::ways_out::{Limit, RelaxedLimit, WayOut};
 use crate::select::answer::reached::largest_deviation;
 use crate::select::answer::required::Objective;
 use crate::select::table::{percent, speeds_reached};
 use crate::shared::judgement::table as judgement;
 use crate::size::answer::records::{SizedDesign, SizedFamily, SizedSet};
-use crate::size::table::{designs, gears, left_out};
+use crate::size::table::{basis, designs, gears, left_out};
 use crate::strength::table::{Worn, over_duty};
 use crate::table::columns::Table;
 use crate::table::figure::text;
@@ -20,6 +20,9 @@ use crate::table::report::{Part, Records, Report, Text, warned};
 use epicyclic_strength::sizing::Requirement;
 use epicyclic_units::Dimension;
 use epicyclic_units::format::trimmed;
+
+/// Title of the assumed values.
+pub(super) const ASSUMED: &str = "Assumed values; change with --basis, --factors, --life";
 
 /// Digits of ratios and of lengths in words.
 const DIGITS: usize = 4;
@@ -44,7 +47,7 @@ pub(crate) fn parts_of_choice(design: &Design) -> Vec<Part> {
         parts.push(Part::Records(ways_out(ways)));
         parts.extend(ways.iter().map(|way| Part::Records(speeds_of(way))));
     }
-    parts.push(Part::Records(basis(&design.basis)));
+    parts.push(Part::Records(basis(&design.basis, ASSUMED)));
     parts
 }
 
@@ -306,14 +309,4 @@ fn strength(step: &SizesStep) -> Option<[String; 5]> {
         governing.set
     );
     Some(["strength".to_owned(), taken, String::new(), String::new(), "--basis, --factors".to_owned()])
-}
-
-pub(super) fn basis(keys: &[BasisKey]) -> Records {
-    let note = "As keys of the gearbox file, which --save writes; lists of sun, planets and ring. Factors given are not calculated.";
-    Table::new("basis", keys.iter())
-        .text("key", "key", |key| &key.key)
-        .text("value", "value", |key| &key.value)
-        .view("Assumed values; change with --basis, --factors, --life", "key value")
-        .note(note)
-        .records()
 }

@@ -1,6 +1,8 @@
 //! Request for sizes: the space of the search.
 
 use crate::error::Error;
+use crate::output::NO_HEADING;
+use crate::shared::application::Application;
 use crate::shared::lists::Quantities;
 use epicyclic_formats::{RangeError, Span};
 use epicyclic_gears::involute::family::Aim;
@@ -78,6 +80,10 @@ pub struct Request {
     /// Seek no bearings: the planets are solid.
     #[arg(long, conflicts_with = "bearings")]
     pub no_bearings: bool,
+
+    /// What the gearbox is for: usual K_A, life and safeties, and usual materials, for what is not stated.
+    #[arg(long, value_enum, help_heading = NO_HEADING)]
+    pub application: Option<Application>,
 
     /// What is least: the mass of the gears, the outside diameter of the rings, or the mass of the whole with
     /// carriers and housing, by a rule. Default: mass; of stages in series whole.

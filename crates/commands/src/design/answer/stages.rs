@@ -1,11 +1,11 @@
 //! Stages in series for one ratio: splits, tooth numbers and sizes chosen together.
 
 use super::attempt::CLASSES;
-use super::basis::Basis;
 use super::making::{Load, MAKING, warnings, with_load};
-use super::records::{BasisKey, SizesStep};
+use super::records::SizesStep;
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
+use crate::shared::basis::{Basis, BasisKey};
 use crate::shared::gearbox::{Choice, one};
 use crate::size::answer::{self as size, sizing_of};
 use crate::size::options::Request as SizeRequest;

@@ -1,6 +1,6 @@
 //! Usual values of what a gearbox is for.
 
-use super::basis::Basis;
+use crate::shared::basis::Basis;
 use epicyclic_formats::yaml::{Mapping, Value};
 
 /// What a gearbox is for, with the values that are usual of it.
