@@ -205,7 +205,7 @@ const STAGES: &str = "One ratio: stages in series";
 const MOST_STAGES: u32 = 4;
 
 /// Options that concern several speeds.
-const OF_SPEEDS: [&str; 20] = [
+const OF_SPEEDS: [&str; 19] = [
     "speeds",
     "ratios",
     "all_structures",
@@ -217,7 +217,6 @@ const OF_SPEEDS: [&str; 20] = [
     "brakes",
     "signs",
     "prefer",
-    "efficiency",
     "least_efficiency",
     "link_speed",
     "planet_speed",
@@ -274,59 +273,40 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     args.page.only_of_a_page(args.output.is_page())?;
     let request = args.request(call)?;
     if request.is_of_stages() {
-        return run_stages(call, args, &request);
+        let stages = request.answer_stages(&|| call.goes_on())?;
+        let sheet = |own| crate::design::page::sheet_of_stages(&stages, own, &imprint::command(call));
+        let why_none = "no stages that hold were found; a larger --max-ring or --tolerance, other --planets, --sun or --stages may give some";
+        return deliver(call, args, &stages, stages.file.as_deref(), sheet, why_none.to_owned());
     }
     let shown = Progress::new(call);
     let design = request.answer(&|at| shown.at(at.share))?;
     drop(shown);
-    let files = match (&args.save, &design.file) {
-        (Some(file), Some(text)) => vec![(file.clone(), text.clone().into_bytes())],
-        _ => vec![],
-    };
-    if args.output.is_page() {
-        let own = own_page(call, design.file.as_deref())?;
-        let sheet = crate::design::page::sheet(&design, own, &imprint::command(call));
-        args.output.deliver_page(call, files, &design, Ok(sheet), &args.page.imprint())?;
-    } else {
-        args.output.deliver_with(call, files, &design)?;
-    }
-    // The answer is written in any case; the exit code says whether a gearbox was found.
-    match design.file {
-        Some(_) => Ok(()),
-        None => {
-            let way = design
-                .ways_out
-                .iter()
-                .flatten()
-                .next()
-                .map(|way| format!("; {}", way_out(way)))
-                .unwrap_or_default();
-            Err(Failure::NothingFound(format!("no gearbox that holds was found{way}")))
-        }
-    }
+    let sheet = |own| crate::design::page::sheet(&design, own, &imprint::command(call));
+    let way = design.ways_out.iter().flatten().next();
+    let way = way.map(|way| format!("; {}", way_out(way))).unwrap_or_default();
+    let why_none = format!("no gearbox that holds was found{way}");
+    deliver(call, args, &design, design.file.as_deref(), sheet, why_none)
 }
 
-/// Runs the command for stages in series.
-fn run_stages(call: &Call<'_>, args: &Args, request: &Request) -> Result<(), Failure> {
-    let stages = request.answer_stages(&|| call.goes_on())?;
-    let files = match (&args.save, &stages.file) {
-        (Some(file), Some(text)) => vec![(file.clone(), text.clone().into_bytes())],
-        _ => vec![],
-    };
+/// Writes the answer, its page around that of the gearbox, and the gearbox file. The answer is written in any
+/// case; the exit code says whether a gearbox was found.
+fn deliver(
+    call: &Call<'_>,
+    args: &Args,
+    answer: &dyn Reply,
+    file: Option<&str>,
+    sheet: impl FnOnce(Option<Sheet>) -> Sheet,
+    why_none: String,
+) -> Result<(), Failure> {
+    let saved = args.save.iter().zip(file).map(|(name, text)| (name.clone(), text.as_bytes().to_vec()));
+    let files = saved.collect();
     if args.output.is_page() {
-        let own = own_page(call, stages.file.as_deref())?;
-        let sheet = crate::design::page::sheet_of_stages(&stages, own, &imprint::command(call));
-        args.output.deliver_page(call, files, &stages, Ok(sheet), &args.page.imprint())?;
+        let sheet = sheet(own_page(call, file)?);
+        args.output.deliver_page(call, files, answer, Ok(sheet), &args.page.imprint())?;
     } else {
-        args.output.deliver_with(call, files, &stages)?;
+        args.output.deliver_with(call, files, answer)?;
     }
-    match stages.file {
-        Some(_) => Ok(()),
-        None => Err(Failure::NothingFound(
-            "no stages that hold were found; a larger --max-ring or --tolerance, other --planets, --sun or --stages may give some"
-                .to_owned(),
-        )),
-    }
+    file.map(|_| ()).ok_or(Failure::NothingFound(why_none))
 }
 
 /// The page of the gearbox that was designed.
@@ -465,8 +445,9 @@ impl Request {
             speed,
             torque: duty.torque().map_err(refuse_of)?.ok_or(Error::NoLoad).map_err(refuse_of)?,
             overload: self.overload()?,
+            efficiency: self.criteria.set_efficiency()?.get(),
             basis: self.basis()?,
-            size: SizeRequest { minimise: Some(minimise), ..self.sizes.clone() },
+            size: SizeRequest { minimise: Some(minimise), application: None, ..self.sizes.clone() },
         })
     }
 

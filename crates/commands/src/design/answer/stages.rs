@@ -38,6 +38,8 @@ pub struct WantedStages {
     pub torque: Torque,
     /// Greatest torque during the life over the nominal torque.
     pub overload: Option<f64>,
+    /// Efficiency of each set with its carrier fixed, which the file states.
+    pub efficiency: f64,
     /// Materials, factors, oil and life.
     pub basis: Basis,
     /// Search space of sizes.
@@ -191,6 +193,7 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
         file = Some(saved);
         sizes = Some(SizesStep::of(size));
     }
+    let efficiency = BasisKey { key: "efficiency".to_owned(), value: wanted.efficiency.to_string() };
     let ratio = train.as_ref().map(|train| train.ratio);
     let speed = wanted.speed.si();
     Ok(Stages {
@@ -204,7 +207,7 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
         output_torque_n_m: ratio.map(|ratio| wanted.torque.si() * ratio),
         sets: found.sets,
         trains,
-        basis: wanted.basis.told(),
+        basis: wanted.basis.told().into_iter().chain([efficiency]).collect(),
         sizes,
         file,
         warnings: all_warnings,
@@ -245,6 +248,7 @@ fn text(wanted: &WantedStages, teeth: &[[u32; 3]]) -> Result<String, Error> {
             ("carrier", shaft(place + 1).into()),
             ("teeth", Value::Sequence(vec![(*sun).into(), (*ring).into()])),
             ("planet_teeth", Value::Sequence(vec![(*planet).into()])),
+            ("efficiency", wanted.efficiency.into()),
         ])
     };
     let count = if teeth.len() == 1 { "1 stage".to_owned() } else { format!("{} stages", teeth.len()) };
