@@ -148,6 +148,7 @@ commands! {
     Motor: commands::motor::request;
     Draw: commands::draw::request;
     Report: commands::report::request;
+    Init: commands::init::request;
     Schema: schema;
     #[cfg(feature = "serve")]
     Serve: serve;

@@ -380,6 +380,15 @@ pub enum Error {
     /// An error of the simulation of motion.
     #[error(transparent)]
     Motion(#[from] epicyclic_motion::Error),
+    /// Keys that a file lacks, with lines to paste into it.
+    #[error("{at}\n\n{lines}")]
+    #[strum(serialize = "missing-key")]
+    MissingKeys {
+        /// Names of the keys, at the first of their places.
+        at: Box<epicyclic_formats::Error>,
+        /// Lines to paste, with where they belong.
+        lines: String,
+    },
     /// No set whose size can be calculated.
     #[error("no set can be sized: {}", sets.join("; "))]
     NothingToSize {

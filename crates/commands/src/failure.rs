@@ -289,6 +289,10 @@ impl Failure {
         let text = self.to_string();
         match self {
             Self::SelfCrossing { .. } | Self::NothingFound(_) | Self::TooLong(_) => text,
+            // Lines to paste are YAML as they stand.
+            Self::Answer(crate::error::Error::MissingKeys { .. }) => {
+                text.lines().map(one_line).collect::<Vec<_>>().join("\n")
+            }
             // Names to choose from stand below each other, set in.
             Self::Option { .. } => text.split("\n  ").map(one_line).collect::<Vec<_>>().join("\n  "),
             // Each fault of a file is one line already, with its own `error: `.

@@ -79,6 +79,7 @@ pub mod error;
 pub mod failure;
 pub mod finite;
 pub mod front;
+pub mod init;
 pub mod input;
 pub mod losses;
 pub mod machine;

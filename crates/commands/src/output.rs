@@ -101,7 +101,7 @@ pub enum Format {
 impl OutputArgs {
     /// The file that the answer goes to.
     pub(crate) fn file(&self) -> Option<&Path> {
-        self.target.output.as_deref()
+        self.target.file()
     }
 
     /// A file for a drawing, where its name ends like one: for commands that draw.
@@ -316,6 +316,11 @@ impl io::Write for Shown<'_> {
 }
 
 impl Target {
+    /// The file that is written; `None` for standard output.
+    pub(crate) fn file(&self) -> Option<&Path> {
+        self.output.as_deref()
+    }
+
     /// Refuses a page in a file that its name says to be something else.
     pub(crate) fn is_for_a_page(&self, is_page: bool) -> Result<(), Failure> {
         let end = self.output.as_deref().and_then(Path::extension).and_then(|end| end.to_str());

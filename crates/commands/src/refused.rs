@@ -70,7 +70,7 @@ impl Refused {
         let refused = Self::new(error.name(), error.to_string(), exit_code);
         match error {
             Error::Document(error) => refused.in_file(error),
-            Error::Placed { at, .. } => refused.in_file(at),
+            Error::Placed { at, .. } | Error::MissingKeys { at, .. } => refused.in_file(at),
             _ => refused,
         }
     }

@@ -1,5 +1,7 @@
 //! Parts that several commands share.
 
+pub mod application;
+pub mod basis;
 pub mod catalogue;
 pub mod drawability;
 pub mod exciting;

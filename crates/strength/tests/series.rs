@@ -206,7 +206,13 @@ fn small(ratio: f64, torque: f64, suns: u32, objective: Objective) -> Order {
     Order {
         stages: 1..=2,
         ratio: ratio * 0.97..=ratio * 1.03,
-        teeth: Teeth { suns: suns..=suns + 4, planets: 27..=45, ring_offsets: -1..=0, is_hunting: suns % 3 == 0, ..order.teeth },
+        teeth: Teeth {
+            suns: suns..=suns + 4,
+            planets: 27..=45,
+            ring_offsets: -1..=0,
+            is_hunting: suns % 3 == 0,
+            ..order.teeth
+        },
         duty: vec![
             InputStep { share: 0.7, ..step },
             InputStep { share: 0.3, torque: step.torque * 0.5, ..step },

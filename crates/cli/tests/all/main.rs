@@ -27,6 +27,7 @@ mod sessions;
 mod shards;
 mod shells;
 mod simulate;
+mod start;
 mod streams;
 mod synthesize;
 mod vibration;

@@ -1,7 +1,5 @@
 //! Design of a gearbox from speeds and power: its scheme, tooth numbers and sizes with sufficient strength.
 //!
-//! - [`application`]: values that are usual of what the gearbox is for.
-//! - [`basis`]: assumed materials, factors, oil and life.
 //! - [`records`]: steps, each with its choice and the next best.
 //! - [`stages`]: stages in series for one ratio.
 //! - [`transmission`]: a list of gears.
@@ -11,9 +9,7 @@
 //! otherwise; combinations are not searched. If no tooth numbers of a scheme have sizes, the next scheme is
 //! taken. Another scheme, or other tooth numbers, may give a lighter gearbox.
 
-pub mod application;
 mod attempt;
-pub mod basis;
 mod making;
 pub mod records;
 pub mod stages;
@@ -25,12 +21,12 @@ use crate::error::Error;
 use crate::select::answer as select;
 use crate::select::answer::reached::ReachedSpeed;
 use crate::select::answer::teeth::Watch;
+use crate::shared::basis::{Basis, BasisKey};
 use crate::size::options::Request as SizeRequest;
 use attempt::Attempt;
-use basis::Basis;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_selection::{Mechanism, Objective, Order, Space};
-use records::{BasisKey, SchemeStep, SizesStep, TeethStep};
+use records::{SchemeStep, SizesStep, TeethStep};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::RangeInclusive;

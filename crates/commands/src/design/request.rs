@@ -1,21 +1,22 @@
 //! The command `design`: from speeds and power to a gearbox whose sizes hold.
 
-use crate::design::answer::application::Application;
-use crate::design::answer::basis::Basis;
 use crate::design::answer::stages::{self, Stages, WantedStages};
+use crate::design::answer::transmission::{self, Transmission, WantedTransmission};
 use crate::design::answer::{Design, Wanted, answer};
 use crate::design::table::way_out;
 use crate::desk::Call;
 use crate::error::Error;
 use crate::failure::Failure;
 use crate::input;
-use crate::output::{NO_HEADING, OutputArgs};
+use crate::output::{NO_HEADING, OutputArgs, Reply};
 use crate::page::sheet::Sheet;
 use crate::progress::Progress;
 use crate::report::answer::gearbox;
 use crate::select::answer as select;
 use crate::select::answer::duty::{Duty, Load};
 use crate::select::answer::teeth::Watch;
+use crate::shared::application::Application;
+use crate::shared::basis::Basis;
 use crate::shared::gearbox::one;
 use crate::shared::gearbox_choice::refuse;
 use crate::shared::lists::List;
@@ -111,11 +112,6 @@ pub struct Request {
     #[arg(long, conflicts_with_all = ["speeds", "ratios"], help_heading = STAGES)]
     pub hunting_teeth: bool,
 
-    /// What the gearbox is for: usual K_A, life, safeties and kinds of bearings, for what --basis, --factors,
-    /// --life and --bearing-type do not say.
-    #[arg(long, value_enum)]
-    pub application: Option<Application>,
-
     /// Power into the input in every gear.
     #[arg(long, allow_hyphen_values = true)]
     pub power: Option<Quantity<Power>>,
@@ -208,13 +204,16 @@ pub struct Request {
 }
 
 /// Heading of the options for one ratio.
+/// Most ratios of braked gears; a list of more is one of all gears.
+const MOST_BRAKED: usize = 2;
+
 const STAGES: &str = "One ratio: stages in series";
 
 /// Stages that are tried at most.
 const MOST_STAGES: u32 = 4;
 
 /// Options that concern several speeds.
-const OF_SPEEDS: [&str; 20] = [
+const OF_SPEEDS: [&str; 19] = [
     "speeds",
     "ratios",
     "all_structures",
@@ -226,7 +225,6 @@ const OF_SPEEDS: [&str; 20] = [
     "brakes",
     "signs",
     "prefer",
-    "efficiency",
     "least_efficiency",
     "link_speed",
     "planet_speed",
@@ -283,7 +281,10 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     args.page.only_of_a_page(args.output.is_page())?;
     let request = args.request(call)?;
     if request.is_of_stages() {
-        return run_stages(call, args, &request);
+        let stages = request.answer_stages(&|| call.goes_on())?;
+        let sheet = |own| crate::design::page::sheet_of_stages(&stages, own, &imprint::command(call));
+        let why_none = "no stages that hold were found; a larger --max-ring or --tolerance, other --planets, --sun or --stages may give some";
+        return deliver(call, args, &stages, stages.file.as_deref(), sheet, why_none.to_owned());
     }
     if request.is_of_gears() {
         let of_gears = request.answer_gears(&|| call.goes_on())?;
@@ -294,84 +295,49 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     drop(shown);
     // Where no scheme of the catalogue holds, some other structure may.
     if design.file.is_none() && request.may_be_of_gears(&design) {
-        let of_gears = request.transmission(request.ratios_of(&design), &|| call.goes_on())?;
+        let of_gears = request.answer_gears(&|| call.goes_on())?;
         if of_gears.file.is_some() {
             return deliver_gears(call, args, &of_gears);
         }
     }
-    let files = match (&args.save, &design.file) {
-        (Some(file), Some(text)) => vec![(file.clone(), text.clone().into_bytes())],
-        _ => vec![],
-    };
-    if args.output.is_page() {
-        let own = own_page(call, design.file.as_deref())?;
-        let sheet = crate::design::page::sheet(&design, own, &imprint::command(call));
-        args.output.deliver_page(call, files, &design, Ok(sheet), &args.page.imprint())?;
-    } else {
-        args.output.deliver_with(call, files, &design)?;
-    }
-    // The answer is written in any case; the exit code says whether a gearbox was found.
-    match design.file {
-        Some(_) => Ok(()),
-        None => {
-            let way = design
-                .ways_out
-                .iter()
-                .flatten()
-                .next()
-                .map(|way| format!("; {}", way_out(way)))
-                .unwrap_or_default();
-            Err(Failure::NothingFound(format!("no gearbox that holds was found{way}")))
-        }
-    }
+    let sheet = |own| crate::design::page::sheet(&design, own, &imprint::command(call));
+    let way = design.ways_out.iter().flatten().next();
+    let way = way.map(|way| format!("; {}", way_out(way))).unwrap_or_default();
+    let why_none = format!("no gearbox that holds was found{way}");
+    deliver(call, args, &design, design.file.as_deref(), sheet, why_none)
 }
 
 /// Delivers a gearbox for a list of gears.
 fn deliver_gears(call: &Call<'_>, args: &Args, of_gears: &Transmission) -> Result<(), Failure> {
-    let files = match (&args.save, &of_gears.file) {
-        (Some(file), Some(text)) => vec![(file.clone(), text.clone().into_bytes())],
-        _ => vec![],
-    };
-    if args.output.is_page() {
-        let own = own_page(call, of_gears.file.as_deref())?;
-        let sheet = crate::design::page::sheet_of_transmission(of_gears, own, &imprint::command(call));
-        args.output.deliver_page(call, files, of_gears, Ok(sheet), &args.page.imprint())?;
-    } else {
-        args.output.deliver_with(call, files, of_gears)?;
-    }
-    match (&of_gears.file, of_gears.gearboxes.is_empty()) {
-        (Some(_), _) => Ok(()),
-        (None, true) => Err(Failure::NothingFound(
+    let sheet = |own| crate::design::page::sheet_of_transmission(of_gears, own, &imprint::command(call));
+    let why_none = match of_gears.gearboxes.is_empty() {
+        true => {
             "no gearbox with these gears was found; a larger --tolerance, other --sun, --planet or --ring may give some"
-                .to_owned(),
-        )),
-        (None, false) => Err(Failure::NothingFound(
-            "no sizes that hold were found; other --modules, --planets or --max-ring may give some".to_owned(),
-        )),
-    }
+        }
+        false => "no sizes that hold were found; other --modules, --planets or --max-ring may give some",
+    };
+    deliver(call, args, of_gears, of_gears.file.as_deref(), sheet, why_none.to_owned())
 }
 
-/// Runs the command for stages in series.
-fn run_stages(call: &Call<'_>, args: &Args, request: &Request) -> Result<(), Failure> {
-    let stages = request.answer_stages(&|| call.goes_on())?;
-    let files = match (&args.save, &stages.file) {
-        (Some(file), Some(text)) => vec![(file.clone(), text.clone().into_bytes())],
-        _ => vec![],
-    };
+/// Writes the answer, its page around that of the gearbox, and the gearbox file. The answer is written in any
+/// case; the exit code says whether a gearbox was found.
+fn deliver(
+    call: &Call<'_>,
+    args: &Args,
+    answer: &dyn Reply,
+    file: Option<&str>,
+    sheet: impl FnOnce(Option<Sheet>) -> Sheet,
+    why_none: String,
+) -> Result<(), Failure> {
+    let saved = args.save.iter().zip(file).map(|(name, text)| (name.clone(), text.as_bytes().to_vec()));
+    let files = saved.collect();
     if args.output.is_page() {
-        let own = own_page(call, stages.file.as_deref())?;
-        let sheet = crate::design::page::sheet_of_stages(&stages, own, &imprint::command(call));
-        args.output.deliver_page(call, files, &stages, Ok(sheet), &args.page.imprint())?;
+        let sheet = sheet(own_page(call, file)?);
+        args.output.deliver_page(call, files, answer, Ok(sheet), &args.page.imprint())?;
     } else {
-        args.output.deliver_with(call, files, &stages)?;
+        args.output.deliver_with(call, files, answer)?;
     }
-    match stages.file {
-        Some(_) => Ok(()),
-        None => Err(Failure::NothingFound(
-            "no stages that hold were found; a larger --max-ring or --tolerance, other --planets, --sun or --stages may give some"
-                .to_owned(),
-        )),
-    }
+    file.map(|_| ()).ok_or(Failure::NothingFound(why_none))
 }
 
 /// The page of the gearbox that was designed.
@@ -408,11 +374,7 @@ impl Request {
     }
 
     fn wanted(&self) -> Result<Wanted, Failure> {
-        let power = self.power.map(|power| Load::Power(power.0));
-        let duty = Duty {
-            input_speed: Some(self.input.0),
-            load: self.torque.map(|torque| Load::Torque(torque.0)).or(power),
-        };
+        let duty = self.duty();
         let rating = Rating { mesh_load_factors: sharing()?, ..Rating::default() };
         let order = Order::new(&self.order.0).map_err(refuse_selection)?;
         // A ratio with a minus asks for a reversing output, which is otherwise refused by default.
@@ -421,13 +383,7 @@ impl Request {
         let (tolerance, speeds) = (self.tolerance, &self.speeds);
         let requirements =
             requirements(speeds, tolerance, &self.ratios, &self.criteria, same_direction, rating)?;
-        let k = self.criteria.k(Bounds::default().ring_to_sun_ratio)?;
-        let planets = &self.sizes.planets;
-        let bounds = Bounds {
-            planets: (*planets.start()).max(2)..=(*planets.end()).max(2),
-            ring_to_sun_ratio: k,
-            ..self.teeth([17..=60, 17..=80, 50..=140])?
-        };
+        let bounds = self.bounds([17..=60, 17..=80, 50..=140])?;
         Ok(Wanted {
             selection: select::Wanted {
                 requirements,
@@ -443,10 +399,10 @@ impl Request {
             ring_offsets: self.ring_offset.clone(),
             tries: self.tries.max(1),
             tooth_design: self.tooth_design,
-            shares: self.shares.iter().flat_map(|shares| &shares.0).map(|share| share.0.si()).collect(),
+            shares: self.shares(),
             overload: self.overload()?,
             basis: self.basis()?,
-            size: self.space(),
+            size: self.sizes.clone(),
         })
     }
 
@@ -493,12 +449,12 @@ impl Request {
                 "stages in series are chosen by a mass, mass or whole; --max-ring bounds their rings";
             return Err(Failure::invalid("--minimise", message));
         }
-        let bounds = self.teeth([Application::suns(self.application), 17..=80, 50..=160])?;
+        let bounds = self.teeth([Application::suns(self.sizes.application), 17..=80, 50..=160])?;
         let stages = self.stages.clone().unwrap_or(1..=MOST_STAGES);
         Ok(WantedStages {
             ratio: quotient,
             steps_up,
-            has_slow_shaft: self.application.is_none_or(Application::has_slow_shaft),
+            has_slow_shaft: self.sizes.application.is_none_or(Application::has_slow_shaft),
             tolerance,
             stages: *stages.start() as usize..=*stages.end() as usize,
             teeth: Teeth {
@@ -507,41 +463,33 @@ impl Request {
                 rings: bounds.ring,
                 ring_offsets: self.ring_offset.clone().unwrap_or(0..=0),
                 ring_to_sun_ratio: self.criteria.k(Bounds::default().ring_to_sun_ratio)?,
-                is_hunting: self.hunting_teeth || self.application == Some(Application::Wind),
+                is_hunting: self.hunting_teeth || self.sizes.application == Some(Application::Wind),
             },
             speed,
             torque: duty.torque().map_err(refuse_of)?.ok_or(Error::NoLoad).map_err(refuse_of)?,
             overload: self.overload()?,
+            efficiency: self.criteria.set_efficiency()?.get(),
             basis: self.basis()?,
-            size: SizeRequest { minimise: Some(minimise), ..self.space() },
+            size: SizeRequest { minimise: Some(minimise), ..self.sizes.clone() },
         })
-    }
-
-    /// Space of the sizes.
-    fn space(&self) -> SizeRequest {
-        self.application.map_or_else(|| self.sizes.clone(), |application| application.space(&self.sizes))
     }
 
     /// Whether a list of all gears is asked for: of more ratios than a scheme has braked gears, in both
     /// directions, or with one of 1.
     fn is_of_gears(&self) -> bool {
-        let ratios: Vec<f64> = self.speeds.ratios.iter().flat_map(|list| &list.0).map(|of| of.get()).collect();
+        let ratios = self.listed_ratios();
         let signs = [ratios.iter().any(|ratio| *ratio < 0.0), ratios.iter().any(|ratio| *ratio > 0.0)];
         ratios.len() > MOST_BRAKED || signs == [true; 2] || ratios.len() > 1 && ratios.contains(&1.0)
     }
 
-    /// Whether a list of gears may stand for a design without sizes.
+    /// Whether a list of gears may stand for a design without tooth numbers.
     fn may_be_of_gears(&self, design: &Design) -> bool {
         self.scheme.is_none() && self.tooth_design.is_none() && !self.may_reverse && design.teeth.is_none()
     }
 
-    /// Ratios of all gears of a design, the slowest first.
-    fn ratios_of(&self, design: &Design) -> Vec<f64> {
-        let _ = design;
-        vec![]
-    }
-
-    /// Designs a gearbox for a list of gears. The closure is called now and then, and may end the search.
+    /// Designs a gearbox for a list of gears: ratios, to which direct drive is added where they are those of
+    /// braked gears, or speeds, of which the fastest is direct. The closure is called now and then, and may
+    /// end the search.
     ///
     /// # Errors
     /// As of [`Request::answer`].
@@ -549,21 +497,56 @@ impl Request {
         &self,
         goes_on: &(dyn Fn() -> ControlFlow<()> + Sync),
     ) -> Result<Transmission, Failure> {
-        let ratios = self.speeds.ratios.iter().flat_map(|list| &list.0).map(|of| of.get()).collect();
-        self.transmission(ratios, goes_on)
-    }
-
-    fn transmission(
-        &self,
-        ratios: Vec<f64>,
-        goes_on: &(dyn Fn() -> ControlFlow<()> + Sync),
-    ) -> Result<Transmission, Failure> {
+        let mut ratios = self.listed_ratios();
         if let Some(wrong) = ratios.iter().find(|ratio| !(ratio.is_finite() && **ratio != 0.0)) {
             return Err(Failure::invalid("--ratios", format!("{wrong} is no ratio; it must not be 0")));
         }
-        let Wanted { selection, bounds, shares, overload, basis, size, .. } = self.wanted_sizes()?;
-        let _ = (selection, bounds, shares, overload, basis, size);
-        todo!()
+        if let Some(speeds) = &self.speeds.speeds {
+            let speeds: Vec<f64> = speeds.values().into_iter().map(Physical::si).collect();
+            let fastest = speeds.iter().copied().fold(0.0, f64::max);
+            ratios = speeds.iter().map(|speed| fastest / speed).collect();
+        } else if !self.is_of_gears() {
+            ratios.push(1.0);
+        }
+        let wanted = WantedTransmission {
+            ratios,
+            tolerance: self.tolerance.0.si(),
+            bounds: self.bounds([17..=60, 17..=80, 50..=140])?,
+            speed: self.input.0,
+            torque: self.duty().torque().map_err(refuse_of)?.ok_or(Error::NoLoad).map_err(refuse_of)?,
+            shares: self.shares(),
+            overload: self.overload()?,
+            basis: self.basis()?,
+            size: self.sizes.clone(),
+        };
+        transmission::answer(&wanted, goes_on).map_err(refuse_of)
+    }
+
+    /// The ratios of the request.
+    fn listed_ratios(&self) -> Vec<f64> {
+        self.speeds.ratios.iter().flat_map(|list| &list.0).map(|ratio| ratio.get()).collect()
+    }
+
+    /// Speed and load of the input in every gear.
+    fn duty(&self) -> Duty {
+        let power = self.power.map(|power| Load::Power(power.0));
+        let load = self.torque.map(|torque| Load::Torque(torque.0)).or(power);
+        Duty { input_speed: Some(self.input.0), load }
+    }
+
+    /// Shares of the time of the gears.
+    fn shares(&self) -> Vec<f64> {
+        self.shares.iter().flat_map(|shares| &shares.0).map(|share| share.0.si()).collect()
+    }
+
+    /// Bounds of tooth numbers and numbers of planets, with the teeth that are usual where none are given.
+    fn bounds(&self, usual: [RangeInclusive<u32>; 3]) -> Result<Bounds, Failure> {
+        let planets = &self.sizes.planets;
+        Ok(Bounds {
+            planets: (*planets.start()).max(2)..=(*planets.end()).max(2),
+            ring_to_sun_ratio: self.criteria.k(Bounds::default().ring_to_sun_ratio)?,
+            ..self.teeth(usual)?
+        })
     }
 
     /// Whether stages in series are asked for.
@@ -591,7 +574,7 @@ impl Request {
 
     /// The basis with the factors and the life of the request.
     fn basis(&self) -> Result<Basis, Failure> {
-        let usual = self.application.map_or_else(Basis::default, Application::basis);
+        let usual = self.sizes.application.map_or_else(Basis::default, Application::basis);
         let mut basis = match &self.basis {
             Some(own) => own.clone().completed_by(usual),
             None => usual,

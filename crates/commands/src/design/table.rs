@@ -1,19 +1,20 @@
 //! A design from speeds and power, step by step, and stages in series for one ratio.
 
 pub(crate) mod stages;
+pub(crate) mod transmission;
 
 use crate::design::answer::Design;
-use crate::design::answer::records::{BasisKey, SchemeStep, SizesStep, TeethStep, TeethTaken};
+use crate::design::answer::records::{SchemeStep, SizesStep, TeethStep, TeethTaken};
 use crate::design::answer::ways_out::{Limit, RelaxedLimit, WayOut};
 use crate::select::answer::reached::largest_deviation;
 use crate::select::answer::required::Objective;
 use crate::select::table::{percent, speeds_reached};
 use crate::shared::judgement::table as judgement;
 use crate::size::answer::records::{SizedDesign, SizedFamily, SizedSet};
-use crate::size::table::{designs, gears, left_out};
+use crate::size::table::{basis, designs, gears, left_out};
 use crate::strength::table::{Worn, over_duty};
 use crate::table::columns::Table;
-use crate::table::figure::text;
+use crate::table::figure::{hours, text};
 use crate::table::quantities::words;
 use crate::table::report::AsReport;
 use crate::table::report::{Part, Records, Report, Text, warned};
@@ -41,6 +42,8 @@ pub(crate) fn of_sizes(sizes: &SizesStep, whole_kg: Option<f64>) -> Vec<String> 
     all.extend(life.map(|life| format!("L_10 {} h", trimmed(hours(life), 3))));
     all
 }
+/// Title of the assumed values.
+pub(super) const ASSUMED: &str = "Assumed values; change with --basis, --factors, --life";
 
 /// Digits of ratios and of lengths in words.
 const DIGITS: usize = 4;
@@ -65,7 +68,7 @@ pub(crate) fn parts_of_choice(design: &Design) -> Vec<Part> {
         parts.push(Part::Records(ways_out(ways)));
         parts.extend(ways.iter().map(|way| Part::Records(speeds_of(way))));
     }
-    parts.push(Part::Records(basis(&design.basis)));
+    parts.push(Part::Records(basis(&design.basis, ASSUMED)));
     parts
 }
 
@@ -327,14 +330,4 @@ fn strength(step: &SizesStep) -> Option<[String; 5]> {
         governing.set
     );
     Some(["strength".to_owned(), taken, String::new(), String::new(), "--basis, --factors".to_owned()])
-}
-
-pub(super) fn basis(keys: &[BasisKey]) -> Records {
-    let note = "As keys of the gearbox file, which --save writes; lists of sun, planets and ring. Factors given are not calculated.";
-    Table::new("basis", keys.iter())
-        .text("key", "key", |key| &key.key)
-        .text("value", "value", |key| &key.value)
-        .view("Assumed values; change with --basis, --factors, --life", "key value")
-        .note(note)
-        .records()
 }

@@ -5,10 +5,12 @@
 //! | [`gearbox`] | a gearbox: all gears, each gear in full, and what another `k` would change |
 //! | [`drive`] | a planetary drive |
 //! | [`motor`] | a hydromotor |
+//! | [`sizes`] | a gearbox: sizes and least safeties of its sets |
 
 pub mod drive;
 pub mod gearbox;
 pub mod motor;
+pub mod sizes;
 
 use crate::answer::Answer;
 use schemars::JsonSchema;

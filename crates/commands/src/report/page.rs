@@ -11,6 +11,7 @@ use crate::losses::table as losses;
 use crate::page::paper::{PICTURE_MM, SMALL_PLOT_MM};
 use crate::page::sheet::{Arrangement, Block, Section, Sheet};
 use crate::report::answer::gearbox::{GearOverK, GearboxReport, OverK, Shown};
+use crate::report::table::sizes;
 use crate::shared::drawability::table as drawability;
 use crate::shared::judgement::table as judgement;
 use crate::sheet::table as sheet;
@@ -50,6 +51,9 @@ pub fn sheet(
     let mut answer = vec![Block::Answer(of_records(overview::in_short(overview)))];
     answer.extend(scheme_of(shown, scale)?);
     answer.push(Block::Answer(of_records(sets::records(&overview.sets))));
+    if !report.sizes.is_empty() {
+        answer.push(Block::Answer(of_records(sizes(&report.sizes))));
+    }
     answer.push(Block::words(operating_point(overview)));
     answer.extend(strength::enough(&report.strength).map(Block::Words));
     answer.extend(report.vibration.as_ref().and_then(vibration::in_short).map(Block::Words));

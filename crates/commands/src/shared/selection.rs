@@ -87,6 +87,12 @@ pub struct Criteria {
 }
 
 impl Criteria {
+    /// Efficiency of each set with its carrier fixed.
+    pub(crate) fn set_efficiency(&self) -> Result<MeshEfficiency, Failure> {
+        let efficiency = MeshEfficiency::new(self.efficiency.0.si());
+        efficiency.map_err(|error| Failure::of_option("--efficiency", &error))
+    }
+
     /// The ring-to-sun ratios allowed, within these.
     pub(crate) fn k(&self, usual: RangeInclusive<f64>) -> Result<RangeInclusive<f64>, Failure> {
         self.k.closed(usual).map_err(|error| Failure::Range { option: "--k", error })
@@ -137,8 +143,7 @@ pub(crate) fn requirements(
     let range =
         |option, span: Span<f64>, usual| span.closed(usual).map_err(|error| Failure::Range { option, error });
     let usual = Limits::default();
-    let eta0 = MeshEfficiency::new(criteria.efficiency.0.si())
-        .map_err(|error| Failure::of_option("--efficiency", &error))?;
+    let eta0 = criteria.set_efficiency()?;
     Ok(Requirements {
         tolerance: tolerance.0.si(),
         orders: taken.brakes,

@@ -11,6 +11,8 @@ mod saved;
 use crate::analyze::answer::warnings::tilting;
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
+use crate::shared::application::Application;
+use crate::shared::basis::{Basis, BasisKey};
 use crate::shared::fault::{Named, refused};
 use crate::shared::gearbox::{Choice, Gearbox, one};
 use crate::shared::judgement::answer::Judgement;
@@ -19,13 +21,14 @@ use crate::size::options::Request;
 use crate::strength::answer::Asked;
 use crate::strength::answer::duty::{WorkedStep, steps};
 use crate::strength::answer::load::felt;
+use crate::strength::answer::missing::{MissingKeys, Purpose};
 use crate::strength::answer::overload::{Peak, peaks};
 use crate::strength::answer::place::Fault;
 use crate::strength::answer::prepared::{SetToSize, sets_to_size};
 use crate::strength::answer::records::{NotRated, Reason, Required};
 use crate::tolerance::SAME;
+use epicyclic_formats::Document;
 use epicyclic_formats::gearbox::{GearboxFile, PlanetData};
-use epicyclic_formats::{Document, Path};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::family::Aim;
 use epicyclic_strength as strength;
@@ -54,6 +57,8 @@ use uom::si::f64::{AngularVelocity, Length, Torque};
 pub struct Size {
     /// Name of the gearbox.
     pub gearbox: String,
+    /// Values assumed for what the file lacks, by key; empty without an application.
+    pub basis: Vec<BasisKey>,
     /// Edition of the standard.
     pub edition: String,
     /// Required life of teeth and bearings, in s.
@@ -93,7 +98,7 @@ impl Answer for Size {
 ///
 /// # Errors
 /// - [`Error::Sizing`] and [`Error::Gear`] for an empty space and impossible limits.
-/// - [`Error::NoLoad`] without a duty; [`Error::Document`] for invalid data in the file, with the place.
+/// - [`Error::MissingKeys`] for keys that the file lacks; [`Error::Document`] for invalid data in the file, with the place.
 /// - [`Error::NothingToSize`] if no set can be sized.
 pub(crate) fn answer(
     subject: &Gearbox,
@@ -101,15 +106,16 @@ pub(crate) fn answer(
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<Size, Error> {
     request.check()?;
+    let assumed = request.completed(subject)?;
+    let (subject, basis) = match &assumed {
+        Some((completed, basis)) => (completed, basis.clone()),
+        None => (subject, vec![]),
+    };
     let file: GearboxFile = subject.document.read()?;
     let (to_size, others) = sets_to_size(subject, &file)?;
     let mut not_sized: Vec<NotSized> = others.into_iter().map(NotSized::of).collect();
-    let Asked { life, viscosity, required } = Asked::of(&subject.document, &file)?;
-    if file.duty.is_empty() {
-        let message =
-            "`duty` is missing: sizes follow from a duty: gear, share, torque and speed of each step";
-        return Err(refused(&subject.document, &Path::root(), &[], &Named("missing-key", message)));
-    }
+    let missing = MissingKeys::of(subject, &file, &Basis::default(), Purpose::Sizes)?;
+    let Asked { life, viscosity, required } = Asked::of(&file, &missing)?;
     let steps = steps(subject, &file.duty)?;
     let peaks = peaks(subject, &file.overload, None)?;
     let helical = to_size.iter().filter(|set| set.set.tooth_shape().is_helical() && !set.set.is_pair());
@@ -174,6 +180,9 @@ pub(crate) fn answer(
             },
         }
     }
+    if sets.is_empty() && missing.have_values() {
+        return Err(missing.refused());
+    }
     if sets.is_empty() {
         return Err(Error::NothingToSize { sets: not_sized.iter().map(NotSized::told).collect() });
     }
@@ -202,6 +211,7 @@ pub(crate) fn answer(
     let warnings = warnings.chain(tooth_checks.warnings()).chain(judged).collect();
     Ok(Size {
         gearbox: subject.train.name().to_owned(),
+        basis,
         edition: Edition::default().to_string(),
         life_s: life.si(),
         oil_viscosity_m2_s: viscosity.si(),
@@ -219,6 +229,17 @@ pub(crate) fn answer(
     })
 }
 
+impl Request {
+    /// The gearbox with what is usual of the application, and these values; `None` if nothing is assumed.
+    ///
+    /// # Errors
+    /// Those of the reader.
+    pub(crate) fn completed(&self, subject: &Gearbox) -> Result<Option<(Gearbox, Vec<BasisKey>)>, Error> {
+        let Some(basis) = self.application.map(Application::basis) else { return Ok(None) };
+        MissingKeys::of(subject, &subject.document.read()?, &basis, Purpose::Sizes)?.assumed(&basis)
+    }
+}
+
 /// The first set of a gearbox as a search for a simple set sees it.
 ///
 /// # Errors
@@ -227,7 +248,8 @@ pub(crate) fn sizing_of(subject: &Gearbox, request: &Request) -> Result<Sizing, 
     request.check()?;
     let file: GearboxFile = subject.document.read()?;
     let (to_size, others) = sets_to_size(subject, &file)?;
-    let Asked { life, viscosity, required } = Asked::of(&subject.document, &file)?;
+    let missing = MissingKeys::of(subject, &file, &Basis::default(), Purpose::Sizes)?;
+    let Asked { life, viscosity, required } = Asked::of(&file, &missing)?;
     let steps = steps(subject, &file.duty)?;
     let peaks = peaks(subject, &file.overload, None)?;
     let space = request.space();

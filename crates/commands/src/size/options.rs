@@ -1,6 +1,8 @@
 //! Request for sizes: the space of the search.
 
 use crate::error::Error;
+use crate::output::NO_HEADING;
+use crate::shared::application::Application;
 use crate::shared::lists::Quantities;
 use epicyclic_formats::{RangeError, Span};
 use epicyclic_gears::involute::family::Aim;
@@ -80,6 +82,10 @@ pub struct Request {
     #[arg(long, conflicts_with = "bearings")]
     pub no_bearings: bool,
 
+    /// What the gearbox is for: usual K_A, life and safeties, and usual materials, for what is not stated.
+    #[arg(long, value_enum, help_heading = NO_HEADING)]
+    pub application: Option<Application>,
+
     /// What is least: the mass of the gears, the outside diameter of the rings, or the mass of the whole with
     /// carriers and housing, by a rule. Default: mass; of stages in series whole.
     #[arg(long, value_enum)]
@@ -132,14 +138,19 @@ impl BearingType {
 
 impl Request {
     pub(crate) fn space(&self) -> Space {
-        let modules: Vec<Length> = self.modules.as_ref().map_or_else(usual_modules, |modules| {
-            modules.values().into_iter().map(Module::length).collect()
-        });
+        let usual = self.application;
+        let modules = self.modules.as_ref().map_or_else(
+            || usual.and_then(Application::modules).unwrap_or_else(usual_modules),
+            |modules| modules.values().into_iter().map(Module::length).collect(),
+        );
         let is_fine = modules.iter().any(|module| module.mm() < 1.0);
         let step = || Length::from_mm(if is_fine { 0.1 } else { 0.5 });
         Space {
             modules,
-            face_widths: self.face_widths.as_ref().map_or_else(usual_face_widths, Quantities::values),
+            face_widths: self.face_widths.as_ref().map_or_else(
+                || usual.and_then(Application::face_widths).unwrap_or_else(usual_face_widths),
+                Quantities::values,
+            ),
             planets: self.planets.clone().collect(),
             centre_distance_step: self.centre_distance_step.map_or_else(step, |step| step.0),
             reach: REACH,
@@ -151,7 +162,8 @@ impl Request {
 
     /// Bearings to choose from, alone and as pairs.
     fn bearings(&self) -> Vec<Bearing> {
-        let kinds = self.bearing_type.as_deref().unwrap_or(&BearingType::USUAL);
+        let usual = self.application.map_or(&BearingType::USUAL[..], Application::bearings);
+        let kinds = self.bearing_type.as_deref().unwrap_or(usual);
         let single = match &self.bearings {
             _ if self.no_bearings => vec![],
             Some(bearings) => bearings.clone(),

@@ -61,7 +61,11 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     let size = request.answer(&gearbox, &|| call.goes_on())?;
     let without = size.sets.iter().find(|set| set.found.is_empty());
     let files = match (&args.save, without) {
-        (Some(file), None) => vec![(file.clone(), saved(&document, &size)?.into_bytes())],
+        (Some(file), None) => {
+            let completed = request.completed(&gearbox)?;
+            let document = completed.as_ref().map_or(&document, |(completed, _)| &completed.document);
+            vec![(file.clone(), saved(document, &size)?.into_bytes())]
+        }
         _ => vec![],
     };
     args.output.deliver_with(call, files, &size)?;

@@ -1,5 +1,6 @@
 //! Sizes of sets as tables.
 
+use crate::shared::basis::BasisKey;
 use crate::shared::judgement::table as judgement;
 use crate::size::answer::Size;
 use crate::size::answer::records::{
@@ -16,6 +17,12 @@ use epicyclic_units::Dimension;
 impl AsReport for Size {
     fn report(&self) -> Report {
         let parts = [
+            (!self.basis.is_empty()).then(|| {
+                Part::Records(basis(
+                    &self.basis,
+                    "Assumed values, by --application and where it says nothing",
+                ))
+            }),
             Some(Part::Facts(facts(self))),
             (!self.sets.iter().all(|set| set.found.is_empty()))
                 .then(|| Part::Records(designs("designs", "Best designs", &self.sets, |set| &set.found))),
@@ -55,6 +62,17 @@ impl AsReport for Size {
             warnings: warned(&self.warnings),
         }
     }
+}
+
+/// Assumed values by key.
+pub(crate) fn basis(keys: &[BasisKey], title: &str) -> Records {
+    let note = "As keys of the gearbox file, which --save writes; lists of sun, planets and ring. Factors given are not calculated.";
+    Table::new("basis", keys.iter())
+        .text("key", "key", |key| &key.key)
+        .text("value", "value", |key| &key.value)
+        .view(title, "key value")
+        .note(note)
+        .records()
 }
 
 fn facts(size: &Size) -> Section {

@@ -6,6 +6,7 @@
 //! | [`records`] | meshes and gears |
 //! | `names` | meshes, gears, flanks and roots by name |
 //! | `materials` | materials of a file |
+//! | `missing` | keys that a file lacks, with usual values to paste |
 //! | `not_rated` | what is not rated, and why |
 //! | `sharing` | how planets share the load |
 //! | `rated_set` | the meshes of a file's sets |
@@ -32,6 +33,7 @@ pub mod factors;
 mod idlers;
 pub(crate) mod load;
 pub(crate) mod materials;
+pub(crate) mod missing;
 pub(crate) mod names;
 mod not_rated;
 pub(crate) mod overload;
@@ -49,20 +51,22 @@ use crate::analyze::answer::warnings::tilting;
 use crate::analyze::answer::{OperatingPoint, Worked};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
+use crate::shared::basis::Basis;
 use crate::shared::gearbox::Gearbox;
 use crate::shared::judgement::answer::Judgement;
 use crate::shared::load::Load;
 use crate::shared::toothed::lacking;
 use crate::strength::options::Request;
 use duty::WorkedStep;
+use epicyclic_formats::Path;
 use epicyclic_formats::gearbox::GearboxFile;
-use epicyclic_formats::{Document, Faults, Path, Problem};
 use epicyclic_strength::factor::Edition;
 use epicyclic_strength::load::Floating;
 use epicyclic_strength::rating::rate;
 use epicyclic_train::{Gear, PlanetSet};
 use epicyclic_units::Physical;
 use load::{SetLoad, SharedFlanks};
+use missing::{MissingKeys, Purpose};
 use partly::Partly;
 use place::{Fault, located};
 use rated_set::RatedSet;
@@ -146,7 +150,7 @@ impl Answer for Strength {
 /// Computes the strength of a gearbox from a file.
 ///
 /// # Errors
-/// - [`Error::NoLoad`] without a load, a duty and an overload, [`Error::LoadWithoutSpeed`],
+/// - [`Error::MissingKeys`] for keys that the file lacks, [`Error::LoadWithoutSpeed`],
 ///   [`Error::OfOnePoint`] for a gear or speed of a duty.
 /// - [`Error::Document`] for invalid data in the file, with the place; [`Error::NothingRated`] if neither
 ///   teeth nor planet bearings can be rated.
@@ -156,9 +160,23 @@ pub(crate) fn answer(subject: &Gearbox, request: &Request) -> Result<Strength, E
     // A duty may load no rated teeth, but still wear planet bearings of compound sets.
     let is_borne = strength.bearings.iter().any(|bearing| bearing.greatest_force_n.is_some());
     if !strength.is_rated() && !is_borne {
-        return Err(Error::NothingRated { sets: strength.not_rated.iter().map(NotRated::told).collect() });
+        let missing = missing(subject, &subject.document.read()?, request)?;
+        return Err(match missing.have_values() {
+            true => missing.refused(),
+            false => Error::NothingRated { sets: strength.not_rated.iter().map(NotRated::told).collect() },
+        });
     }
     Ok(strength)
+}
+
+/// Keys that a file lacks for the strength at a load, or over its duty.
+fn missing<'d>(
+    subject: &'d Gearbox,
+    file: &GearboxFile,
+    request: &Request,
+) -> Result<MissingKeys<'d>, Error> {
+    let purpose = if request.load.input().load.is_some() { Purpose::AtPoint } else { Purpose::OverDuty };
+    MissingKeys::of(subject, file, &Basis::default(), purpose)
 }
 
 /// What is missing for the strength over the duty of a file.
@@ -264,22 +282,14 @@ impl Asked {
     /// Reads the data from the file.
     ///
     /// # Errors
-    /// [`Error::Document`] for missing data, and for required safeties that are not above 0.
-    pub(crate) fn of(document: &Document, file: &GearboxFile) -> Result<Self, Error> {
-        let root = Path::root();
-        let lacks = [
-            ("life", file.life.is_none(), "the required life, such as 20000 h"),
-            ("oil", file.oil.is_none(), "write oil: { viscosity: 220 mm²/s }"),
-        ];
-        let mut faults = Faults::default();
-        for (key, _, why) in lacks.into_iter().filter(|one| one.1) {
-            faults.add(root.clone(), Problem::refused("missing-key", format!("`{key}` is missing: {why}")));
-        }
-        let (Some(life), Some(oil)) = (file.life, &file.oil) else {
-            return Err(faults.placed(document, &root).into());
+    /// [`Error::MissingKeys`] for missing keys of the gearbox, [`Error::Document`] for required safeties that
+    /// are not above 0.
+    pub(crate) fn of(file: &GearboxFile, missing: &MissingKeys<'_>) -> Result<Self, Error> {
+        let (Some(life), Some(oil), false) = (file.life, &file.oil, missing.are_of_gearbox()) else {
+            return Err(missing.refused());
         };
         let required = Required::of(file.required.as_ref());
-        required.check().map_err(|error| located(document, &root, &error))?;
+        required.check().map_err(|error| located(missing.document, &Path::root(), &error))?;
         Ok(Self { life: life.0, viscosity: oil.viscosity.0, required })
     }
 }
@@ -288,16 +298,13 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
     let (gear, input) = (request.gear.as_deref(), request.load.input());
     let file: GearboxFile = subject.document.read()?;
     let (sets, not_rated) = rated_set::sets(subject, &file)?;
-    let Asked { life, viscosity, required } = Asked::of(&subject.document, &file)?;
+    let Asked { life, viscosity, required } = Asked::of(&file, &missing(subject, &file, request)?)?;
     let mut found = Found { not_rated, ..Found::default() };
     let (mut bearings, mut shared_flanks) = (vec![], vec![]);
     let is_at_point = input.load.is_some();
     if is_at_point {
         at_point(subject, &sets, request, life, &mut found)?;
     } else {
-        if file.duty.is_empty() && file.overload.is_empty() {
-            return Err(Error::NoLoad);
-        }
         if gear.is_some() || input.speed.is_some() {
             return Err(Error::OfOnePoint);
         }

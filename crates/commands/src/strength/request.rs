@@ -40,12 +40,11 @@ impl Request {
     ///
     /// # Errors
     /// - [`Failure::Option`] for a gear or speed without a load, a load without a speed, a gear that the
-    ///   gearbox does not have, and if there is no load, duty or overload.
+    ///   gearbox does not have.
     /// - [`Failure::Answer`] if nothing can be rated, or with the place of invalid data in the file.
     pub fn answer(&self, gearbox: &Gearbox) -> Result<Strength, Failure> {
         self.judged(gearbox).map_err(|error| {
             let option = match &error {
-                Error::NoLoad => "--torque",
                 Error::LoadWithoutSpeed => "--speed",
                 Error::OfOnePoint if self.gear.is_some() => "--gear",
                 Error::OfOnePoint => "--speed",

@@ -28,6 +28,13 @@ pub enum PerGear<T> {
     Named(BTreeMap<String, T>),
 }
 
+impl<T> Default for PerGear<T> {
+    /// No values.
+    fn default() -> Self {
+        Self::Named(BTreeMap::new())
+    }
+}
+
 impl<T> PerGear<T> {
     /// The values in the order of these gears, as far as they are given.
     ///

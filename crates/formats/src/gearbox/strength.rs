@@ -13,10 +13,13 @@ use uom::si::f64::{AngularVelocity, KinematicViscosity, Length, Pressure, Ratio,
 #[serde(deny_unknown_fields)]
 pub struct StrengthEntry {
     /// Materials of the gears: a designation of the table, or a name of `materials`.
+    #[serde(default)]
     pub materials: PerGear<String>,
     /// Roughness `R_z` of the flanks.
+    #[serde(default)]
     pub flank_roughness: PerGear<Quantity<Length>>,
     /// Roughness `R_z` of the roots.
+    #[serde(default)]
     pub root_roughness: PerGear<Quantity<Length>>,
     /// The shaper that cuts rings; their own `tools` go before it.
     #[serde(default)]

@@ -80,7 +80,9 @@ impl Teeth {
                     if !self.rings.contains(&ring) || !self.ring_to_sun_ratio.contains(&k) {
                         continue;
                     }
-                    if self.is_hunting && [sun, ring].iter().any(|of| gcd(u64::from(planet), u64::from(*of)) > 1) {
+                    if self.is_hunting
+                        && [sun, ring].iter().any(|of| gcd(u64::from(planet), u64::from(*of)) > 1)
+                    {
                         continue;
                     }
                     let teeth = [sun, planet, ring].map(ToothCount::new);

@@ -274,7 +274,9 @@ mod tests {
             of(&format!("{head}a,balls,30,10,9,5,1\n")),
             "bearings, line 2, column D_mm: `10`; a number above that of d_mm is needed"
         );
-        assert!(of(&format!("{head}a,cones,10,30,9,5,1\n")).ends_with("needles or full_complement is needed"));
+        assert!(
+            of(&format!("{head}a,cones,10,30,9,5,1\n")).ends_with("needles or full_complement is needed")
+        );
         assert!(of(&format!("{head},balls,10,30,9,5,1\n")).contains("column designation"));
         assert!(of("designation,D_mm\n").contains("column rolling"));
         assert!(of("designation,colour\n").contains("column colour"));

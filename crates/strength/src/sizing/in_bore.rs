@@ -86,15 +86,16 @@ struct Family {
 }
 
 const ROLLERS_MM: &[f64] = &[
-    5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 32.0, 36.0, 40.0, 45.0, 50.0,
-    60.0, 70.0, 80.0,
+    5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 32.0, 36.0, 40.0, 45.0,
+    50.0, 60.0, 70.0, 80.0,
 ];
 
 /// Elements of one kind in bores of many sizes, by bore and width; none of balls.
 #[must_use]
 pub fn listed(rolling: Rolling) -> &'static [Bearing] {
     static ALL: LazyLock<[Vec<Bearing>; 3]> = LazyLock::new(|| {
-        [Rolling::Rollers, Rolling::Needles, Rolling::FullComplement].map(|rolling| made(rolling, &family(rolling)))
+        [Rolling::Rollers, Rolling::Needles, Rolling::FullComplement]
+            .map(|rolling| made(rolling, &family(rolling)))
     });
     match rolling {
         Rolling::Balls => &[],
@@ -169,7 +170,11 @@ mod tests {
             (0.30, 83.8),
         ];
         for (gamma, factor) in printed {
-            assert!((geometry_factor(gamma) / factor - 1.0).abs() < 0.006, "{gamma}: {}", geometry_factor(gamma));
+            assert!(
+                (geometry_factor(gamma) / factor - 1.0).abs() < 0.006,
+                "{gamma}: {}",
+                geometry_factor(gamma)
+            );
         }
     }
 

@@ -505,9 +505,8 @@ impl Search<'_> {
                     Reliability::Percent90,
                 )?);
             }
-            let carried = |life: &Time| {
-                libm::pow(life.hours() / task.life.hours(), 1.0 / bearing.rolling.exponent())
-            };
+            let carried =
+                |life: &Time| libm::pow(life.hours() / task.life.hours(), 1.0 / bearing.rolling.exponent());
             let mut ratio = lives.iter().flatten().map(carried).fold(f64::INFINITY, f64::min);
             // Teeth only lower it: most bearings of a table need no look at them.
             if ratio < 1.0 && (best.is_some() || nearest.as_ref().is_some_and(|(least, _)| ratio <= *least)) {

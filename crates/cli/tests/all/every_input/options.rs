@@ -145,6 +145,7 @@ fn every_option_of_gearboxes_changes_the_answer() {
         "schemes",
         "draw",
         "report",
+        "init",
         "schema",
         "completions",
         "man",

@@ -1,9 +1,9 @@
 //! The gearbox file in the making: its duty, and the data for the strength of its sets.
 
-use super::basis::Basis;
 use crate::analyze::answer::pins;
 use crate::answer::Warning;
 use crate::error::Error;
+use crate::shared::basis::Basis;
 use crate::shared::gearbox::{Choice, one};
 use crate::size::answer::Size;
 use crate::strength::answer::duty::steps;

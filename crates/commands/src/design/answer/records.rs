@@ -13,16 +13,6 @@ use epicyclic_selection::{Orders, Signs};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Assumed value with its key.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct BasisKey {
-    /// Name of the key; keys of a set begin with `strength.`.
-    pub key: String,
-    /// Value as written in the file, in one line.
-    pub value: String,
-}
-
 /// Criteria for schemes.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]

@@ -1,11 +1,11 @@
 //! Stages in series for one ratio: splits, tooth numbers and sizes chosen together.
 
 use super::attempt::CLASSES;
-use super::basis::Basis;
 use super::making::{Load, MAKING, warnings, with_load};
-use super::records::{BasisKey, SizesStep};
+use super::records::SizesStep;
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
+use crate::shared::basis::{Basis, BasisKey};
 use crate::shared::gearbox::{Choice, one};
 use crate::size::answer::{self as size, sizing_of};
 use crate::size::options::Request as SizeRequest;
@@ -43,6 +43,8 @@ pub struct WantedStages {
     pub torque: Torque,
     /// Greatest torque during the life over the nominal torque.
     pub overload: Option<f64>,
+    /// Efficiency of each set with its carrier fixed, which the file states.
+    pub efficiency: f64,
     /// Materials, factors, oil and life.
     pub basis: Basis,
     /// Search space of sizes.
@@ -224,6 +226,7 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
         file = Some(saved);
         sizes = Some(SizesStep::of(size));
     }
+    let efficiency = BasisKey { key: "efficiency".to_owned(), value: wanted.efficiency.to_string() };
     let ratio = train.as_ref().map(|train| train.ratio);
     let slow_shaft_kg = train.as_ref().filter(|_| wanted.has_slow_shaft).map(|train| {
         let of_input = if wanted.steps_up { 1.0 } else { train.ratio };
@@ -245,7 +248,7 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
         whole_kg: structures.map(|mass| mass + slow_shaft_kg.unwrap_or_default()),
         slow_shaft_kg,
         trains,
-        basis: wanted.basis.told(),
+        basis: wanted.basis.told().into_iter().chain([efficiency]).collect(),
         sizes,
         file,
         warnings: all_warnings,
@@ -292,6 +295,7 @@ fn text(wanted: &WantedStages, teeth: &[[u32; 3]]) -> Result<String, Error> {
             ("carrier", shaft(of_carrier).into()),
             ("teeth", Value::Sequence(vec![(*sun).into(), (*ring).into()])),
             ("planet_teeth", Value::Sequence(vec![(*planet).into()])),
+            ("efficiency", wanted.efficiency.into()),
         ])
     };
     let count = if teeth.len() == 1 { "1 stage".to_owned() } else { format!("{} stages", teeth.len()) };

@@ -5,11 +5,11 @@
 //! first families get tooth numbers, and these the sizes that hold over the duty. Of all that have sizes the
 //! one with the fewest warnings is taken, then the lightest.
 
-use super::basis::Basis;
 use super::making::{Load, MAKING, warnings, with_load};
-use super::records::{BasisKey, SizesStep};
+use super::records::SizesStep;
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
+use crate::shared::basis::{Basis, BasisKey};
 use crate::shared::gearbox::{Choice, one};
 use crate::shared::saved::names;
 use crate::size::answer::{self as size, Size};
@@ -248,10 +248,8 @@ fn search(
     (kind, [sets, elements, engaged, double_planets]): &Classes,
     shifts: Shifts,
 ) -> Result<Search, Error> {
-    let gear = |ratio: &f64| WantedRatio {
-        wanted: Ratio::Around { ratio: *ratio, within: None },
-        optional: false,
-    };
+    let gear =
+        |ratio: &f64| WantedRatio { wanted: Ratio::Around { ratio: *ratio, within: None }, optional: false };
     let efficiency = MeshEfficiency::new(EFFICIENCY)?;
     Ok(Search {
         gears: wanted.ratios.iter().map(gear).collect(),

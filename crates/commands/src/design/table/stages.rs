@@ -1,8 +1,9 @@
 //! Stages in series, asked and reached, with what came next.
 
 use crate::design::answer::stages::{Stages, TrainOfStages, TrainsOf};
-use crate::design::table::{DIGITS, basis, of_sizes, parts_of_sizes};
+use crate::design::table::{ASSUMED, DIGITS, of_sizes, parts_of_sizes};
 use crate::select::table::percent;
+use crate::size::table::basis;
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, text};
 use crate::table::quantities::quantity;
@@ -24,7 +25,7 @@ pub(crate) fn parts_of_stages(stages: &Stages) -> Vec<Part> {
         Part::Facts(asked(stages)),
         Part::Records(trains(&stages.trains)),
         Part::Records(searched(stages)),
-        Part::Records(basis(&stages.basis)),
+        Part::Records(basis(&stages.basis, &format!("{ASSUMED}, --efficiency"))),
     ]
 }
 

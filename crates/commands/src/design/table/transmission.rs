@@ -1,8 +1,9 @@
 //! A gearbox for a list of gears, asked and reached, with what came next.
 
 use crate::design::answer::transmission::{GearboxWithTeeth, Transmission};
-use crate::design::table::{basis, of_sizes, parts_of_sizes};
+use crate::design::table::{ASSUMED, of_sizes, parts_of_sizes};
 use crate::select::table::percent;
+use crate::size::table::basis;
 use crate::synthesize::answer::teeth::TeethOfSet;
 use crate::table::columns::Table;
 use crate::table::report::{AsReport, Part, Records, Report, warned};
@@ -22,7 +23,7 @@ pub(crate) fn parts_of_transmission(transmission: &Transmission) -> Vec<Part> {
     if !transmission.gearboxes.is_empty() {
         parts.push(Part::Records(gearboxes(&transmission.gearboxes)));
     }
-    parts.push(Part::Records(basis(&transmission.basis)));
+    parts.push(Part::Records(basis(&transmission.basis, ASSUMED)));
     parts
 }
 

@@ -1,5 +1,6 @@
 //! Chapters of a gearbox: all gears, each gear in full, and the effect of another `k`.
 
+use super::sizes::{self, SetSizes};
 use crate::analyze::answer::gear::OneGear;
 use crate::analyze::answer::overview::Overview;
 use crate::analyze::answer::shifts::{self, Shifts};
@@ -47,6 +48,8 @@ pub struct GearboxReport {
     pub gears: Vec<OneGear>,
     /// Shifts between gears; null if the gearbox has too many gears for a list of shifts.
     pub shifts: Option<Shifts>,
+    /// Sizes of the sets, with their bearings and least safeties; empty if the file states no module.
+    pub sizes: Vec<SetSizes>,
     /// Strength of the teeth at the operating point with load and speed, then over the duty of the file.
     /// Empty if the file lacks oil, life or the `strength` of a set.
     pub strength: Vec<Strength>,
@@ -122,6 +125,7 @@ pub(crate) fn answer<'g>(
         Verdict::Drawable(layout) => (Some(layout), None),
         Verdict::SelfCrossing(witness) => (None, Some(Conflict::of(gearbox, &witness))),
     };
+    let strength = judged(subject, strength::chapters(subject, load)?);
     let report = GearboxReport {
         sets: gearbox.sets().iter().map(|set| set.id().to_owned()).collect(),
         overview: Overview {
@@ -134,7 +138,8 @@ pub(crate) fn answer<'g>(
             Err(Error::ManyGears { .. }) => None,
             shifts => Some(shifts?),
         },
-        strength: judged(subject, strength::chapters(subject, load)?),
+        sizes: sizes::answer(subject, &strength)?,
+        strength,
         losses: losses::chapter(subject, input)?,
         sheets: sheet::chapter(subject)?,
         vibration: vibration::chapter(subject, exciting, goes_on)?,

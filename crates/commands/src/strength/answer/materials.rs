@@ -54,7 +54,7 @@ pub(super) fn check_materials(document: &Document, file: &GearboxFile) -> Result
 }
 
 /// Material of a name: one of the file, or of the program's table; `at` is the path of the name.
-pub(super) fn material(
+pub(crate) fn material(
     subject: &Gearbox,
     file: &GearboxFile,
     at: &Path,

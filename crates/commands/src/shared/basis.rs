@@ -1,6 +1,5 @@
-//! Assumed values of a design: materials, factors, tools, oil, life and required safeties.
+//! Assumed values of designs and sizes: materials, factors, tools, oil, life and required safeties.
 
-use super::records::BasisKey;
 use crate::error::Error;
 use crate::shared::fault::{Named, refused};
 use crate::strength::answer::factors;
@@ -9,6 +8,8 @@ use epicyclic_formats::yaml::Value;
 use epicyclic_formats::{Document, Faults, Path};
 use epicyclic_strength::factor::Symbol;
 use epicyclic_train::set::SetKind;
+use schemars::JsonSchema;
+use serde::Serialize;
 
 /// Assumed materials, factors, tools, oil, life and required safeties, as written in a gearbox file.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,6 +20,16 @@ pub struct Basis {
     pub tools: Option<Value>,
     /// Keys of the gearbox: life, oil, required, materials, density, pressure angle, addendum.
     pub keys: Vec<(String, Value)>,
+}
+
+/// Assumed value with its key.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct BasisKey {
+    /// Name of the key; those below `strength` and `efficiency` are of each set.
+    pub key: String,
+    /// Value as written in the file, in one line.
+    pub value: String,
 }
 
 /// Keys of a gearbox that belong to a basis.
@@ -81,7 +92,7 @@ impl Basis {
     }
 
     /// Lists all keys with their values.
-    pub(super) fn told(&self) -> Vec<BasisKey> {
+    pub(crate) fn told(&self) -> Vec<BasisKey> {
         let key = |key: String, value: &Value| BasisKey { key, value: flow(value) };
         let own = self.keys.iter().map(|(name, value)| key(name.clone(), value));
         let of_strength = self.strength.as_mapping().into_iter().flatten();
@@ -132,7 +143,7 @@ impl Basis {
 }
 
 /// Formats a value in one line: lists and mappings as in one line of YAML.
-fn flow(value: &Value) -> String {
+pub(crate) fn flow(value: &Value) -> String {
     match value {
         Value::Sequence(items) => items.iter().map(flow).collect::<Vec<_>>().join(", "),
         Value::Mapping(pairs) => {

@@ -1,15 +1,17 @@
 //! Usual values of what a gearbox is for.
 
-use super::basis::Basis;
-use crate::shared::lists::List;
-use crate::size::options::{BearingType, Request as SizeRequest};
+use crate::shared::basis::Basis;
+use crate::size::options::BearingType;
 use epicyclic_formats::yaml::{Mapping, Value};
-use epicyclic_units::{Module, Physical, Quantity};
+use epicyclic_units::Physical;
 use std::ops::RangeInclusive;
 use uom::si::f64::Length;
 
 /// Modules of servo drives in mm, of series I of DIN 780.
 const FINE_MODULES_MM: [f64; 9] = [0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.25, 1.5, 2.0];
+
+/// Face widths of servo drives in mm.
+const FINE_WIDTHS_MM: RangeInclusive<u32> = 5..=40;
 
 /// What a gearbox is for, with the values that are usual of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -57,24 +59,25 @@ impl Application {
         Usual { k_a, life_h, safeties }
     }
 
-    /// Space of the sizes, with what is usual in place of what is not asked for.
-    pub(crate) fn space(self, asked: &SizeRequest) -> SizeRequest {
+    /// Kinds of planet bearings.
+    pub(crate) const fn bearings(self) -> &'static [BearingType] {
         use BearingType::{FullComplement, Needles, Rollers, RollersInBore};
-        let bearings: &[BearingType] = match self {
+        match self {
             Self::Conveyor | Self::Mixer => &[Rollers],
             Self::Travel | Self::Slewing | Self::Winch => &[Rollers, FullComplement],
             Self::Wind => &[Rollers, RollersInBore],
             Self::Robot | Self::Automatic => &[Needles],
-        };
-        let mut space = asked.clone();
-        space.bearing_type.get_or_insert_with(|| bearings.to_vec());
-        if self == Self::Robot {
-            let modules = || List(FINE_MODULES_MM.iter().map(|mm| Quantity(Module::from_si(mm * 1e-3))).collect());
-            space.modules.get_or_insert_with(modules);
-            let widths = || List((5..=40).map(|mm| Quantity(Length::from_mm(f64::from(mm)))).collect());
-            space.face_widths.get_or_insert_with(widths);
         }
-        space
+    }
+
+    /// Modules; `None` for those of other gearboxes.
+    pub(crate) fn modules(self) -> Option<Vec<Length>> {
+        (self == Self::Robot).then(|| FINE_MODULES_MM.map(Length::from_mm).to_vec())
+    }
+
+    /// Face widths; `None` for those of other gearboxes.
+    pub(crate) fn face_widths(self) -> Option<Vec<Length>> {
+        (self == Self::Robot).then(|| FINE_WIDTHS_MM.map(|mm| Length::from_mm(f64::from(mm))).collect())
     }
 
     /// Whether the slow shaft is part of the gearbox. A rotor's shaft is clamped in the carrier.

@@ -1,0 +1,3 @@
+//! `init`: files to start from.
+
+pub mod request;
