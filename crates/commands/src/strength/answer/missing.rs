@@ -107,16 +107,14 @@ impl<'d> MissingKeys<'d> {
             own.all(|gear| set.teeth_or_coaxial(*gear).is_some())
         };
         let of_planets = if set.short().is_some() { "planet_teeth" } else { "planet_gears" };
-        for (key, is_known) in [("teeth", is_known(false)), (of_planets, is_known(true))] {
-            if !is_known {
-                self.keys.push(Missing {
-                    at: data.path.clone(),
-                    set: Some(set.id().to_owned()),
-                    key: key.to_owned(),
-                    usual: None,
-                });
-            }
-        }
+        // Those of the planets may follow from the others.
+        let teeth = if !is_known(false) { Some("teeth") } else { (!is_known(true)).then_some(of_planets) };
+        self.keys.extend(teeth.map(|key| Missing {
+            at: data.path.clone(),
+            set: Some(set.id().to_owned()),
+            key: key.to_owned(),
+            usual: None,
+        }));
         if self.purpose != Purpose::Sizes {
             let sizes = [
                 ("planets", set.is_pair() || set.planet_count().is_some(), Value::from(3)),
@@ -209,8 +207,14 @@ impl<'d> MissingKeys<'d> {
             Purpose::OverDuty if is_missing("duty") => "; --torque and --speed are a load in place of `duty`",
             _ => "",
         };
+        let teeth = match self.keys.iter().any(|missing| missing.usual.is_none()) {
+            true => {
+                ". Teeth have no usual values: write them in place of `k`; `epicyclic teeth --ratio` finds some"
+            }
+            false => "",
+        };
         let message = format!(
-            "missing: {}. Paste the lines below and put your values in place of these examples{remedy}",
+            "missing: {}. Paste the lines below and put your values in place of these examples{remedy}{teeth}",
             sets.iter().map(of_set).collect::<Vec<_>>().join("; ")
         );
         let first = self.keys.first().map_or_else(Path::root, |missing| missing.at.clone());
