@@ -1,9 +1,11 @@
 //! `design`: from speeds and power to a gearbox whose sizes hold.
 
 pub mod answer;
+mod factor;
 pub mod page;
 pub mod request;
 pub mod table;
 
 pub use answer::Design;
+pub use factor::Factor;
 pub use request::Request;

@@ -1,5 +1,6 @@
 //! The command `design`: from speeds and power to a gearbox whose sizes hold.
 
+use crate::design::Factor;
 use crate::design::answer::stages::{self, Stages, WantedStages};
 use crate::design::answer::transmission::{self, Transmission, WantedTransmission};
 use crate::design::answer::{Design, Wanted, answer};
@@ -15,7 +16,7 @@ use crate::report::answer::gearbox;
 use crate::select::answer as select;
 use crate::select::answer::duty::{Duty, Load};
 use crate::select::answer::teeth::Watch;
-use crate::shared::application::Application;
+use crate::shared::application::{Application, FULL_LOAD};
 use crate::shared::basis::Basis;
 use crate::shared::gearbox::one;
 use crate::shared::gearbox_choice::refuse;
@@ -30,7 +31,6 @@ use crate::strength::answer::factors::twice;
 use epicyclic_formats::{Document, RangeError, Span};
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_selection::{Mechanism, Objective, Order, Rating, Signs};
-use epicyclic_strength::factor::Symbol;
 use epicyclic_strength::load::{Floating, load_sharing};
 use epicyclic_strength::series::Teeth;
 use epicyclic_strength::sizing::Objective as MinimisedSize;
@@ -38,13 +38,15 @@ use epicyclic_units::format::trimmed;
 use epicyclic_units::{Number, Physical, Quantity};
 use std::ops::{ControlFlow, RangeInclusive};
 use std::path::PathBuf;
-use std::str::FromStr;
 use uom::si::f64::{AngularVelocity, Power, Ratio, Time, Torque};
 
-/// A gearbox for two or three speeds from power to sizes that hold: scheme, tooth numbers, sizes, strength,
-/// in steps.
+/// A gearbox for one ratio, for speeds or for a list of gears, from power to sizes that hold.
 ///
-/// The answer begins with the speeds asked for and reached. The scheme is what select chooses. Of its tooth
+/// --ratio, --output-speed: stages in series, whose split, teeth and sizes are chosen together. --ratios with
+/// three and more, or with a reverse gear: a structure of synthesize, its teeth, its sizes. --speeds, or one or
+/// two --ratios beside direct drive: a scheme of select, and where none holds a structure of synthesize.
+///
+/// The answer begins with the speeds asked for and reached. Of the tooth
 /// numbers those with the least class of deviation and the smallest rings at one load of the teeth get the
 /// sizes that size finds over a duty with the load in every gear, and the lightest is taken. Every step tells
 /// what it took, among how many, what came next, and the option to choose otherwise. Assumed values, such as
@@ -249,33 +251,6 @@ fn named(name: &str) -> Result<Mechanism, String> {
     })
 }
 
-/// A factor by its symbol: `K_A 1.5`, `K_A=1.5` or `K_A: 1.5`.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Factor {
-    /// Symbol as it was written; a symbol has several spellings.
-    pub name: String,
-    symbol: Symbol,
-    /// Value of the factor.
-    pub value: f64,
-}
-
-impl FromStr for Factor {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let form = || format!("{text}: write a symbol and a number, as K_A 1.5");
-        let (name, value) =
-            text.rsplit_once(['=', ':']).or_else(|| text.trim().rsplit_once(' ')).ok_or_else(form)?;
-        let value: Number = value.trim().parse().map_err(|_| form())?;
-        let name = name.trim();
-        let symbol = Symbol::named(name).ok_or_else(|| {
-            let all: Vec<String> = Symbol::ALL.iter().map(Symbol::to_string).collect();
-            format!("{text}: no factor is called `{name}`; there are {}", all.join(", "))
-        })?;
-        Ok(Self { name: name.to_owned(), symbol, value: value.get() })
-    }
-}
-
 /// Runs the command.
 pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     args.page.only_of_a_page(args.output.is_page())?;
@@ -402,7 +377,7 @@ impl Request {
             shares: self.shares(),
             overload: self.overload()?,
             basis: self.basis()?,
-            size: self.sizes.clone(),
+            size: self.sized_for(self.sizes.minimise.unwrap_or(MinimisedSize::Whole)),
         })
     }
 
@@ -470,7 +445,7 @@ impl Request {
             overload: self.overload()?,
             efficiency: self.criteria.set_efficiency()?.get(),
             basis: self.basis()?,
-            size: SizeRequest { minimise: Some(minimise), ..self.sizes.clone() },
+            size: self.sized_for(minimise),
         })
     }
 
@@ -508,16 +483,22 @@ impl Request {
         } else if !self.is_of_gears() {
             ratios.push(1.0);
         }
+        let torque = self.duty().torque().map_err(refuse_of)?.ok_or(Error::NoLoad).map_err(refuse_of)?;
+        let mut shares = self.shares();
+        if shares.is_empty() {
+            shares = self.sizes.application.map(|of| of.shares(&ratios)).unwrap_or_default();
+        }
         let wanted = WantedTransmission {
             ratios,
             tolerance: self.tolerance.0.si(),
             bounds: self.bounds([17..=60, 17..=80, 50..=140])?,
             speed: self.input.0,
-            torque: self.duty().torque().map_err(refuse_of)?.ok_or(Error::NoLoad).map_err(refuse_of)?,
-            shares: self.shares(),
+            torque,
+            shares,
             overload: self.overload()?,
+            spectrum: self.sizes.application.map_or(&FULL_LOAD, Application::spectrum),
             basis: self.basis()?,
-            size: self.sizes.clone(),
+            size: self.sized_for(self.sizes.minimise.unwrap_or(MinimisedSize::Whole)),
         };
         transmission::answer(&wanted, goes_on).map_err(refuse_of)
     }
@@ -534,6 +515,11 @@ impl Request {
         Duty { input_speed: Some(self.input.0), load }
     }
 
+    /// Space of the sizes with what is least.
+    fn sized_for(&self, minimise: MinimisedSize) -> SizeRequest {
+        SizeRequest { minimise: Some(minimise), ..self.sizes.clone() }
+    }
+
     /// Shares of the time of the gears.
     fn shares(&self) -> Vec<f64> {
         self.shares.iter().flat_map(|shares| &shares.0).map(|share| share.0.si()).collect()
@@ -541,7 +527,7 @@ impl Request {
 
     /// Bounds of tooth numbers and numbers of planets, with the teeth that are usual where none are given.
     fn bounds(&self, usual: [RangeInclusive<u32>; 3]) -> Result<Bounds, Failure> {
-        let planets = &self.sizes.planets;
+        let planets = self.sizes.planet_counts();
         Ok(Bounds {
             planets: (*planets.start()).max(2)..=(*planets.end()).max(2),
             ring_to_sun_ratio: self.criteria.k(Bounds::default().ring_to_sun_ratio)?,

@@ -27,6 +27,7 @@ use epicyclic_pictures::gearbox::scheme::{self, Scale, Show};
 use epicyclic_pictures::gearbox::{ladder, levers, speeds};
 use epicyclic_pictures::plot::{Curve, Plot};
 use epicyclic_units::Dimension;
+use std::collections::BTreeSet;
 
 /// Lower limit of ratios and planet speeds that are left out of the curves, because they would flatten all
 /// others.
@@ -259,6 +260,9 @@ fn objections(report: &GearboxReport) -> Vec<String> {
         let gears = if circulating.len() == 1 { "gear" } else { "gears" };
         all.push(format!("power circulates, over what enters, in {gears} {}", circulating.join(", ")));
     }
+    // Data sheets and the review find the same faults of teeth.
+    let mut told = BTreeSet::new();
+    all.retain(|objection| told.insert(objection.clone()));
     all
 }
 

@@ -10,6 +10,13 @@ use uom::si::f64::Length;
 /// Modules of servo drives in mm, of series I of DIN 780.
 const FINE_MODULES_MM: [f64; 9] = [0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.25, 1.5, 2.0];
 
+/// Full load and speed at all times, as [`Application::spectrum`].
+pub(crate) const FULL_LOAD: [[f64; 3]; 1] = [[1.0; 3]];
+
+/// Share of the time of a reverse gear of a car, and of its first gear.
+const REVERSE: f64 = 0.005;
+const FIRST: f64 = 0.02;
+
 /// Face widths of servo drives in mm.
 const FINE_WIDTHS_MM: RangeInclusive<u32> = 5..=40;
 
@@ -59,6 +66,32 @@ impl Application {
         Usual { k_a, life_h, safeties }
     }
 
+    /// Steps of the duty in each gear: share of its time, torque and speed over those that are stated. Cars
+    /// rarely use all that their engine has.
+    pub(crate) const fn spectrum(self) -> &'static [[f64; 3]] {
+        match self {
+            Self::Automatic => &[[0.95, 0.5, 0.5], [0.05, 1.0, 1.0]],
+            _ => &FULL_LOAD,
+        }
+    }
+
+    /// Shares of the time of gears with these ratios; empty for equal shares. Cars are rarely in reverse and in
+    /// their first gear.
+    pub(crate) fn shares(self, ratios: &[f64]) -> Vec<f64> {
+        let first = ratios.iter().copied().fold(0.0, f64::max);
+        let seldom = |ratio: &f64| match *ratio {
+            ratio if ratio < 0.0 => Some(REVERSE),
+            ratio if ratio == first => Some(FIRST),
+            _ => None,
+        };
+        let others = ratios.iter().filter(|ratio| seldom(ratio).is_none()).count();
+        if self != Self::Automatic || others == 0 {
+            return vec![];
+        }
+        let rest = 1.0 - ratios.iter().filter_map(seldom).sum::<f64>();
+        ratios.iter().map(|ratio| seldom(ratio).unwrap_or(rest / others as f64)).collect()
+    }
+
     /// Kinds of planet bearings.
     pub(crate) const fn bearings(self) -> &'static [BearingType] {
         use BearingType::{FullComplement, Needles, Rollers, RollersInBore};
@@ -67,6 +100,15 @@ impl Application {
             Self::Travel | Self::Slewing | Self::Winch => &[Rollers, FullComplement],
             Self::Wind => &[Rollers, RollersInBore],
             Self::Robot | Self::Automatic => &[Needles],
+        }
+    }
+
+    /// Numbers of planets.
+    pub(crate) const fn planets(self) -> RangeInclusive<u32> {
+        match self {
+            Self::Conveyor | Self::Slewing => 3..=4,
+            Self::Robot => 3..=3,
+            Self::Travel | Self::Winch | Self::Mixer | Self::Wind | Self::Automatic => 3..=5,
         }
     }
 

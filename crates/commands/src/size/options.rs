@@ -20,6 +20,9 @@ use uom::si::f64::Length;
 /// Maximum distance of centre distances from the natural one, in modules.
 const REACH: f64 = 1.0;
 
+/// Numbers of planets unless others are asked for.
+const PLANETS: RangeInclusive<u32> = 3..=6;
+
 /// Greatest module of the standard series in mm that is used unless others are requested.
 const GREATEST_MODULE_MM: f64 = 20.0;
 
@@ -35,12 +38,12 @@ pub struct Request {
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     pub face_widths: Option<Quantities<Length>>,
 
-    /// Numbers of planets, from 1 to 8.
-    #[arg(long, value_name = "RANGE", default_value = "3..6", value_parser = planets)]
-    pub planets: RangeInclusive<u32>,
+    /// Numbers of planets, from 1 to 8. Default: 3..6; with --application what is usual.
+    #[arg(long, value_name = "RANGE", value_parser = planets)]
+    pub planets: Option<RangeInclusive<u32>>,
 
     /// Step of the centre distances, which are its multiples within one module of the natural one. Default:
-    /// 0.5 mm, with modules below 1 mm 0.1 mm.
+    /// 0.5 mm, with modules below 1 mm 0.1 mm; of several kinds of planets a quarter of the module.
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub centre_distance_step: Option<Quantity<Length>>,
 
@@ -87,7 +90,7 @@ pub struct Request {
     pub application: Option<Application>,
 
     /// What is least: the mass of the gears, the outside diameter of the rings, or the mass of the whole with
-    /// carriers and housing, by a rule. Default: mass; of stages in series whole.
+    /// carriers and housing, by a rule. Default: mass; of design whole.
     #[arg(long, value_enum)]
     pub minimise: Option<Objective>,
 
@@ -151,13 +154,19 @@ impl Request {
                 || usual.and_then(Application::face_widths).unwrap_or_else(usual_face_widths),
                 Quantities::values,
             ),
-            planets: self.planets.clone().collect(),
+            planets: self.planet_counts().collect(),
             centre_distance_step: self.centre_distance_step.map_or_else(step, |step| step.0),
             reach: REACH,
             width_ratio: self.width_ratio.map(Number::get),
             largest_ring: self.max_ring.map(|ring| ring.0),
             bearings: self.bearings(),
         }
+    }
+
+    /// Numbers of planets to choose from.
+    pub(crate) fn planet_counts(&self) -> RangeInclusive<u32> {
+        let usual = self.application.map_or(PLANETS, Application::planets);
+        self.planets.clone().unwrap_or(usual)
     }
 
     /// Bearings to choose from, alone and as pairs.

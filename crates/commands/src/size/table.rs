@@ -17,12 +17,8 @@ use epicyclic_units::Dimension;
 impl AsReport for Size {
     fn report(&self) -> Report {
         let parts = [
-            (!self.basis.is_empty()).then(|| {
-                Part::Records(basis(
-                    &self.basis,
-                    "Assumed values, by --application and where it says nothing",
-                ))
-            }),
+            (!self.basis.is_empty())
+                .then(|| Part::Records(basis(&self.basis, "Assumed values, usual of the application"))),
             Some(Part::Facts(facts(self))),
             (!self.sets.iter().all(|set| set.found.is_empty()))
                 .then(|| Part::Records(designs("designs", "Best designs", &self.sets, |set| &set.found))),

@@ -8,6 +8,7 @@ use crate::error::Error;
 use crate::select::answer::reached::{ReachedSpeed, largest_deviation};
 use crate::select::answer::saved::Saved;
 use crate::select::answer::teeth::{self, Searches, SizeLimits, Watch};
+use crate::shared::application::FULL_LOAD;
 use crate::shared::gearbox::{Choice, one};
 use crate::shared::profile_shift::WantedShifts;
 use crate::size::answer::{self as size, Size};
@@ -206,7 +207,7 @@ fn loaded(saved: &Saved, wanted: &Wanted, torque: Torque, speed: AngularVelocity
         }
     };
     let gears: Vec<(&str, f64)> = gears.into_iter().zip(shares).collect();
-    let load = Load { torque, speed, overload: wanted.overload };
+    let load = Load { torque, speed, overload: wanted.overload, spectrum: &FULL_LOAD };
     with_load(&mut file, &wanted.basis, &gears, load);
     if let Some(file) = file.as_mapping_mut() {
         file.insert("gearbox".into(), saved.scheme.as_str().into());

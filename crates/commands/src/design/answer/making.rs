@@ -27,29 +27,45 @@ pub(super) struct Load {
     pub(super) speed: AngularVelocity,
     /// Greatest torque during the life over the nominal torque.
     pub(super) overload: Option<f64>,
+    /// Steps in each gear: share of its time, torque and speed over these.
+    pub(super) spectrum: &'static [[f64; 3]],
 }
 
-/// Writes the basis into every set and the duty into the file: its gears with their shares of the time.
+/// Writes the basis into every set, which is a simple one, and the duty into the file.
 pub(super) fn with_load(file: &mut Value, basis: &Basis, gears: &[(&str, f64)], load: Load) {
-    let sets = file.get_mut("sets").and_then(Value::as_sequence_mut).into_iter().flatten();
-    for set in sets.filter_map(Value::as_mapping_mut) {
+    for_each_set(file, |set| {
         set.insert("strength".into(), basis.strength.clone());
         if let Some(tools) = &basis.tools {
             set.insert("tools".into(), tools.clone());
         }
-    }
+    });
+    with_duty(file, basis, gears, load);
+}
+
+/// Changes the entries of all sets.
+pub(super) fn for_each_set(file: &mut Value, change: impl FnMut(&mut Mapping)) {
+    let sets = file.get_mut("sets").and_then(Value::as_sequence_mut).into_iter().flatten();
+    sets.filter_map(Value::as_mapping_mut).for_each(change);
+}
+
+/// Writes the duty into the file: its gears with their shares of the time.
+pub(super) fn with_duty(file: &mut Value, basis: &Basis, gears: &[(&str, f64)], load: Load) {
     // More digits would show only the rounding of the unit conversion.
     let written = |value: f64, unit: &str| Value::from(format!("{} {unit}", trimmed(value, DIGITS)));
     let greatest = load.overload.map(|factor| written(factor * load.torque.si(), "N·m"));
-    let [torque, speed] = [written(load.torque.si(), "N·m"), written(load.speed.rpm(), "rpm")];
     let of_keys = |keys: Vec<(&str, Value)>| {
         Value::Mapping(keys.into_iter().map(|(key, value)| (Value::from(key), value)).collect::<Mapping>())
     };
-    let step = |(gear, share): &(&str, f64)| {
-        let (gear, share) = (Value::from(*gear), Value::from(*share));
-        of_keys(vec![("gear", gear), ("share", share), ("torque", torque.clone()), ("speed", speed.clone())])
+    let step = |(gear, share): &(&str, f64), [part, torque, speed]: &[f64; 3]| {
+        of_keys(vec![
+            ("gear", Value::from(*gear)),
+            ("share", Value::from(share * part)),
+            ("torque", written(torque * load.torque.si(), "N·m")),
+            ("speed", written(speed * load.speed.rpm(), "rpm")),
+        ])
     };
-    let duty: Vec<Value> = gears.iter().map(step).collect();
+    let steps = |gear| load.spectrum.iter().map(move |of| step(gear, of));
+    let duty: Vec<Value> = gears.iter().flat_map(steps).collect();
     let against = |torque: &Value| {
         let overload =
             |(gear, _): &(&str, f64)| of_keys(vec![("gear", Value::from(*gear)), ("torque", torque.clone())]);

@@ -5,6 +5,7 @@ use super::making::{Load, MAKING, warnings, with_load};
 use super::records::SizesStep;
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
+use crate::shared::application::FULL_LOAD;
 use crate::shared::basis::{Basis, BasisKey};
 use crate::shared::gearbox::{Choice, one};
 use crate::size::answer::{self as size, sizing_of};
@@ -306,7 +307,8 @@ fn text(wanted: &WantedStages, teeth: &[[u32; 3]]) -> Result<String, Error> {
         ("sets", Value::Sequence(teeth.iter().enumerate().map(set).collect())),
         ("gears", Value::Sequence(vec![of_keys(vec![("name", GEAR.into())])])),
     ]);
-    let load = Load { torque: wanted.torque, speed: wanted.speed, overload: wanted.overload };
+    let load =
+        Load { torque: wanted.torque, speed: wanted.speed, overload: wanted.overload, spectrum: &FULL_LOAD };
     with_load(&mut file, &wanted.basis, &[(GEAR, 1.0)], load);
     to_string(&file).map_err(|error| Error::Json(error.to_string()))
 }

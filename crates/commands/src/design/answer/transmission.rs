@@ -5,7 +5,7 @@
 //! first families get tooth numbers, and these the sizes that hold over the duty. Of all that have sizes the
 //! one with the fewest warnings is taken, then the lightest.
 
-use super::making::{Load, MAKING, warnings, with_load};
+use super::making::{Load, MAKING, for_each_set, warnings, with_duty};
 use super::records::SizesStep;
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
@@ -14,13 +14,15 @@ use crate::shared::gearbox::{Choice, one};
 use crate::shared::saved::names;
 use crate::size::answer::{self as size, Size};
 use crate::size::options::Request as SizeRequest;
+use crate::strength::answer::missing::{MissingKeys, Purpose};
 use crate::synthesize::answer::teeth::{TeethOfSet, TeethWanted};
 use crate::synthesize::answer::{Kept, Searching, ShiftElement, Solution, Wanted as Search, saved, solve};
 use epicyclic_formats::wanted_ratio::{Wanted as Ratio, WantedRatio};
-use epicyclic_formats::yaml::{Value, to_string};
+use epicyclic_formats::yaml::to_string;
 use epicyclic_formats::{Document, gearbox::written};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::Bounds;
+use epicyclic_strength::series::slow_shaft;
 use epicyclic_synthesis::Kind;
 use epicyclic_synthesis::rank::Objective;
 use epicyclic_synthesis::rules::Rules;
@@ -28,6 +30,7 @@ use epicyclic_synthesis::shifts::Shifts;
 use epicyclic_synthesis::teeth::{Aim, Alike};
 use epicyclic_synthesis::usable::Usable;
 use epicyclic_units::Physical;
+use epicyclic_units::format::trimmed;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
@@ -38,6 +41,15 @@ const STRUCTURES: usize = 3;
 
 /// Tooth numbers of a structure that get sizes.
 const TEETH: usize = 2;
+
+/// Tooth numbers of a structure that these are taken from, those nearest to the ratios.
+const NEAREST: usize = 60;
+
+/// Digits of assumed values.
+const DIGITS: usize = 4;
+
+/// Teeth of planets that leave room for their bearings at a usual module.
+const PLANET: f64 = 32.0;
 
 /// Efficiency of the two meshes of a set, by which structures are rated.
 const EFFICIENCY: f64 = 0.97;
@@ -59,6 +71,8 @@ pub struct WantedTransmission {
     pub shares: Vec<f64>,
     /// Greatest torque during the life over the nominal torque.
     pub overload: Option<f64>,
+    /// Steps of the duty in each gear: share of its time, torque and speed over these.
+    pub spectrum: &'static [[f64; 3]],
     /// Materials, factors, oil and life.
     pub basis: Basis,
     /// Search space of sizes.
@@ -81,6 +95,8 @@ pub struct Transmission {
     pub gearboxes: Vec<GearboxWithTeeth>,
     /// Assumed values by key.
     pub basis: Vec<BasisKey>,
+    /// Mass of gears, carriers and housing by a rule, and of the output shaft, in kg; null if a set has no size.
+    pub whole_kg: Option<f64>,
     /// Sizes of the gearbox taken, with their strength over the duty; null if no structure was found.
     pub sizes: Option<SizesStep>,
     /// Gearbox file with sizes; null if a set has none.
@@ -138,21 +154,33 @@ impl Answer for Transmission {
     const NAME: &'static str = "design-transmission";
 }
 
-/// Classes of structures in their order: class, sets, shift elements, those engaged, double-planet sets.
-type Classes = (Kind, [RangeInclusive<usize>; 4]);
+/// Class of structures: numbers of sets, of shift elements engaged, and of double-planet sets.
+type Class = (Kind, usize, [RangeInclusive<usize>; 2]);
 
-/// Larger classes take hours.
-const CLASSES: [Classes; 3] = [
-    (Kind::Core, [1..=3, 1..=5, 1..=3, 0..=0]),
-    (Kind::AllSparse, [1..=2, 1..=5, 1..=2, 0..=1]),
-    (Kind::AllSparse, [3..=3, 3..=5, 2..=2, 0..=1]),
+/// Classes in their order. Larger ones take hours.
+const CLASSES: [Class; 6] = [
+    (Kind::Core, 1, [1..=3, 0..=1]),
+    (Kind::AllSparse, 1, [1..=2, 0..=1]),
+    (Kind::Core, 2, [1..=3, 0..=0]),
+    (Kind::AllSparse, 2, [1..=2, 0..=1]),
+    (Kind::Core, 3, [1..=3, 0..=0]),
+    (Kind::AllSparse, 3, [2..=2, 0..=1]),
 ];
+
+/// Shift elements at most.
+const MOST_ELEMENTS: usize = 5;
+
+/// Ring over sun of simple sets. Below, planets are too small for their bearings.
+const K: RangeInclusive<f64> = 1.8..=4.5;
+
+/// Ring over sun of double-planet sets.
+const K_DOUBLE: RangeInclusive<f64> = 1.8..=4.5;
 
 /// Gearbox with sizes.
 struct Sized {
     of: GearboxWithTeeth,
     gears: Vec<GearReached>,
-    file: String,
+    document: Document,
     size: Size,
 }
 
@@ -183,21 +211,47 @@ pub fn answer(
         input_speed_rad_s: wanted.speed.si(),
         structures,
         gearboxes,
-        basis: wanted.basis.told(),
+        basis: wanted.assumed(),
+        whole_kg: None,
         sizes: None,
         file: None,
         warnings: vec![],
     };
     if let Some(taken) = all.into_iter().next() {
         if taken.of.mass_kg.is_some() {
-            let document = Document::parse_one(MAKING, taken.file.as_bytes())?;
-            transmission.file = Some(size::saved(&document, &taken.size)?);
+            transmission.file = Some(size::saved(&taken.document, &taken.size)?);
         }
         transmission.warnings = warnings(&taken.size, transmission.file.as_deref())?;
+        let ratios = taken.gears.iter().filter_map(|gear| gear.ratio).map(f64::abs);
+        let torque = wanted.torque.abs() * ratios.fold(1.0, f64::max);
+        let shaft = slow_shaft(torque, torque * wanted.overload.unwrap_or(1.0));
+        let of_sets = taken.size.whole_kg.filter(|_| transmission.file.is_some());
+        transmission.whole_kg = of_sets.map(|mass| mass + shaft.si());
         transmission.gears = taken.gears;
         transmission.sizes = Some(SizesStep::of(taken.size));
     }
     Ok(transmission)
+}
+
+impl WantedTransmission {
+    /// Assumed values, with the duty where it is not the stated load alone.
+    fn assumed(&self) -> Vec<BasisKey> {
+        let mut all = self.basis.told();
+        if let [_, _, ..] = self.spectrum {
+            let step = |[share, torque, speed]: &[f64; 3]| {
+                let percent = |part: &f64| trimmed(100.0 * part, DIGITS);
+                format!(
+                    "{} % of the time {} % of torque, {} % of speed",
+                    percent(share),
+                    percent(torque),
+                    percent(speed)
+                )
+            };
+            let steps: Vec<String> = self.spectrum.iter().map(step).collect();
+            all.push(BasisKey { key: "duty".to_owned(), value: steps.join("; ") });
+        }
+        all
+    }
 }
 
 /// The gears as they are required.
@@ -221,8 +275,8 @@ fn structures(
     goes_on: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<(usize, Vec<(Solution, Kept)>), Error> {
     for neighbours in [true, false] {
-        for classes in &CLASSES {
-            let search = search(wanted, classes, Shifts { neighbours, skips: false })?;
+        for class in &CLASSES {
+            let search = search(wanted, class, Shifts { neighbours, skips: false })?;
             let of_class = |_: &Searching, _| goes_on();
             let (synthesis, kept) = match solve(&search, &of_class) {
                 // Ratios that no structure of these classes can have.
@@ -245,7 +299,7 @@ fn structures(
 
 fn search(
     wanted: &WantedTransmission,
-    (kind, [sets, elements, engaged, double_planets]): &Classes,
+    (kind, sets, [engaged, double_planets]): &Class,
     shifts: Shifts,
 ) -> Result<Search, Error> {
     let gear =
@@ -255,14 +309,14 @@ fn search(
         gears: wanted.ratios.iter().map(gear).collect(),
         tolerance: wanted.tolerance,
         kind: *kind,
-        sets: sets.clone(),
-        elements: elements.clone(),
+        sets: *sets..=*sets,
+        elements: 1..=MOST_ELEMENTS,
         engaged: engaged.clone(),
         links: 0..=usize::MAX,
         open: 0..=usize::MAX,
-        k: 1.4..=4.5,
+        k: K,
         double_planets: double_planets.clone(),
-        k_double: 1.6..=4.5,
+        k_double: K_DOUBLE,
         equal_k: 1,
         rules: Rules { shifts, ..Rules::default() },
         limits: Default::default(),
@@ -280,10 +334,16 @@ fn search(
             shifts: None,
             alike: Alike { rings: 1, suns: 1, sets: 1 },
             aim: Aim::Deviation,
-            most: TEETH,
+            most: NEAREST,
         }),
         explain: None,
     })
+}
+
+/// How far planets are from usual tooth numbers.
+fn off_usual(sets: &[TeethOfSet]) -> f64 {
+    let planets = sets.iter().flat_map(|set| [Some(set.planet), set.outer_planet]).flatten();
+    planets.map(|teeth| libm::log(f64::from(teeth) / PLANET).abs()).sum()
 }
 
 impl Sized {
@@ -294,8 +354,10 @@ impl Sized {
         place: usize,
         goes_on: &dyn Fn() -> ControlFlow<()>,
     ) -> Result<Option<Self>, Error> {
-        let teeth = solution.teeth.as_ref().and_then(|teeth| teeth.choices.get(place));
-        let Some((teeth, design)) = teeth.zip(kept.teeth.get(place)) else { return Ok(None) };
+        let choices = solution.teeth.iter().flat_map(|teeth| &teeth.choices);
+        let mut choices: Vec<_> = choices.zip(&kept.teeth).collect();
+        choices.sort_by(|one, other| off_usual(&one.0.sets).total_cmp(&off_usual(&other.0.sets)));
+        let Some((teeth, design)) = choices.get(place).copied() else { return Ok(None) };
         let count = match wanted.ratios.len() {
             1 => "1 gear".to_owned(),
             gears => format!("{gears} gears"),
@@ -304,19 +366,30 @@ impl Sized {
         let text = written(&gearbox, &[]).map_err(|error| Error::Json(error.to_string()))?;
         let mut file = Document::parse_one(MAKING, text.as_bytes())?.value().clone();
         // The numbers of planets are left to the sizing.
-        let sets = file.get_mut("sets").and_then(Value::as_sequence_mut).into_iter().flatten();
-        for set in sets.filter_map(Value::as_mapping_mut) {
+        for_each_set(&mut file, |set| {
             set.remove("planets");
-        }
+            if let Some(tools) = &wanted.basis.tools {
+                set.insert("tools".into(), tools.clone());
+            }
+        });
         let names: Vec<String> = gearbox.gears().iter().map(|gear| gear.name().to_owned()).collect();
         let equal = vec![1.0 / names.len() as f64; names.len()];
         let shares = if wanted.shares.is_empty() { &equal } else { &wanted.shares };
         let gears: Vec<(&str, f64)> = names.iter().map(String::as_str).zip(shares.iter().copied()).collect();
-        let load = Load { torque: wanted.torque, speed: wanted.speed, overload: wanted.overload };
-        with_load(&mut file, &wanted.basis, &gears, load);
+        let load = Load {
+            torque: wanted.torque,
+            speed: wanted.speed,
+            overload: wanted.overload,
+            spectrum: wanted.spectrum,
+        };
+        with_duty(&mut file, &wanted.basis, &gears, load);
         let file = to_string(&file).map_err(|error| Error::Json(error.to_string()))?;
         let document = Document::parse_one(MAKING, file.as_bytes())?;
-        let size = size::answer(&one(&document, &Choice::default())?, &wanted.size, goes_on)?;
+        let subject = one(&document, &Choice::default())?;
+        // Sets of each kind have their own gears and meshes that materials and factors are of.
+        let missing = MissingKeys::of(&subject, &document.read()?, &wanted.basis, Purpose::Sizes)?;
+        let subject = missing.assumed(&wanted.basis)?.map_or(subject, |(whole, _)| whole);
+        let size = size::answer(&subject, &wanted.size, goes_on)?;
         let reached = |((mut asked, own), ratio): ((GearReached, _), &crate::shared::records::Fraction)| {
             let own: &crate::synthesize::answer::Gear = own;
             let ratio = ratio.numerator as f64 / ratio.denominator as f64;
@@ -341,12 +414,12 @@ impl Sized {
             mass_kg: size.mass_kg.filter(|_| is_whole),
             ring_diameter_m: rings.flatten().reduce(f64::max).filter(|_| is_whole),
         };
-        Ok(Some(Self { of, gears, file, size }))
+        Ok(Some(Self { of, gears, document: subject.document, size }))
     }
 
     /// Whether a set has no size, errors and warnings, mass.
     fn rank(&self) -> (bool, usize, f64) {
         let GearboxWithTeeth { warnings, mass_kg, .. } = self.of;
-        (mass_kg.is_none(), warnings, mass_kg.unwrap_or_default())
+        (mass_kg.is_none(), warnings, self.size.whole_kg.unwrap_or_default())
     }
 }

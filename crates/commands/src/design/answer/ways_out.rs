@@ -232,7 +232,7 @@ impl Search<'_> {
             (RelaxedLimit::lifted(Limit::Modules), own.modules.is_some()),
             (RelaxedLimit::lifted(Limit::FaceWidths), own.face_widths.is_some()),
             (RelaxedLimit::lifted(Limit::LargestRing), own.max_ring.is_some()),
-            (planets, *own.planets.end() < most),
+            (planets, *own.planet_counts().end() < most),
         ];
         let mut ways = vec![];
         for (limit, _) in all.into_iter().filter(|(_, is_narrow)| has_teeth && *is_narrow) {
@@ -316,7 +316,7 @@ impl RelaxedLimit {
             Limit::LargestRing => wanted.size.max_ring = None,
             Limit::Planets => {
                 let most = greatest as u32;
-                wanted.size.planets = *wanted.size.planets.start()..=most;
+                wanted.size.planets = Some(*wanted.size.planet_counts().start()..=most);
                 wanted.bounds.planets = *wanted.bounds.planets.start()..=most;
             }
         }

@@ -47,7 +47,7 @@ pub(crate) fn in_short(transmission: &Transmission) -> String {
     if transmission.file.is_none() {
         all.push("no sizes that hold".to_owned());
     }
-    all.extend(of_sizes(sizes, sizes.whole_kg));
+    all.extend(of_sizes(sizes, transmission.whole_kg));
     format!("{}.", all.join(", "))
 }
 

@@ -6,7 +6,7 @@ use crate::shared::gearbox::Gearbox;
 use crate::shared::toothed::toothed;
 use crate::strength::answer::Strength;
 use crate::strength::answer::materials::material;
-use crate::strength::answer::records::Governing;
+use crate::strength::answer::records::{BearingOverDuty, Governing};
 use epicyclic_formats::gearbox::{GearboxFile, SetData};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_strength::rating::Place;
@@ -124,7 +124,7 @@ impl SetSizes {
             let own = over_duty.filter(|one| one.set == set.id() && one.planet == name);
             Some(SizedBearing {
                 load_rating_n: planet.bearing?.0.si(),
-                life_s: own.filter_map(|one| one.life_s()).reduce(f64::min),
+                life_s: own.filter_map(BearingOverDuty::life_s).reduce(f64::min),
                 planet: name,
             })
         };

@@ -56,6 +56,9 @@ const CLOSED: f64 = 0.01;
 /// Layouts that a search holds at most; it then ends within minutes.
 const MOST: u32 = 100_000;
 
+/// Step of the radii of several kinds of planets in modules, unless one is asked for.
+const COARSE: f64 = 0.25;
+
 /// Gears of a set by families, and their meshes.
 pub(super) struct Families {
     /// Family of each gear.
@@ -318,7 +321,12 @@ impl Making<'_> {
             if let Some(stated) = planet.and_then(|planet| planet.carrier_radius) {
                 return if (low..=high).contains(&stated.si()) { vec![stated] } else { vec![] };
             }
-            let step = self.space.centre_distance_step.si();
+            let mut step = self.space.centre_distance_step.si();
+            // Every radius of one kind of planets meets every one of the others.
+            if axes > 1 && self.request.centre_distance_step.is_none() {
+                let finest = modules.iter().map(|module| module.si()).fold(f64::INFINITY, f64::min);
+                step *= (finest * COARSE / step).ceil();
+            }
             let ends = [(low / step - EDGE).ceil(), (high / step + EDGE).floor()];
             let most = ends[0] + f64::from(MOST);
             (ends[0] as i64..=ends[1].min(most) as i64)

@@ -43,6 +43,14 @@ struct Missing {
     usual: Option<Value>,
 }
 
+/// Keys that one mapping of the file lacks.
+struct Part<'m> {
+    at: &'m Path,
+    /// Name of the set; `None` for the gearbox.
+    set: Option<&'m str>,
+    entries: Vec<(&'m str, &'m Value)>,
+}
+
 impl Missing {
     /// Name of the key in its set or gearbox: `strength.shaper`.
     fn name(&self) -> String {
@@ -107,16 +115,14 @@ impl<'d> MissingKeys<'d> {
             own.all(|gear| set.teeth_or_coaxial(*gear).is_some())
         };
         let of_planets = if set.short().is_some() { "planet_teeth" } else { "planet_gears" };
-        for (key, is_known) in [("teeth", is_known(false)), (of_planets, is_known(true))] {
-            if !is_known {
-                self.keys.push(Missing {
-                    at: data.path.clone(),
-                    set: Some(set.id().to_owned()),
-                    key: key.to_owned(),
-                    usual: None,
-                });
-            }
-        }
+        // Those of the planets may follow from the others.
+        let teeth = if !is_known(false) { Some("teeth") } else { (!is_known(true)).then_some(of_planets) };
+        self.keys.extend(teeth.map(|key| Missing {
+            at: data.path.clone(),
+            set: Some(set.id().to_owned()),
+            key: key.to_owned(),
+            usual: None,
+        }));
         if self.purpose != Purpose::Sizes {
             let sizes = [
                 ("planets", set.is_pair() || set.planet_count().is_some(), Value::from(3)),
@@ -209,8 +215,14 @@ impl<'d> MissingKeys<'d> {
             Purpose::OverDuty if is_missing("duty") => "; --torque and --speed are a load in place of `duty`",
             _ => "",
         };
+        let teeth = match self.keys.iter().any(|missing| missing.usual.is_none()) {
+            true => {
+                ". Teeth have no usual values: write them in place of `k`; `epicyclic teeth --ratio` finds some"
+            }
+            false => "",
+        };
         let message = format!(
-            "missing: {}. Paste the lines below and put your values in place of these examples{remedy}",
+            "missing: {}. Paste the lines below and put your values in place of these examples{remedy}{teeth}",
             sets.iter().map(of_set).collect::<Vec<_>>().join("; ")
         );
         let first = self.keys.first().map_or_else(Path::root, |missing| missing.at.clone());
@@ -221,40 +233,45 @@ impl<'d> MissingKeys<'d> {
     /// Lines to paste, with where each part belongs. The parts begin at the end of the file, so that the
     /// lines of the next parts keep their numbers.
     fn lines(&self) -> String {
-        let mut parts: Vec<(&Path, Option<&str>, Vec<(&str, &Value)>)> = vec![];
+        let mut parts: Vec<Part<'_>> = vec![];
         for missing in &self.keys {
             let Some(usual) = &missing.usual else { continue };
             let entry = (missing.key.as_str(), usual);
-            match parts.iter_mut().find(|(at, ..)| *at == &missing.at) {
-                Some((.., entries)) => entries.push(entry),
-                None => parts.push((&missing.at, missing.set.as_deref(), vec![entry])),
+            match parts.iter_mut().find(|part| part.at == &missing.at) {
+                Some(part) => part.entries.push(entry),
+                None => {
+                    let set = missing.set.as_deref();
+                    parts.push(Part { at: &missing.at, set, entries: vec![entry] });
+                }
             }
         }
-        let position = |at: &Path| {
-            let position = self.document.position(at);
-            if at.is_root() { (usize::MAX, 0) } else { (position.line, position.column) }
+        parts.sort_by_key(|part| {
+            let position = self.document.position(part.at);
+            std::cmp::Reverse((part.at.is_root(), position.line, position.column))
+        });
+        parts.iter().map(|part| self.pasted(part)).collect::<Vec<_>>().join("\n")
+    }
+
+    /// A part with the place where it belongs.
+    fn pasted(&self, part: &Part<'_>) -> String {
+        let Part { at, set, entries } = part;
+        let position = self.document.position(at);
+        let of = set.map(|set| format!(", set `{set}`")).unwrap_or_default();
+        if self.is_in_braces(at) {
+            let all: Vec<String> =
+                entries.iter().map(|(key, value)| format!("{key}: {}", inline(value))).collect();
+            let line = position.line;
+            return format!(
+                "# in the braces of line {line}{of}, after their last value\n, {}\n",
+                all.join(", ")
+            );
+        }
+        let (header, indent) = match at.is_root() {
+            true => ("# at the end of the file".to_owned(), 0),
+            false => (format!("# below line {}{of}", self.line_above(at)), position.column - 1),
         };
-        parts.sort_by_key(|(at, ..)| std::cmp::Reverse(position(at)));
-        let part = |(at, set, entries): &(&Path, Option<&str>, Vec<(&str, &Value)>)| {
-            let (line, column) = position(at);
-            let of = set.map(|set| format!(", set `{set}`")).unwrap_or_default();
-            if self.is_in_braces(at) {
-                let all: Vec<String> =
-                    entries.iter().map(|(key, value)| format!("{key}: {}", inline(value))).collect();
-                let line = if at.is_root() { self.document.position(at).line } else { line };
-                return format!(
-                    "# in the braces of line {line}{of}, after their last value\n, {}\n",
-                    all.join(", ")
-                );
-            }
-            let (header, indent) = match at.is_root() {
-                true => ("# at the end of the file".to_owned(), 0),
-                false => (format!("# below line {}{of}", self.line_above(at)), column - 1),
-            };
-            let all: String = entries.iter().map(|(key, value)| lines_of(indent, key, value)).collect();
-            format!("{header}\n{all}")
-        };
-        parts.iter().map(part).collect::<Vec<_>>().join("\n")
+        let all: String = entries.iter().map(|(key, value)| lines_of(indent, key, value)).collect();
+        format!("{header}\n{all}")
     }
 
     /// Whether a mapping is written in braces.
