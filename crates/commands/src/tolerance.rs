@@ -98,9 +98,6 @@ pub(crate) const RESIDUAL: f64 = 1e-9;
 /// A place of a planet is whole within this, in places: rounding of an angle times some hundred of them.
 pub(crate) const AT_POSITION: f64 = 1e-6;
 
-/// Gaps that differ by less, over them, differ by the rounding of their unit.
-pub(crate) const SAME_GAP: f64 = 1e-9;
-
 /// A multiple below this is the zero that rounding leaves.
 pub(crate) const NOTHING: f64 = 1e-12;
 

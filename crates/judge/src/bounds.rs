@@ -65,6 +65,11 @@ impl Range {
         Self { least: self.least + by, most: self.most + by }
     }
 
+    /// What both ranges hold.
+    const fn within(self, other: Self) -> Self {
+        Self { least: self.least.max(other.least), most: self.most.min(other.most) }
+    }
+
     /// Least range that holds both.
     fn with(self, other: Self) -> Self {
         Self { least: self.least.min(other.least), most: self.most.max(other.most) }
@@ -111,10 +116,11 @@ impl Bounds {
         Some((*worst, self.0[*worst as usize].nearest_end(value)))
     }
 
-    /// Range of good values: the range of warnings; without one that of errors; without both that of remarks.
+    /// Range of good values: without warnings and errors; of a rule that has neither, without remarks.
     #[must_use]
     pub fn required(self) -> Range {
         let [remark, warning, error] = self.0;
-        [warning, error, remark].into_iter().find(|range| *range != Range::OPEN).unwrap_or(Range::OPEN)
+        // A limit that is asked for may be narrower than the usual one, though it makes an error.
+        Some(warning.within(error)).filter(|range| *range != Range::OPEN).unwrap_or(remark)
     }
 }

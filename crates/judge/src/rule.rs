@@ -1,4 +1,4 @@
-//! The rules: what each looks at, its bounds, their source, a remedy.
+//! The rules for gearboxes and hydromotors: what each looks at, its bounds, their source, a remedy.
 //!
 //! Limits that are said to be of usual practice have no printed source: engineers hold to them, and a design
 //! beyond them is asked for its reason.
@@ -85,10 +85,32 @@ pub enum Rule {
     StageEfficiency,
     /// Temperature of the oil, in °C.
     OilTemperature,
+    /// Deviation of a ratio from the one asked for, over that.
+    RatioDeviation,
+    /// Direction of the output: 1 as asked for, -1 against it.
+    Direction,
     /// Scuffing of the flanks, which nothing here calculates.
     Scuffing,
     /// Micropitting of the flanks, which nothing here calculates.
     Micropitting,
+    /// Pressure drop of a hydromotor, in MPa, against the one that its material allows.
+    AllowedPressure,
+    /// Pressure drop of a hydromotor with oil, in MPa.
+    MotorPressure,
+    /// Greatest contact stress of the flanks of a hydromotor, in MPa, where its material states no limits.
+    ContactStress,
+    /// Ripple of flow and torque of a hydromotor, over their mean.
+    Ripple,
+    /// Change of the pressure in a chamber of a hydromotor that no port is open to, in MPa.
+    TrappedPressure,
+    /// Axial gap at a face of a wheel of a hydromotor, in µm.
+    AxialGap,
+    /// Volumetric efficiency of a hydromotor.
+    VolumetricEfficiency,
+    /// Clearance between parts of a hydromotor, in modules; below 0 they overlap.
+    Overlap,
+    /// Least area of a chamber of a hydromotor, in mm².
+    ChamberArea,
 }
 
 const PRACTICE: &str = "usual practice";
@@ -138,8 +160,18 @@ impl Rule {
             Self::CirculatingPower => "circulating power over the power that enters",
             Self::StageEfficiency => "efficiency of a stage",
             Self::OilTemperature => "oil temperature",
+            Self::RatioDeviation => "deviation of the ratio from the one asked for",
+            Self::Direction => "direction of the output over the one asked for",
             Self::Scuffing => "scuffing",
             Self::Micropitting => "micropitting",
+            Self::AllowedPressure | Self::MotorPressure => "pressure drop",
+            Self::ContactStress => "contact stress",
+            Self::Ripple => "ripple of flow and torque",
+            Self::TrappedPressure => "change of the pressure in a closed chamber",
+            Self::AxialGap => "axial gap",
+            Self::VolumetricEfficiency => "volumetric efficiency",
+            Self::Overlap => "clearance between parts of the motor",
+            Self::ChamberArea => "least area of a chamber",
         }
     }
 
@@ -151,7 +183,8 @@ impl Rule {
             | Self::RootClearance
             | Self::RingRim
             | Self::PlanetRim
-            | Self::NeighbourGap => "modules",
+            | Self::NeighbourGap
+            | Self::Overlap => "modules",
             Self::NeighbourGapLength => "mm",
             Self::ExternalAngle | Self::InternalAngle => "°",
             Self::PinSpeed | Self::FullPinSpeed => "mm/min",
@@ -160,6 +193,11 @@ impl Rule {
             Self::BallLoad => "kN",
             Self::BearingLife => "h",
             Self::OilTemperature => "°C",
+            Self::AllowedPressure | Self::MotorPressure | Self::ContactStress | Self::TrappedPressure => {
+                "MPa"
+            }
+            Self::AxialGap => "µm",
+            Self::ChamberArea => "mm²",
             _ => "",
         }
     }
@@ -209,7 +247,17 @@ impl Rule {
                 Of::of(Remark, Range::at_least(0.97)).and(Warning, Range::at_least(0.95))
             }
             Self::OilTemperature => Of::of(Warning, Range::at_most(90.0)).and(Error, Range::at_most(110.0)),
-            Self::BearingLife
+            Self::RatioDeviation => Of::of(Warning, Range::at_most(0.03)),
+            Self::Direction => Of::of(Error, Range::at_least(1.0)),
+            Self::MotorPressure => Of::of(Warning, Range::at_most(25.0)),
+            Self::ContactStress => Of::of(Warning, Range::at_most(1600.0)),
+            Self::Ripple => Of::of(Remark, Range::at_most(0.05)).and(Warning, Range::at_most(0.1)),
+            Self::AxialGap => Of::of(Warning, Range::between(5.0, 15.0)),
+            Self::VolumetricEfficiency => Of::of(Warning, Range::at_least(0.85)),
+            Self::Overlap | Self::ChamberArea => Of::of(Error, Range::at_least(0.0)),
+            Self::AllowedPressure
+            | Self::TrappedPressure
+            | Self::BearingLife
             | Self::LoadSharing
             | Self::FaceLoad
             | Self::FlankSafety
@@ -219,14 +267,17 @@ impl Rule {
         }
     }
 
-    /// Severity of a value below the limit, and that limit in words, where it follows from the gearbox.
+    /// Severity of a value beyond the limit, and that limit in words, where it follows from the gearbox or motor.
     #[must_use]
     pub const fn own_limit(self) -> Option<(crate::Severity, &'static str)> {
         match self {
-            Self::BearingLife => Some((Error, "the required life")),
-            Self::FlankSafety | Self::RootSafety => Some((Error, "the required safety")),
-            Self::LoadSharing => Some((Warning, "the usual factor of the number of planets")),
-            Self::FaceLoad => Some((Warning, "1 + 0.4·(b/d_1)²")),
+            Self::BearingLife => Some((Error, "at least the required life")),
+            Self::FlankSafety | Self::RootSafety => Some((Error, "at least the required safety")),
+            Self::LoadSharing => Some((Warning, "at least the usual factor of the number of planets")),
+            Self::FaceLoad => Some((Warning, "at least 1 + 0.4·(b/d_1)²")),
+            Self::RatioDeviation => Some((Error, "at most the tolerance asked for")),
+            Self::AllowedPressure => Some((Warning, "at most the pressure that the material allows")),
+            Self::TrappedPressure => Some((Warning, "at most `most_trapped`, or the pressure drop")),
             _ => None,
         }
     }
@@ -235,6 +286,8 @@ impl Rule {
     #[must_use]
     pub const fn has_margin(self) -> bool {
         match self {
+            // A sign, and what a search chooses within its tolerance.
+            Self::Direction | Self::RatioDeviation => false,
             // Chosen by the designer, often 0 or at an end of the range on purpose; a divisor only counts.
             Self::SunShift
             | Self::PlanetShift
@@ -247,7 +300,7 @@ impl Rule {
             // Stated values, not results.
             Self::LoadSharing | Self::FaceLoad => false,
             // Near 1 in every gearbox, however good or bad.
-            Self::StageEfficiency | Self::DynamicFactor => false,
+            Self::StageEfficiency | Self::DynamicFactor | Self::VolumetricEfficiency => false,
             // 0 °C is an arbitrary zero.
             Self::OilTemperature => false,
             Self::Scuffing | Self::Micropitting => false,
@@ -264,7 +317,13 @@ impl Rule {
             Self::DynamicFactor | Self::Resonance => "ISO 6336-1",
             Self::LoadSharing => "ISO 6336-1:2019 and IEC 61400-4",
             Self::FaceLoad => "the textbook rule 1 + 0.4·(b/d_1)²",
-            Self::FlankSafety | Self::RootSafety | Self::BearingLife => "what is required",
+            Self::FlankSafety
+            | Self::RootSafety
+            | Self::BearingLife
+            | Self::RatioDeviation
+            | Self::Direction => "what is required",
+            Self::AllowedPressure => "the limits of the material",
+            Self::Overlap | Self::ChamberArea => "the shape of the parts",
             Self::PinSpeed | Self::FullPinSpeed | Self::BearingStaticSafety | Self::BearingLeastLoad => {
                 "makers of bearings"
             }
@@ -308,8 +367,19 @@ impl Rule {
             Self::CirculatingPower => "another scheme: circulating power loads teeth and costs power",
             Self::StageEfficiency => "better meshes, or another scheme",
             Self::OilTemperature => "a cooler, or a larger housing",
+            Self::RatioDeviation => "other tooth numbers",
+            Self::Direction => "another scheme, or one external mesh more",
             Self::Scuffing => "rate it by ISO/TS 6336-20 or -21",
             Self::Micropitting => "rate it by ISO/TS 6336-22",
+            Self::AllowedPressure | Self::ContactStress => "a larger module, or less pressure",
+            Self::MotorPressure => "less pressure: more displacement",
+            Self::Ripple => "other numbers of lobes, or another place in the family",
+            Self::TrappedPressure => "open the ports earlier, or give the chamber more dead volume",
+            Self::AxialGap if is_too_large => "smaller gaps: they leak",
+            Self::AxialGap => "larger gaps: the wheels jam",
+            Self::VolumetricEfficiency => "smaller gaps, or thicker oil",
+            Self::Overlap => "less tooth height, or another place in the family",
+            Self::ChamberArea => "another place in the family",
         }
     }
 }

@@ -28,7 +28,7 @@ fn the_book_has_every_rule_with_its_bounds() {
         let unit = if rule.unit().is_empty() { String::new() } else { format!(", {}", rule.unit()) };
         let mut ranges = rule.bounds().0.map(range);
         if let Some((severity, limit)) = rule.own_limit() {
-            ranges[severity as usize] = format!("at least {limit}");
+            ranges[severity as usize] = limit.to_owned();
         }
         let [remark, warning, error] = ranges;
         writeln!(

@@ -305,12 +305,17 @@ fn every_answer_is_one_by_its_schema_and_every_key_is_written() {
         keys_with_values(keys, json, "", found);
     }
     let mut faults = vec![];
+    // A judgement is one record in all answers: what one of them writes the others can.
+    let of_judgement = |key: &String| Some(key.split_once("judgement")?.1.to_owned());
+    let judged: BTreeSet<String> =
+        written.values().flat_map(|(_, _, found)| found.iter().filter_map(of_judgement)).collect();
     for (name, (_, keys, found)) in &written {
         // What these answer has all that the checks need, and keeps them.
         let is_whole = |key: &str| {
             let mut never = ["tooth_checks.not_checked", "checks[].message", "checks[].remedy"].into_iter();
             // Stages are taken only with sizes that hold.
             (name == "design-stages" && key.contains("nearest_miss"))
+                || of_judgement(&key.to_owned()).is_some_and(|key| judged.contains(&key))
                 || (name.starts_with("teeth") || name == "size") && never.any(|of| key.contains(of))
         };
         let missing: Vec<&String> = keys.difference(found).filter(|key| !is_whole(key)).collect();
@@ -319,6 +324,60 @@ fn every_answer_is_one_by_its_schema_and_every_key_is_written() {
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// Answers without a judgement, and why.
+const WITHOUT_JUDGEMENT: [(&str, &[&str]); 6] = [
+    ("a refusal", &["error"]),
+    (
+        "a view of a gearbox whose overview is judged",
+        &[
+            "analyze-gear",
+            "analyze-inputs",
+            "analyze-map",
+            "analyze-shifts",
+            "analyze-formulas",
+            "analyze-combinations",
+            "losses-map",
+            "simulate-sweep",
+        ],
+    ),
+    ("names and schemes, none of which is a gearbox yet", &["transmissions", "schemes", "scheme"]),
+    ("machines", &["machines", "machine-speeds", "machine-drum", "machine-rotor", "machine-chain-cutter"]),
+    ("arcs, no motor", &["motor-construction"]),
+    ("a drive with checks and warnings of its own", &["drive"]),
+];
+
+/// The judgements of an answer, wherever they are.
+fn judgements<'j>(json: &'j Value, found: &mut Vec<&'j Value>) {
+    match json {
+        Value::Object(entries) => {
+            for (key, value) in entries {
+                if key == "judgement" { found.push(value) } else { judgements(value, found) }
+            }
+        }
+        Value::Array(entries) => entries.iter().for_each(|entry| judgements(entry, found)),
+        _ => {}
+    }
+}
+
+#[test]
+fn every_answer_that_shows_a_gearbox_or_motor_is_judged() {
+    // Searches without a result and gearboxes without data have nothing to judge, so one run is enough.
+    let mut is_judged: BTreeMap<&str, bool> = BTreeMap::new();
+    for (_, json) in &*ANSWERS {
+        let mut found = vec![];
+        judgements(json, &mut found);
+        let is_filled = found.iter().any(|one| !one["checks"].as_array().unwrap().is_empty());
+        *is_judged.entry(json["answer"].as_str().unwrap()).or_default() |= is_filled;
+    }
+    let is_excused = |name: &str| WITHOUT_JUDGEMENT.iter().any(|(_, names)| names.contains(&name));
+    let faults: Vec<&str> = is_judged
+        .iter()
+        .filter(|(name, judged)| is_excused(name) == **judged)
+        .map(|(name, _)| *name)
+        .collect();
+    assert!(faults.is_empty(), "neither judged nor excused, or both: {faults:?}");
 }
 
 /// The book names every warning that is met here.

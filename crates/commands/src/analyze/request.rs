@@ -10,7 +10,6 @@ use crate::analyze::answer::gear::OneGear;
 use crate::analyze::answer::inputs::Inputs;
 use crate::analyze::answer::inputs::map::{self, SpeedMap};
 use crate::analyze::answer::overview::Overview;
-use crate::analyze::answer::pins::OF_PINS;
 use crate::analyze::answer::shifts::Shifts;
 use crate::analyze::table::inputs::map_csv;
 use crate::answer::write_json;
@@ -23,7 +22,6 @@ use crate::shared::gearbox_choice::{Choice, below_each_other, refuse, subject};
 use crate::shared::judgement::answer::Judgement;
 use crate::shared::load::Load;
 use crate::shared::transmissions::answer as transmissions;
-use epicyclic_judge::Rule;
 use epicyclic_units::Number;
 use several::Several;
 
@@ -185,9 +183,7 @@ impl Request {
 pub fn overview(gearbox: &Gearbox, input: Input, factor: Option<f64>) -> Result<Overview, Error> {
     let mut overview = answers::overview::answer(gearbox, input, factor)?;
     overview.judgement = Judgement::of(gearbox, None, None, None);
-    let is_told = overview.warnings.iter().any(|warning| warning.name == "planet-speed");
-    let told: &[Rule] = if is_told { &OF_PINS } else { &[] };
-    overview.warnings.extend(overview.judgement.warnings(told));
+    overview.judgement.add_to(&mut overview.warnings);
     Ok(overview)
 }
 

@@ -20,6 +20,7 @@ use crate::analyze::answer::{Input, OperatingPoint};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::gearbox::Gearbox;
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::number::plain;
 use crate::tolerance::ROUNDED;
 use epicyclic_train::{self as train, PlanetSet};
@@ -55,6 +56,8 @@ pub struct Compared {
     pub from: String,
     /// Shift elements of the gearbox.
     pub shift_elements: Vec<ComparedElement>,
+    /// Judgement of the gearbox by rules of practice.
+    pub judgement: Judgement,
 }
 
 /// Shift element with its largest torque and slip over all gears.
@@ -264,19 +267,28 @@ pub(crate) fn answer(candidates: &[Candidate<'_>], input: Input) -> Result<Compa
         })
         .collect();
     let gears = rows.iter().map(|row| ComparedGear::of(row, &overviews)).collect();
+    let judged: Vec<Judgement> =
+        candidates.iter().map(|candidate| Judgement::of(candidate.subject, None, None, None)).collect();
+    let mut warnings = warnings(&overviews);
+    for (judgement, overview) in judged.iter().zip(&overviews) {
+        let of = |one: Warning| Warning { message: format!("{}: {}", overview.gearbox, one.message), ..one };
+        warnings.extend(judgement.warnings(&[]).map(of));
+    }
     Ok(Comparison {
         gears_by,
         operating_point: OperatingPoint::of(input),
         figures,
         gears,
-        warnings: warnings(&overviews),
+        warnings,
         gearboxes: candidates
             .iter()
             .zip(overviews)
-            .map(|(candidate, overview)| Compared {
+            .zip(judged)
+            .map(|((candidate, overview), judgement)| Compared {
                 gearbox: overview.gearbox,
                 from: candidate.from.clone(),
                 shift_elements: overview.shift_elements.into_iter().map(ComparedElement::of).collect(),
+                judgement,
             })
             .collect(),
     })

@@ -37,6 +37,17 @@ impl AsReport for Comparison {
         }));
         parts.push(Part::Records(shift_elements(self, &letters)));
         parts.push(Part::Records(all(self, &letters)));
+        let judged = self.gearboxes.iter().zip(&letters);
+        let judged = judged.filter(|(one, _)| !one.judgement.checks.is_empty());
+        let judged: Vec<String> =
+            judged.map(|(one, letter)| format!("{letter}: {}", one.judgement.summary())).collect();
+        if !judged.is_empty() {
+            parts.push(Part::Text(Text {
+                heading: Some("Rules of practice".to_owned()),
+                paragraphs: judged,
+                ..Text::default()
+            }));
+        }
         Report { title: None, parts, warnings: warned(&self.warnings) }
     }
 }

@@ -6,6 +6,7 @@ use crate::answer::Answer;
 use crate::motor::answer::Numbers;
 use crate::shared::drawability::answer::Conflict;
 use crate::shared::gearbox::{Gearbox, Origin};
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::tooth_checks::answer::ToothChecks;
 use crate::shared::toothed::{AssumedRadius, WithoutTeeth};
 use epicyclic_units::Physical as _;
@@ -37,6 +38,8 @@ pub struct Drawing {
     pub conflict: Option<Conflict>,
     /// Files that are written.
     pub files: Vec<File>,
+    /// Judgement of the gearbox or motor by rules of practice.
+    pub judgement: Judgement,
     /// Tooth checks in a view of teeth; null in other views.
     pub tooth_checks: Option<ToothChecks>,
     /// Sets that a view of teeth leaves out; empty in other views.

@@ -13,6 +13,7 @@ use crate::motor::options as motor;
 use crate::motor::table::View as MotorView;
 use crate::shared::gearbox::{Gearbox, Origin};
 use crate::shared::gearbox_choice::{Choice, subject};
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::places::Grid;
 use crate::shared::tooth_checks::answer::ToothChecks;
 use crate::shared::toothed::{AssumedRadius, WithoutTeeth};
@@ -221,6 +222,7 @@ impl Request {
     pub fn of_gearbox(&self, gearbox: &Gearbox) -> Result<Picture, Failure> {
         self.check()?;
         let mut drawing = self.record(answers::Subject::of_gearbox(gearbox));
+        drawing.judgement = Judgement::of(gearbox, None, None, None);
         if self.view() == View::Teeth {
             drawing.tooth_checks = Some(ToothChecks::of(gearbox.tooth_checks(), |_| true));
         }
@@ -252,7 +254,9 @@ impl Request {
             return Err(Failure::invalid("--view", message));
         };
         let drawing = self.record(answers::Subject::of_motor(title, &designed.motor));
-        Ok(Picture { drawing: Drawing { view, ..drawing }, scene: motor::files::scene(of_motor, designed)? })
+        let judgement = crate::motor::answer::answer(designed)?.judgement;
+        let drawing = Drawing { view, judgement, ..drawing };
+        Ok(Picture { drawing, scene: motor::files::scene(of_motor, designed)? })
     }
 
     /// View of a gearbox.
@@ -273,6 +277,7 @@ impl Request {
             sheet: None,
             conflict: None,
             files: vec![],
+            judgement: Judgement::default(),
             tooth_checks: None,
             left_out: vec![],
             assumed_radii: vec![],

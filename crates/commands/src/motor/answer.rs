@@ -16,10 +16,10 @@ pub(crate) mod teeth;
 pub use bodies::{Chamber, Satellite};
 pub use centrodes::{CentrodePoint, Centrodes, MOST_POINTS, centrodes};
 pub use design::{Chosen, Designed, Question, design, of_file};
-pub(crate) use flanks::contact_stresses;
 pub use flanks::{
     AllowedPressure, ContactStresses, FlankForces, Flanks, ForceAt, GoverningLimit, RootStresses,
 };
+pub(crate) use flanks::{contact_stresses, greatest_contact};
 pub use made::losses::{Efficiency, EfficiencyMap, Friction, Gap, Leakage, Losses};
 pub use made::ports::{ChamberExtreme, ClosedStretch, MadePorts, OpenTo, Port, PortState, Throttling};
 pub use made::{Groups, Made};
@@ -31,13 +31,13 @@ pub use teeth::{Between, Clearance, ToothLimit};
 
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::number::{maybe_si, plain, si};
 use bodies::{chambers, satellites};
-use epicyclic_hydromotor::checks::{Subject, ToothHeights};
+use epicyclic_hydromotor::checks::{self, Subject, ToothHeights};
 use epicyclic_hydromotor::ports::{IDEAL_PART, PortPlate};
 use epicyclic_hydromotor::{self as hydromotor, MotorNumbers};
 use epicyclic_units::Physical as _;
-use epicyclic_units::format;
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::{Force, Length};
@@ -80,7 +80,9 @@ pub struct Motor {
     pub chambers: Vec<Chamber>,
     /// Satellites at that angle.
     pub satellites: Vec<Satellite>,
-    /// Warnings: first exceeded pressures and stresses, then failed checks, missing parts and unusual values.
+    /// Judgement of the motor by rules of practice, with the checks of centrodes and teeth.
+    pub judgement: Judgement,
+    /// Warnings: misses of the judgement, the worst first, then failed checks and missing parts.
     pub warnings: Vec<Warning>,
 }
 
@@ -247,12 +249,9 @@ impl Answer for Motor {
 pub fn answer(designed: &Designed) -> Result<Motor, Error> {
     let motor = &designed.motor;
     let mut warnings = vec![];
-    let checks = checks(designed, &mut warnings)?;
+    let checks = checks(designed)?;
     let (tooth_limits, clearances) = match &designed.profile {
-        Ok(profile) => {
-            let limits = teeth::limits(profile, &mut warnings);
-            (Some(limits), Some(teeth::clearances(profile, &mut warnings)?))
-        }
+        Ok(profile) => (Some(teeth::limits(profile)), Some(teeth::clearances(profile)?)),
         Err(error) => {
             let message = format!("no teeth of this form on this motor: {error}");
             warnings.push(Warning { name: "no-teeth", message });
@@ -283,12 +282,7 @@ pub fn answer(designed: &Designed) -> Result<Motor, Error> {
         warnings.push(Warning { name: "no-ideal-ports", message });
     }
     let work = Work::of(designed)?;
-    let mut beyond = practice::of_pressure(work.pressure_pa, flanks.as_ref());
-    beyond.append(&mut warnings);
-    let mut warnings = beyond;
-    let ripple = flanks.as_ref().map_or(work.ripple, |flanks| flanks.ripple);
-    warnings.extend(practice::of_work(work.pressure_pa, ripple, made));
-    Ok(Motor {
+    let found = Motor {
         numbers: Numbers::of(motor.numbers(), motor.module()),
         arcs,
         cosine_law: motor.harmonic_law().map(|law| CosineLaw::of(motor, &law)),
@@ -305,8 +299,16 @@ pub fn answer(designed: &Designed) -> Result<Motor, Error> {
         angle_rad: si(designed.angle),
         chambers: chambers(designed)?,
         satellites: satellites(designed)?,
-        warnings,
-    })
+        judgement: Judgement::default(),
+        warnings: vec![],
+    };
+    let judgement = practice::judgement(&found, made, designed.pressure);
+    let of_checks = found.checks.iter().filter_map(|one| Some((one.check.name(), one.miss()?)));
+    let of_limits = found.tooth_limits.iter().flatten();
+    let of_limits = of_limits.filter_map(|one| Some((one.limit.name(), one.miss()?)));
+    let failed = of_checks.chain(of_limits).map(|(name, message)| Warning { name, message });
+    let warnings = judgement.warnings(&[]).chain(failed).chain(warnings).collect();
+    Ok(Motor { judgement, warnings, ..found })
 }
 
 impl Numbers {
@@ -402,27 +404,18 @@ impl Size {
     }
 }
 
-fn checks(designed: &Designed, warnings: &mut Vec<Warning>) -> Result<Vec<Check>, Error> {
+fn checks(designed: &Designed) -> Result<Vec<Check>, Error> {
     // The tip of a satellite's tooth is h_a + x above its pitch circle; the roots of the wheels are h_a + c +
     // x beyond their centrodes.
     let addendum = designed.form.addendum + designed.form.shift;
     let heights = ToothHeights { addendum, dedendum: addendum + designed.form.clearance };
-    let mut found = vec![];
-    for check in designed.motor.checks(heights)? {
-        let subject = check.subject;
-        if !check.holds() {
-            let [value, limit] = [check.value, check.limit].map(|length| format::quantity(length, 4));
-            let message = format!("{}: {value}, and it must exceed {limit}", subject.words());
-            warnings.push(Warning { name: subject.name(), message });
-        }
-        found.push(Check {
-            check: subject,
-            value_m: si(check.value),
-            limit_m: si(check.limit),
-            verdict: Verdict::of(check.holds(), check.value - check.limit, check.limit),
-        });
-    }
-    Ok(found)
+    let record = |check: checks::Check| Check {
+        check: check.subject,
+        value_m: si(check.value),
+        limit_m: si(check.limit),
+        verdict: Verdict::of(check.holds(), check.value - check.limit, check.limit),
+    };
+    Ok(designed.motor.checks(heights)?.into_iter().map(record).collect())
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ use crate::motor::answer::{
     self as motor, Arcs, Centrodes, Chosen, CosineLaw, Designed, Interval, Motor, Numbers,
 };
 use crate::motor::construction::answer::Constructed;
+use crate::shared::judgement::table as judgement;
 use crate::table::figure::Figure;
 use crate::table::quantities::{optional, quantity, remarked, words};
 use crate::table::report::AsReport;
@@ -62,6 +63,7 @@ impl AsReport for Motor {
                 ..Text::default()
             })),
         }
+        parts.extend(judgement::parts(&self.judgement));
         parts.push(Part::Records(lists::chambers(self)));
         parts.push(Part::Records(lists::satellites(self)));
         parts.push(Part::Text(Text {

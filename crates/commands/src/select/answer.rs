@@ -21,6 +21,7 @@ pub mod teeth;
 use crate::answer::Answer;
 use crate::error::Error;
 use crate::shared::catalogue::SetLinks;
+use crate::shared::judgement::answer::Judgement;
 use crate::tolerance::OBJECTIVE;
 use candidate::{Candidate, Criterion, Ranked};
 use duty::Duty;
@@ -63,6 +64,8 @@ pub struct Select {
     pub shown_in_full: Option<u32>,
     /// Speeds of that candidate, required and reached, the slowest first; empty without such a candidate.
     pub speeds: Vec<ReachedSpeed>,
+    /// Judgement of that candidate by rules of practice; without checks if there is none.
+    pub judgement: Judgement,
     /// Requirements as a record.
     pub required: Required,
     /// Number of candidates that meet every required criterion.
@@ -224,15 +227,20 @@ fn solved(wanted: &Wanted, is_saved: bool) -> Result<(Select, Option<Saved>, Vec
             mechanisms.push(one.candidate.mechanism);
         }
     }
-    let saved = in_full.filter(|_| is_saved);
-    let saved =
-        saved.map(|place| Saved::of(ranked[place].candidate, requirements, &[], vec![])).transpose()?;
+    let of_file = |place: usize| Saved::of(ranked[place].candidate, requirements, &[], vec![]);
+    let found_in_full = in_full.map(of_file).transpose()?;
+    let judgement = match in_full.zip(found_in_full.as_ref()) {
+        Some((place, saved)) => saved.judged(ranked[place].candidate, requirements),
+        None => Judgement::default(),
+    };
+    let saved = found_in_full.filter(|_| is_saved);
     let asked = Asked { speeds, ratios: requirements.series.braked(), input: duty.input_speed };
     let shown_in_full = in_full.map(|place| ranked[place].no);
     let shown = candidates.iter().find(|one| Some(one.no) == shown_in_full);
     let answer = Select {
         shown_in_full,
         speeds: shown.map(|shown| asked.reached_by(&shown.gears)).unwrap_or_default(),
+        judgement,
         required: Required::of(requirements, *order, duty)?,
         accepted,
         rejected,

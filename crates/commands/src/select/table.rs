@@ -14,6 +14,7 @@ pub use words::ways_out;
 use crate::select::answer::candidate::{Candidate, Criterion, DirectDriveClutch, GearOperation, Verdict};
 use crate::select::answer::required::Required;
 use crate::select::answer::{Select, Unreachable};
+use crate::shared::judgement::table as judgement;
 use crate::table::columns::Table;
 use crate::table::report::AsReport;
 use crate::table::report::{Part, Records, Report, View};
@@ -42,6 +43,7 @@ impl AsReport for Select {
         if let Some(one) = self.in_full() {
             parts.extend(best::parts(one));
         }
+        parts.extend(judgement::parts(&self.judgement));
         Report { title: Some(title(&self.required)), parts, warnings: None }
     }
 }

@@ -50,6 +50,7 @@ use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::fault::{Fault, Named};
 use crate::shared::gearbox::{self, Choice};
+use crate::shared::judgement::answer::Judgement;
 use crate::tolerance::RESIDUAL;
 pub use drags::{DragKind, DragResult, DragSamples};
 pub use elements::ElementResult;
@@ -119,6 +120,8 @@ pub struct Simulation {
     pub energies: Energies,
     /// Speeds and torques over time.
     pub samples: Samples,
+    /// Judgement of the gearbox by rules of practice.
+    pub judgement: Judgement,
     /// Warnings about the simulation.
     pub warnings: Vec<Warning>,
 }
@@ -327,8 +330,11 @@ fn told(scenario: &parts::Scenario<'_>, built: &Built, run: &Run, kept: usize) -
     let shifts = shifts::results(built, run, &instants);
     let elements = elements::results(built, run, &instants);
     let energies = Energies::of(run);
-    let warnings = warnings(scenario, run, &shifts, &energies);
+    let mut warnings = warnings(scenario, run, &shifts, &energies);
+    let judgement = Judgement::of(scenario.subject, None, None, None);
+    judgement.add_to(&mut warnings);
     Simulation {
+        judgement,
         scenario: file.scenario.clone(),
         gearbox: gearbox.name().to_owned(),
         input: gearbox.link_name(gearbox.input()).to_owned(),

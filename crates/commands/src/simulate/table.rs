@@ -3,6 +3,7 @@
 mod plots;
 mod sweep;
 
+use crate::shared::judgement::table as judgement;
 use crate::simulate::answer::{
     ChangeKind, ChangeRecord, ConverterResult, DragKind, DragResult, ElementKind, ElementResult, ShaftResult,
     ShiftResult, Simulation, State,
@@ -53,6 +54,7 @@ impl AsReport for Simulation {
         }
         parts.push(Part::Records(end(self)));
         parts.push(Part::Facts(energies(self)));
+        parts.extend(judgement::parts(&self.judgement));
         Report {
             title: Some(format!("{}: {} in motion", self.scenario, self.gearbox)),
             parts,

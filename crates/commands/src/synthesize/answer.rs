@@ -40,6 +40,8 @@ pub use wanted::{MOST_OPTIONAL, Wanted};
 
 use crate::answer::Answer;
 use crate::error::Error;
+use crate::shared::judgement::answer::Judgement;
+use crate::shared::judgement::whole::FoundRatio;
 use crate::shared::tooth_checks::answer::TeethLeftOut;
 use crate::tolerance::AT_EDGE;
 use epicyclic_numerics::values::largest_absolute;
@@ -123,6 +125,8 @@ pub struct Synthesis {
     pub near_miss: Option<NearMiss>,
     /// Listed solutions, the best first.
     pub solutions: Vec<Solution>,
+    /// Judgement of the first of them by rules of practice, with its best tooth numbers if they are requested.
+    pub judgement: Judgement,
 }
 
 /// Selections of solutions for the list.
@@ -358,6 +362,7 @@ pub fn solve_by<E: From<Error>>(
         explanation: None,
         near_miss: None,
         solutions: Vec::new(),
+        judgement: Judgement::default(),
     };
     let mut left_out = LeftOuts::default();
     let mut kept: Vec<Kept> = Vec::new();
@@ -452,7 +457,25 @@ pub fn solve_by<E: From<Error>>(
             (solution.teeth, kept.teeth) = (Some(told), best);
         }
     }
+    if let Some(first) = kept.first() {
+        answer.judgement = judged(first, &answer.wanted)?;
+    }
     Ok((answer, kept))
+}
+
+/// Judgement of a solution, with the ratios for which one is asked.
+fn judged(kept: &Kept, wanted: &[WantedGear]) -> Result<Judgement, Error> {
+    let gearbox = saved::gearbox(kept, &format!("Gearbox {}", kept.number), kept.teeth.first())?;
+    let mut ratios = vec![];
+    for (gear, place) in gearbox.gears().iter().zip(&kept.selection) {
+        let WantedGear { wanted_ratio, least_ratio, greatest_ratio, .. } = wanted[*place];
+        let found = gearbox.analyze_gear(gear)?.ratio();
+        if let (Some(wanted), Some(found)) = (wanted_ratio, found) {
+            let tolerance = (greatest_ratio - least_ratio).abs() / 2.0 / wanted.abs();
+            ratios.push(FoundRatio { gear: gear.name().to_owned(), wanted, tolerance, found });
+        }
+    }
+    Ok(Judgement::of_found(&gearbox, &[], &ratios))
 }
 
 /// Places of the solutions to be listed, in increasing order.

@@ -5,6 +5,8 @@ pub(crate) mod families;
 mod rating;
 mod teeth;
 
+use crate::answer::Warning;
+use crate::shared::judgement::table as judgement;
 use crate::synthesize::answer::near_miss::NearMiss;
 use crate::synthesize::answer::shared_planets::SharedPlanets;
 use crate::synthesize::answer::teeth::TeethOfSet;
@@ -66,6 +68,7 @@ impl AsReport for Synthesis {
             parts.push(Part::Text(rating::gears(first.number, first)));
             parts.push(Part::Text(Text::paragraph(TORQUES)));
         }
+        parts.extend(judgement::parts(&self.judgement));
         Report { title: Some("Gearboxes for a list of ratios".into()), parts, warnings: Some(warnings(self)) }
     }
 }
@@ -247,6 +250,8 @@ fn warnings(answer: &Synthesis) -> Vec<(&'static str, String)> {
             ),
         ));
     }
+    let misses = answer.judgement.warnings(&[]);
+    told.extend(misses.map(|Warning { name, message }| (name, format!("gearbox 1: {message}"))));
     told
 }
 

@@ -14,6 +14,8 @@ pub mod shifted;
 
 use crate::answer::Answer;
 use crate::error::Error;
+use crate::shared::judgement::answer::Judgement;
+use crate::shared::judgement::whole::FoundRatio;
 use crate::shared::records::{Fraction, Motion};
 use crate::shared::tooth_checks::answer::{TeethLeftOut, ToothChecks};
 use crate::teeth::options::Request;
@@ -24,7 +26,7 @@ use epicyclic_gears::rack::BasicRack;
 use epicyclic_gears::simple_set::{Member, Mode};
 use epicyclic_gears::synthesis::{Bounds, Candidate, Ranked};
 use epicyclic_train::Gearbox;
-use epicyclic_train::set::{SetKind, SetSpec};
+use epicyclic_train::set::{SetKind, SetSpec, Shifts};
 use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -56,6 +58,8 @@ pub struct Teeth {
     pub tooth_numbers: Vec<ToothNumbers>,
     /// Tooth checks of one set, the first unless another is requested.
     pub tooth_checks: ToothChecks,
+    /// Judgement of the same set by rules of practice.
+    pub judgement: Judgement,
 }
 
 /// Tooth numbers of a simple set, with the properties that follow from them.
@@ -150,7 +154,7 @@ pub(super) fn answer(
     done: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Teeth, Error> {
     let mode = request.simple_mode()?;
-    let Listed { ratio, tolerance, found, left_out, sets, tooth_checks } = listed(
+    let Listed { ratio, tolerance, found, left_out, sets, tooth_checks, judgement } = listed(
         request,
         &bounds.rack,
         |ratio, tolerance, most| bounds.first_for_ratio(ratio, mode, tolerance, most, done),
@@ -166,6 +170,7 @@ pub(super) fn answer(
         shown: sets.len(),
         tooth_numbers: sets,
         tooth_checks,
+        judgement,
     })
 }
 
@@ -177,6 +182,7 @@ struct Listed<Set> {
     left_out: Option<TeethLeftOut>,
     sets: Vec<Set>,
     tooth_checks: ToothChecks,
+    judgement: Judgement,
 }
 
 /// Searches sets by ratio, tolerance and maximum number of sets, and checks the one requested.
@@ -196,15 +202,29 @@ fn listed<Found, Set>(
     }
     let sets: Vec<Set> = first.iter().map(record).collect();
     let number = if (1..=sets.len()).contains(&request.checked) { request.checked } else { 1 };
-    let mut tooth_checks = ToothChecks::default();
+    let (mut tooth_checks, mut judgement) = (ToothChecks::default(), Judgement::default());
     if let Some(set) = sets.get(number - 1) {
-        let checks = gearbox(set, request)?.set_checks(rack, |_| vec![]);
+        let gearbox = gearbox(set, request)?;
+        judgement = judged(&gearbox, ratio, tolerance)?;
+        let checks = gearbox.set_checks(rack, |_| vec![]);
         tooth_checks = ToothChecks::of(checks, |_| true);
         // The single set of its gearbox gets the number that it has in the list.
         tooth_checks.checks.iter_mut().for_each(|check| check.set = number.to_string());
     }
     let left_out = left_out.as_deref().map(TeethLeftOut::of);
-    Ok(Listed { ratio, tolerance, found, left_out, sets, tooth_checks })
+    Ok(Listed { ratio, tolerance, found, left_out, sets, tooth_checks, judgement })
+}
+
+/// Judgement of a set that has the ratio within the tolerance. Gears for which no shifts are stated have none.
+fn judged(gearbox: &Gearbox, wanted: f64, tolerance: f64) -> Result<Judgement, Error> {
+    let unshifted = |set: SetSpec| match (&set.tooth_shape.shifts, set.kind) {
+        (None, SetKind::Simple) => set.shifted(Shifts { profile: vec![0.0; 3], tips: None }),
+        _ => set,
+    };
+    let stated = gearbox.to_builder().map_sets(unshifted).build()?;
+    let found = gearbox.analyze(gearbox::NAME)?.ratio();
+    let ratio = found.map(|found| FoundRatio { gear: gearbox::NAME.to_owned(), wanted, tolerance, found });
+    Ok(Judgement::of_found(&stated, &[], ratio.as_slice()))
 }
 
 /// Sets in series that have a ratio impossible for one set within the same bounds.

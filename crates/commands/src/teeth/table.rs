@@ -4,6 +4,8 @@ mod arranged;
 mod double_planet;
 pub(crate) mod shifted;
 
+use crate::shared::judgement::answer::Judgement;
+use crate::shared::judgement::table as judgement;
 use crate::shared::records::Motion;
 use crate::shared::tooth_checks::answer::{TeethLeftOut, ToothChecks};
 use crate::shared::tooth_checks::table as tooth_checks;
@@ -21,6 +23,7 @@ impl AsReport for Teeth {
             parts: parts(
                 sets(self),
                 &self.tooth_checks,
+                &self.judgement,
                 count(self.found, self.shown)
                     + &left_out(self.left_out.as_ref())
                     + &near(self.tooth_numbers.iter().map(|set| set.planet_gap_in_modules)),
@@ -31,10 +34,10 @@ impl AsReport for Teeth {
 }
 
 /// The sets, what does not hold of one of them, and how many there are.
-fn parts(sets: Records, checks: &ToothChecks, count: String) -> Vec<Part> {
+fn parts(sets: Records, checks: &ToothChecks, judged: &Judgement, count: String) -> Vec<Part> {
     let checks = tooth_checks::has_any(checks).then(|| Part::Records(tooth_checks::table(checks)));
     let parts = [Some(Part::Records(sets)), checks, Some(Part::Text(Text::paragraph(count)))];
-    parts.into_iter().flatten().collect()
+    parts.into_iter().flatten().chain(judgement::parts(judged)).collect()
 }
 
 /// What is wanted.

@@ -9,6 +9,7 @@
 //! | `assembly` | a set as bodies and springs |
 //! | `orders` | orders of excitation of a set in a gear |
 //! | `spacing` | places of the planets |
+//! | `judged` | judgement of the gearbox with its resonances |
 //! | `links` | a gearbox in a gear as links, sets and shafts |
 //! | `torsional` | torsional model of all sets on the links of a gear, with its excitation |
 //! | `coupled` | planar model of all sets on the links of a gear |
@@ -26,6 +27,7 @@
 mod assembly;
 mod branches;
 mod coupled;
+mod judged;
 mod links;
 mod orders;
 mod prepared;
@@ -43,6 +45,7 @@ use crate::error::Error;
 use crate::shared::exciting::Exciting;
 use crate::shared::fault::Named;
 use crate::shared::gearbox::Gearbox;
+use crate::shared::judgement::answer::Judgement;
 use crate::tolerance::{ROUNDED, rounded};
 use crate::vibrate::options::Request;
 use assembly::{Built, Case};
@@ -87,6 +90,8 @@ pub struct Vibration {
     pub coupled: Vec<CoupledModes>,
     /// Results that are not calculated, with the reasons.
     pub not_calculated: Vec<NotCalculated>,
+    /// Judgement of the gearbox by rules of practice.
+    pub judgement: Judgement,
     /// Warnings about the vibration.
     pub warnings: Vec<Warning>,
 }
@@ -165,6 +170,7 @@ fn vibrating(
         torsional: vec![],
         coupled: vec![],
         not_calculated: vec![],
+        judgement: Judgement::default(),
         warnings: warnings::of_gearbox(subject),
     };
     let train = Train::new(subject, &file)?;
@@ -242,6 +248,8 @@ fn vibrating(
             }
         }
     }
+    all.judgement = judged::of(subject, request.set.as_deref(), &file, &all, !settled.speeds.is_empty());
+    all.judgement.add_to(&mut all.warnings);
     Ok(all)
 }
 

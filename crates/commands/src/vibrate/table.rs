@@ -2,6 +2,7 @@
 
 mod train;
 
+use crate::shared::judgement::table as judgement;
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, rpm, text};
 use crate::table::quantities::{optional, quantity, words};
@@ -160,7 +161,11 @@ impl AsReport for Vibration {
     fn report(&self) -> Report {
         Report {
             title: Some(format!("{}: vibration", self.gearbox)),
-            parts: tables(self).into_iter().map(|(_, records)| Part::Records(records)).collect(),
+            parts: tables(self)
+                .into_iter()
+                .map(|(_, records)| Part::Records(records))
+                .chain(judgement::parts(&self.judgement))
+                .collect(),
             warnings: warned(&self.warnings),
         }
     }

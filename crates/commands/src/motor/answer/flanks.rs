@@ -152,6 +152,12 @@ impl GoverningLimit {
     }
 }
 
+/// Greatest contact stress in Pa while a single pair of flanks carries; at the pitch point if there are
+/// always two.
+pub(crate) fn greatest_contact(stresses: &[ContactStresses]) -> Option<f64> {
+    stresses.iter().map(|one| one.alone_pa.unwrap_or(one.at_pitch_point_pa)).reduce(f64::max)
+}
+
 impl Flanks {
     /// Computes the flanks of a motor with teeth.
     pub(crate) fn of(designed: &Designed, profile: &Profile) -> Result<Self, Error> {

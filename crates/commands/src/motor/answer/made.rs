@@ -47,6 +47,8 @@ pub struct Made {
     pub(crate) bulk_modulus: Option<Pressure>,
     pub(crate) dead_area: Area,
     pub(crate) losses: Option<Losses>,
+    /// Axial gaps at operating temperature.
+    pub(crate) gaps: Option<EndGaps>,
 }
 
 /// Operating point of a motor with its tooth form.
@@ -101,7 +103,7 @@ impl Made {
             .and_then(|(plate, timing)| faults.keep(MadePorts::of(plate, timing, inputs, point)));
         let plate = ports.as_ref().map(|(plate, _)| plate);
         let losses = faults.keep(Losses::of(motor, plate, inputs, point)).flatten();
-        let &Inputs { modulus, limits, most_trapped, bulk_modulus, dead_area, .. } = inputs;
+        let &Inputs { modulus, limits, most_trapped, bulk_modulus, dead_area, gaps, .. } = inputs;
         faults.or(Self {
             modulus,
             limits,
@@ -111,6 +113,7 @@ impl Made {
             bulk_modulus,
             dead_area,
             losses,
+            gaps,
         })
     }
 
@@ -122,7 +125,7 @@ impl Made {
 
     /// Warnings about the ports as manufactured.
     pub(crate) fn port_warnings(&self) -> Vec<Warning> {
-        self.port_figures.as_ref().map(|ports| ports.warnings(self.most_trapped)).unwrap_or_default()
+        self.port_figures.as_ref().map(|ports| ports.warnings()).unwrap_or_default()
     }
 }
 

@@ -1,152 +1,241 @@
-//! Practical limits for a hydromotor. A value beyond them leads to a warning, never to a refusal.
+//! Judgement of hydromotors by rules of practice. No motor is refused for them.
 //!
-//! - pressure drop: the value that the material's limits allow, if they are given, for the contact and root
-//!   stress of the teeth
-//! - pressure drop: 25 MPa, usual with oil
-//! - contact stress without a given limit: 1600 MPa, case-hardened steel
-//! - ripple of flow and torque: 10 %, which the drive feels
-//! - change of the pressure in a closed chamber without a given limit: the pressure drop, more than the ports
-//!   ever apply
-//! - gap at an end face: 5 to 15 µm; below it jams, above it leaks
-//! - volumetric efficiency: 0.85; below it too much oil leaks
-//!
-//! The values are those of practice, without a source of their own.
+//! With limits of the material the pressure drop counts against the one that they allow, and the contact
+//! stress by itself does not count. Checks of centrodes and limits of teeth are part of the judgement.
 
 use super::made::Made;
-use super::made::ports::MadePorts;
-use super::{AllowedPressure, ContactStresses, Flanks, GoverningLimit, Losses};
-use crate::answer::Warning;
-use crate::tolerance::SAME_GAP;
-use epicyclic_units::Physical as _;
-use epicyclic_units::format;
-use uom::si::f64::{Length, Pressure};
+use super::{Check, GoverningLimit, Motor, ToothLimit, Verdict, greatest_contact};
+use crate::shared::judgement::answer::{GEOMETRY, Judged, Judgement};
+use crate::shared::judgement::judge::Judge;
+use crate::shared::number::si;
+use epicyclic_hydromotor::profile::limits::LimitKind;
+use epicyclic_judge::{Rule, Severity};
+use epicyclic_units::Dimension::{Angle, Length};
+use uom::si::f64::Pressure;
 
-const PRESSURE_PA: f64 = 25e6;
-const CONTACT_PA: f64 = 1600e6;
-const RIPPLE: f64 = 0.1;
-const GAP_M: [f64; 2] = [5e-6, 15e-6];
-const VOLUMETRIC: f64 = 0.85;
+/// Name of the motor as a whole in its judgement.
+const MOTOR: &str = "motor";
 
-fn pressure(pa: f64) -> String {
-    format::quantity(Pressure::from_si(pa), 4)
-}
+const MPA: f64 = 1e6;
+const MM: f64 = 1e-3;
+const MM2: f64 = 1e-6;
+const MICROMETRE: f64 = 1e-6;
 
-fn warning(name: &'static str, message: String) -> Warning {
-    Warning { name, message }
-}
-
-/// Warnings about a pressure drop above the allowed or the usual value.
-pub(crate) fn of_pressure(drop_pa: Option<f64>, flanks: Option<&Flanks>) -> Vec<Warning> {
-    let Some(drop) = drop_pa else { return vec![] };
-    let mut found = vec![];
-    let allowed = flanks.and_then(|flanks| flanks.allowed.as_ref());
-    match (allowed, flanks) {
-        (Some(AllowedPressure { pressure_pa, governing, .. }), _) if drop > *pressure_pa => {
-            let by = match governing {
-                GoverningLimit::Contact => "the contact stress",
-                GoverningLimit::StatorRoot => "the stress at the stator's roots",
-                GoverningLimit::RotorRoot => "the stress at the rotor's roots",
-                GoverningLimit::SatelliteRoot => "the stress at the satellites' roots",
-            };
-            let [drop, allowed] = [drop, *pressure_pa].map(pressure);
-            found.push(warning(
-                "pressure-above-allowed",
-                format!("pressure drop {drop} exceeds the {allowed} that {by} allows"),
-            ));
-        }
-        (None, Some(flanks)) => {
-            if let Some(stress) = greatest_contact(&flanks.contact).filter(|stress| *stress > CONTACT_PA) {
-                found.push(of_contact(stress));
+/// Judges a motor by its results; the pressure drop counts without a width, too.
+pub(crate) fn judgement(motor: &Motor, made: &Made, drop: Option<Pressure>) -> Judgement {
+    let mut judge = Judge::default();
+    for check in &motor.checks {
+        judge.take_geometry(of_centrodes(check));
+    }
+    for limit in motor.tooth_limits.iter().flatten() {
+        judge.take_geometry(of_teeth(limit));
+    }
+    let no_teeth = || vec!["no teeth of this form".to_owned()];
+    match &motor.clearances {
+        Some(clearances) => {
+            for one in clearances {
+                judge.see(Rule::Overlap, &[one.between.words()], one.clearance_in_modules);
             }
         }
-        _ => {}
+        None => judge.lacks(MOTOR, &[Rule::Overlap], no_teeth()),
     }
-    if drop > PRESSURE_PA {
-        let [drop, usual] = [drop, PRESSURE_PA].map(pressure);
-        let message = format!("pressure drop {drop} exceeds {usual}, the usual limit with oil");
-        found.push(warning("pressure-above-usual", message));
+    judge.see(Rule::ChamberArea, &[MOTOR], motor.work.least_chamber_m2 / MM2);
+    let flanks = motor.flanks.as_ref();
+    let no_flanks = || match (flanks, &motor.clearances) {
+        (Some(_), _) => vec!["pressure".to_owned()],
+        (None, Some(_)) => vec!["the flanks hold no satellite".to_owned()],
+        (None, None) => no_teeth(),
+    };
+    let borne = flanks.zip(drop).and_then(|(flanks, _)| {
+        let allowed = flanks
+            .allowed
+            .as_ref()
+            .map(|allowed| Borne::Allowed { pressure_pa: allowed.pressure_pa, governing: allowed.governing });
+        allowed.or_else(|| greatest_contact(&flanks.contact).map(Borne::Contact))
+    });
+    pressure(&mut judge, drop.map(si));
+    match borne {
+        Some(borne) => borne.judge(&mut judge, MOTOR, drop.map(si)),
+        None => judge.lacks(MOTOR, &[Rule::AllowedPressure, Rule::ContactStress], no_flanks()),
     }
-    found
+    trapped(&mut judge, motor, made, drop);
+    gaps(&mut judge, motor, made);
+    judge.see(Rule::Ripple, &[MOTOR], flanks.map_or(motor.work.ripple, |flanks| flanks.ripple));
+    judge.judgement()
 }
 
-fn of_contact(stress: f64) -> Warning {
-    let [stress, usual] = [stress, CONTACT_PA].map(pressure);
-    let message = format!("contact stress {stress} exceeds {usual}, the limit of case-hardened steel");
-    warning("contact-stress-above-usual", message)
+/// Judges the pressure drop by the usual limit with oil.
+fn pressure(judge: &mut Judge, drop_pa: Option<f64>) {
+    match drop_pa {
+        Some(drop) => judge.see(Rule::MotorPressure, &[MOTOR], drop / MPA),
+        None => judge.lacks(MOTOR, &[Rule::MotorPressure], vec!["pressure".to_owned()]),
+    }
 }
 
-/// Greatest contact stress in Pa while a single pair of flanks carries; at the pitch point if there are
-/// always two.
-pub(crate) fn greatest_contact(stresses: &[ContactStresses]) -> Option<f64> {
-    stresses.iter().map(|one| one.alone_pa.unwrap_or(one.at_pitch_point_pa)).reduce(f64::max)
-}
-
-/// Warnings about ripple, gaps, trapped pressure and efficiency.
-pub(crate) fn of_work(drop_pa: Option<f64>, ripple: f64, made: &Made) -> Vec<Warning> {
-    let percent = |share: f64| format!("{:.1} %", 100.0 * share);
-    let mut found = vec![];
-    if ripple > RIPPLE {
-        let message =
-            format!("ripple of flow and torque {} exceeds the usual {}", percent(ripple), percent(RIPPLE));
-        found.push(warning("ripple-above-usual", message));
-    }
-    if let (Some(drop), None) = (drop_pa, made.most_trapped) {
-        let change = made.port_figures.as_ref().and_then(MadePorts::greatest_change);
-        if let Some(change) = change.filter(|change| *change > drop) {
-            let [change, drop] = [change, drop].map(pressure);
-            let message = format!(
-                "the pressure in a closed chamber changes by {change}, more than the pressure drop {drop}: open the ports earlier"
-            );
-            found.push(warning("trapped-pressure-above-drop", message));
-        }
-    }
-    let Some(Losses { leakage, at_point, .. }) = &made.losses else { return found };
-    let gaps =
-        leakage.as_ref().map(|leaks| [("satellite", leaks.satellite_gap_m), ("rotor", leaks.rotor_gap_m)]);
-    // A rounding error of the unit must not put a gap beyond the limit.
-    let is_usual = |gap: f64| (GAP_M[0] * (1.0 - SAME_GAP)..=GAP_M[1] * (1.0 + SAME_GAP)).contains(&gap);
-    for (wheel, gap) in gaps.into_iter().flatten().filter(|(_, gap)| *gap > 0.0 && !is_usual(*gap)) {
-        let [gap, least, most] =
-            [gap, GAP_M[0], GAP_M[1]].map(|gap| format::quantity(Length::from_si(gap), 4));
-        let message = format!("gap of {gap} at a face of the {wheel}: usual are {least} to {most}");
-        found.push(warning("gap-unusual", message));
-    }
-    if let Some(at) = at_point.as_ref().filter(|at| at.volumetric < VOLUMETRIC) {
-        let message = format!("volumetric efficiency {:.3} is below the usual {VOLUMETRIC}", at.volumetric);
-        found.push(warning("volumetric-efficiency-low", message));
-    }
-    found
-}
-
-/// Load capacity of a design in a search.
+/// Load capacity of a motor.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Borne {
-    /// Pressure drop in Pa that the limits of the material allow.
-    Allowed(f64),
+    /// Pressure drop that the limits of the material allow, and the limit that governs it.
+    Allowed { pressure_pa: f64, governing: GoverningLimit },
     /// Greatest contact stress in Pa, without such limits.
     Contact(f64),
 }
 
-/// Warnings about a pressure drop above what the designs of a search can bear, or above the usual value.
-pub(crate) fn of_designs(drop_pa: Option<f64>, designs: &[Borne]) -> Vec<Warning> {
-    let Some(drop) = drop_pa else { return vec![] };
-    let count = |is_beyond: &dyn Fn(&Borne) -> bool| designs.iter().filter(|one| is_beyond(one)).count();
-    let above_allowed = count(&|one| matches!(one, Borne::Allowed(allowed) if drop > *allowed));
-    let above_usual = count(&|one| matches!(one, Borne::Contact(stress) if *stress > CONTACT_PA));
-    let (all, at) = (designs.len(), pressure(drop));
-    let mut found = vec![];
-    if above_allowed > 0 {
-        let message =
-            format!("pressure drop {at} exceeds what {above_allowed} of the {all} designs shown allow");
-        found.push(warning("pressure-above-allowed", message));
+impl Borne {
+    fn judge(self, judge: &mut Judge, name: &str, drop_pa: Option<f64>) {
+        match (self, drop_pa) {
+            (Self::Allowed { pressure_pa, governing }, Some(drop)) => {
+                let by = match governing {
+                    GoverningLimit::Contact => "contact stress",
+                    GoverningLimit::StatorRoot => "roots of the stator",
+                    GoverningLimit::RotorRoot => "roots of the rotor",
+                    GoverningLimit::SatelliteRoot => "roots of the satellites",
+                };
+                judge.see_most(Rule::AllowedPressure, &[name, by], pressure_pa / MPA, drop / MPA);
+            }
+            (Self::Allowed { .. }, None) => {}
+            (Self::Contact(stress), _) => {
+                judge.see(Rule::ContactStress, &[name], stress / MPA);
+                let keys = ["material.contact_limit", "material.root_limit"].map(str::to_owned);
+                judge.lacks(MOTOR, &[Rule::AllowedPressure], keys.to_vec());
+            }
+        }
     }
-    if above_usual > 0 {
-        let limit = pressure(CONTACT_PA);
-        let message = format!(
-            "at {at} the contact stress of {above_usual} of the {all} designs shown exceeds {limit}, the limit of case-hardened steel"
-        );
-        found.push(warning("contact-stress-above-usual", message));
+}
+
+/// Judges the pressure in closed chambers by the limit that is given, otherwise by the pressure drop: more
+/// than the ports ever apply.
+fn trapped(judge: &mut Judge, motor: &Motor, made: &Made, drop: Option<Pressure>) {
+    let most = made.most_trapped.or(drop).map(si);
+    let missing = [
+        ("ports", made.ports.is_none()),
+        ("oil.bulk_modulus", made.bulk_modulus.is_none()),
+        ("pressure", most.is_none()),
+    ];
+    let missing: Vec<String> =
+        missing.into_iter().filter(|(_, lacks)| *lacks).map(|(key, _)| key.to_owned()).collect();
+    let (Some(ports), Some(most), true) = (&motor.made_ports, most, missing.is_empty()) else {
+        return judge.lacks(MOTOR, &[Rule::TrappedPressure], missing);
+    };
+    for one in &ports.closed {
+        let [from, to] = [one.from_rad, one.to_rad].map(|rad| crate::table::quantities::words(Angle, rad, 4));
+        let of = format!("chamber closed from {from} to {to}");
+        let change = one.change_pa.unwrap_or_default().abs();
+        judge.see_most(Rule::TrappedPressure, &[&of], most / MPA, change / MPA);
     }
-    found.extend(of_pressure(drop_pa, None));
-    found
+}
+
+/// Judges gaps, and the oil that leaks through them. A face without a gap seals.
+fn gaps(judge: &mut Judge, motor: &Motor, made: &Made) {
+    let Some(gaps) = made.gaps else {
+        return judge.lacks(MOTOR, &[Rule::AxialGap, Rule::VolumetricEfficiency], vec!["gaps".to_owned()]);
+    };
+    for (wheel, gap) in [("faces of a satellite", gaps.satellite), ("faces of the rotor", gaps.rotor)] {
+        if gap > uom::si::f64::Length::default() {
+            judge.see(Rule::AxialGap, &[wheel], si(gap) / MICROMETRE);
+        }
+    }
+    let Some(losses) = &motor.losses else { return };
+    match &losses.at_point {
+        Some(at) => judge.see(Rule::VolumetricEfficiency, &[MOTOR], at.volumetric),
+        None => judge.lacks(MOTOR, &[Rule::VolumetricEfficiency], losses.missing.clone()),
+    }
+}
+
+impl Check {
+    /// Message about a check that fails.
+    pub(crate) fn miss(&self) -> Option<String> {
+        let [value, limit] =
+            [self.value_m, self.limit_m].map(|m| crate::table::quantities::words(Length, m, 4));
+        let words = self.check.words();
+        (self.verdict == Verdict::Fails).then(|| format!("{words}: {value}, and it must exceed {limit}"))
+    }
+}
+
+fn of_centrodes(check: &Check) -> Judged {
+    let message = check.miss();
+    Judged {
+        name: check.check.name(),
+        of: vec!["centrodes".to_owned()],
+        value: Some(check.value_m / MM),
+        limit: check.limit_m / MM,
+        unit: "mm",
+        severity: Severity::Error,
+        holds: message.is_none(),
+        source: GEOMETRY,
+        remedy: message.is_some().then_some("smaller teeth, or another place in the family"),
+        message,
+    }
+}
+
+impl ToothLimit {
+    /// Message about a limit that the teeth exceed.
+    pub(crate) fn miss(&self) -> Option<String> {
+        let [value, bound] =
+            [self.value_m, self.bound_m].map(|m| crate::table::quantities::words(Length, m, 4));
+        let (wheel, kind, side) = (self.wheel.words(), self.limit.words(), self.side.words());
+        (self.verdict == Verdict::Fails)
+            .then(|| format!("teeth of the {wheel}: {kind}: {value}, allowed {side} {bound}"))
+    }
+}
+
+fn of_teeth(limit: &ToothLimit) -> Judged {
+    let message = limit.miss();
+    Judged {
+        name: limit.limit.name(),
+        of: vec![format!("teeth of the {}", limit.wheel.words())],
+        value: Some(limit.value_m / MM),
+        limit: limit.bound_m / MM,
+        unit: "mm",
+        severity: match limit.limit {
+            // Such teeth are weak, and turn all the same.
+            LimitKind::Undercut | LimitKind::TipThickness => Severity::Warning,
+            _ => Severity::Error,
+        },
+        holds: message.is_none(),
+        source: GEOMETRY,
+        remedy: message.is_some().then_some("another tooth form, or other tooth numbers"),
+        message,
+    }
+}
+
+/// Design of a search as far as its judgement goes.
+pub(crate) struct Searched {
+    /// Name of the design.
+    pub(crate) name: String,
+    /// Least area of a chamber; `None` if the search does not keep it.
+    pub(crate) least_chamber_m2: Option<f64>,
+    pub(crate) ripple: f64,
+    pub(crate) borne: Option<Borne>,
+}
+
+/// Judges the listed designs of a search, which has no ports, gaps and oil.
+pub(crate) fn of_designs(drop_pa: Option<f64>, designs: &[Searched]) -> Judgement {
+    let mut judge = Judge::default();
+    if designs.is_empty() {
+        return judge.judgement();
+    }
+    pressure(&mut judge, drop_pa);
+    for Searched { name, least_chamber_m2, ripple, borne } in designs {
+        if let Some(area) = least_chamber_m2 {
+            judge.see(Rule::ChamberArea, &[name], area / MM2);
+        }
+        match borne {
+            Some(borne) => borne.judge(&mut judge, name, drop_pa),
+            None => {
+                let why = if drop_pa.is_none() { "pressure" } else { "no load on the flanks follows" };
+                judge.lacks(name, &[Rule::AllowedPressure, Rule::ContactStress], vec![why.to_owned()]);
+            }
+        }
+        judge.see(Rule::Ripple, &[name], *ripple);
+    }
+    let has_chambers = designs.iter().all(|one| one.least_chamber_m2.is_some());
+    let later = [Rule::TrappedPressure, Rule::AxialGap, Rule::VolumetricEfficiency, Rule::Overlap];
+    let later: Vec<Rule> = later.into_iter().chain((!has_chambers).then_some(Rule::ChamberArea)).collect();
+    judge.lacks(
+        "designs",
+        &later,
+        vec!["`motor` judges one design with its teeth, ports and gaps".to_owned()],
+    );
+    judge.judgement()
 }

@@ -1,15 +1,13 @@
 //! Teeth of a motor: their limits, and their clearances over a revolution.
 
 use super::Verdict;
-use crate::answer::Warning;
 use crate::error::Error;
 use crate::shared::number::{maybe_si, plain, si};
 use epicyclic_hydromotor::centrode::Wheel;
 use epicyclic_hydromotor::profile::clearance::Nearest;
-use epicyclic_hydromotor::profile::limits::{Bound, LimitKind};
+use epicyclic_hydromotor::profile::limits::{Bound, Limit, LimitKind};
 use epicyclic_hydromotor::profile::{Part, Profile};
 use epicyclic_units::Physical as _;
-use epicyclic_units::format;
 use schemars::JsonSchema;
 use serde::Serialize;
 use uom::si::f64::Length;
@@ -85,33 +83,20 @@ impl Between {
     }
 }
 
-pub(crate) fn limits(profile: &Profile, warnings: &mut Vec<Warning>) -> Vec<ToothLimit> {
-    let mut found = vec![];
-    for limit in profile.limits() {
-        if !limit.holds() {
-            let [value, bound] = [limit.value, limit.bound].map(|length| format::quantity(length, 4));
-            let message = format!(
-                "teeth of the {}: {}: {value}, allowed {} {bound}",
-                limit.wheel.words(),
-                limit.kind.words(),
-                limit.sense.words()
-            );
-            warnings.push(Warning { name: limit.kind.name(), message });
-        }
-        found.push(ToothLimit {
-            wheel: limit.wheel,
-            limit: limit.kind,
-            value_m: si(limit.value),
-            side: limit.sense,
-            bound_m: si(limit.bound),
-            verdict: Verdict::of(limit.holds(), limit.margin(), limit.bound),
-            at_arc_m: maybe_si(limit.at),
-        });
-    }
-    found
+pub(crate) fn limits(profile: &Profile) -> Vec<ToothLimit> {
+    let record = |limit: &Limit| ToothLimit {
+        wheel: limit.wheel,
+        limit: limit.kind,
+        value_m: si(limit.value),
+        side: limit.sense,
+        bound_m: si(limit.bound),
+        verdict: Verdict::of(limit.holds(), limit.margin(), limit.bound),
+        at_arc_m: maybe_si(limit.at),
+    };
+    profile.limits().iter().map(record).collect()
 }
 
-pub(crate) fn clearances(profile: &Profile, warnings: &mut Vec<Warning>) -> Result<Vec<Clearance>, Error> {
+pub(crate) fn clearances(profile: &Profile) -> Result<Vec<Clearance>, Error> {
     let found = profile.clearances(STEPS)?;
     let module = profile.motor().module();
     let bare = |between, clearance: Length| Clearance {
@@ -136,20 +121,10 @@ pub(crate) fn clearances(profile: &Profile, warnings: &mut Vec<Warning>) -> Resu
         }
     };
     let (distance, rotation) = found.neighbours;
-    let all = vec![
+    Ok(vec![
         of_wheel(Between::Stator, &found.stator),
         of_wheel(Between::Rotor, &found.rotor),
         Clearance { rotation_rad: Some(si(rotation)), ..bare(Between::Neighbours, distance) },
         bare(Between::Wheels, found.wheels),
-    ];
-    for (clearance, length) in
-        all.iter().zip([found.stator.clearance, found.rotor.clearance, distance, found.wheels])
-    {
-        if length < Length::default() {
-            let overlap = format::quantity(-length, 4);
-            let message = format!("{}: they overlap by {overlap}", clearance.between.words());
-            warnings.push(Warning { name: "overlap", message });
-        }
-    }
-    Ok(all)
+    ])
 }

@@ -12,6 +12,7 @@ use crate::error::Error;
 use crate::motor::answer::practice::{self, Borne};
 use crate::motor::answer::{Designed, GoverningLimit, Groups};
 use crate::motor::designs::answer::{Drawn, Listed, Listing, Searched, nearest_half, nth};
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::number::{maybe_si, plain, si};
 use epicyclic_formats::motor::MaterialGroup;
 use epicyclic_hydromotor::flanks::{MaterialLimits, effective_modulus};
@@ -60,7 +61,9 @@ pub struct MotorForms {
     pub designs: Vec<Design>,
     /// Space of motors and tooth forms, with the numbers of points refused and accepted.
     pub funnel: Funnel,
-    /// Warnings about contact stress and pressure beyond the material's limits or practical limits.
+    /// Judgement of the listed designs by rules of practice.
+    pub judgement: Judgement,
+    /// Warnings: a miss of each rule.
     pub warnings: Vec<Warning>,
 }
 
@@ -146,7 +149,10 @@ pub struct Flanks {
 
 impl Flanks {
     fn borne(&self) -> Option<Borne> {
-        let allowed = self.allowed.as_ref().map(|allowed| Borne::Allowed(allowed.on_path_pa));
+        let allowed = self
+            .allowed
+            .as_ref()
+            .map(|allowed| Borne::Allowed { pressure_pa: allowed.on_path_pa, governing: allowed.governing });
         allowed.or(self.contact_on_path_pa.map(Borne::Contact))
     }
 }
@@ -234,9 +240,19 @@ impl Searched for SearchedForms {
         let listed = Listed::of(&found.designs, listing, |design| design.numbers);
         let designs: Vec<Design> =
             listed.shown.iter().filter_map(|&(place, design)| self.design(place, design)).collect();
-        let borne: Vec<Borne> = designs.iter().filter_map(|design| design.flanks.as_ref()?.borne()).collect();
+        let judged: Vec<practice::Searched> = designs
+            .iter()
+            .map(|design| practice::Searched {
+                name: format!("design {}", design.design),
+                least_chamber_m2: None,
+                ripple: design.flanks.as_ref().map_or(design.ripple, |flanks| flanks.ripple),
+                borne: design.flanks.as_ref().and_then(Flanks::borne),
+            })
+            .collect();
+        let judgement = practice::of_designs(maybe_si(search.requirements.pressure_drop), &judged);
         MotorForms {
-            warnings: practice::of_designs(maybe_si(search.requirements.pressure_drop), &borne),
+            warnings: judgement.warnings_of_rules(),
+            judgement,
             displacement_m3: si(search.requirements.displacement),
             objectives: search.objectives.iter().map(|&objective| Objective::of(objective)).collect(),
             order: self.order,

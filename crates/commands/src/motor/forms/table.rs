@@ -4,6 +4,7 @@ use crate::motor::answer::GoverningLimit;
 use crate::motor::designs::table::{Duty, Numbers, hidden, numbered, of_set, size_columns, with_duty};
 use crate::motor::forms::answer::{Allowed, Crest, Design, Family, Flanks, Funnel, MotorForms, Objective};
 use crate::motor::table::facts;
+use crate::shared::judgement::table as judgement;
 use crate::table::figure::{Figure, count as many};
 use crate::table::quantities::words;
 use crate::table::report::AsReport;
@@ -31,7 +32,10 @@ impl AsReport for MotorForms {
                     "",
                 ),
                 Part::Text(Text::paragraph(completeness(self))),
-            ],
+            ]
+            .into_iter()
+            .chain(judgement::parts_of_designs(&self.judgement))
+            .collect(),
             warnings: warned(&self.warnings),
         }
     }

@@ -5,9 +5,11 @@ use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::motor::answer::Verdict;
 use crate::motor::answer::design::profile;
+use crate::motor::answer::practice;
 use crate::motor::answer::shape::Interval;
 use crate::motor::answer::teeth::limits;
 use crate::motor::forms::answer::Form;
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::number::{plain, si};
 use epicyclic_hydromotor::centrode::Wheel;
 use epicyclic_hydromotor::closure::Family;
@@ -50,6 +52,8 @@ pub struct MotorSatellites {
     /// Recommended tooth number of a satellite: of the motors whose teeth are within their limits, the one of
     /// greatest displacement. Null if none exists.
     pub next_satellite_teeth: Option<u32>,
+    /// Judgement of the motors by rules of practice, as far as they follow from the numbers.
+    pub judgement: Judgement,
     /// Warning if no motor is found, or none whose teeth are within their limits.
     pub warnings: Vec<Warning>,
 }
@@ -205,10 +209,21 @@ pub fn satellites_of(
         satellite_teeth_below: f64::from(teeth - numbers.rotor_teeth()) / 2.0,
         form: Form::of(&form),
         next_satellite_teeth: next.map(|motor| motor.satellite_teeth),
+        judgement: judgement(&motors),
         warnings: next.is_none().then_some(warning).into_iter().collect(),
         motors,
         without,
     })
+}
+
+fn judgement(motors: &[SatelliteMotor]) -> Judgement {
+    let judged = motors.iter().map(|motor| practice::Searched {
+        name: format!("Z_s {}", motor.satellite_teeth),
+        least_chamber_m2: Some(motor.least_chamber_m2),
+        ripple: motor.ripple,
+        borne: None,
+    });
+    practice::of_designs(None, &judged.collect::<Vec<_>>())
 }
 
 impl SatelliteMotor {
@@ -217,7 +232,7 @@ impl SatelliteMotor {
         let arcs = motor.arcs().ok_or(Error::NoArcs)?;
         let (broken_limits, without_teeth) = match profile(motor, form)? {
             Ok(profile) => {
-                let limits = limits(&profile, &mut vec![]);
+                let limits = limits(&profile);
                 let broken = limits.iter().filter(|limit| limit.verdict == Verdict::Fails);
                 let broken = broken.map(|limit| BrokenLimit { wheel: limit.wheel, limit: limit.limit });
                 (Some(broken.collect()), None)

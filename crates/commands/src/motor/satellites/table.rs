@@ -2,6 +2,7 @@
 
 use crate::motor::satellites::answer::{MotorSatellites, SatelliteMotor, SatellitesWithout};
 use crate::motor::table::facts;
+use crate::shared::judgement::table as judgement;
 use crate::table::columns::Table;
 use crate::table::figure::Figure;
 use crate::table::quantities::words;
@@ -36,6 +37,7 @@ impl AsReport for MotorSatellites {
         if !self.without.is_empty() {
             parts.push(Part::Records(without(&self.without)));
         }
+        parts.extend(judgement::parts_of_designs(&self.judgement));
         if let Some(teeth) = self.next_satellite_teeth {
             parts.push(Part::Text(Text {
                 heading: Some("Next".to_owned()),

@@ -14,6 +14,7 @@ use crate::motor::answer::practice::{self, Borne};
 use crate::motor::answer::{Designed, Groups};
 use crate::motor::designs::answer::{Drawn, Listed, Listing, Searched, nearest_half, nth};
 use crate::motor::forms::answer::Form;
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::number::{maybe_si, plain, si};
 use epicyclic_formats::motor::MaterialGroup;
 use epicyclic_hydromotor::arcs::StatorArcs;
@@ -53,7 +54,9 @@ pub struct MotorSearch {
     pub spacing_error: SpacingError,
     /// Relative improvement by refinement over motors at even places.
     pub refinement_gain: SpacingError,
-    /// Warnings about contact stress and pressure beyond practical limits.
+    /// Judgement of the listed designs by rules of practice.
+    pub judgement: Judgement,
+    /// Warnings: a miss of each rule.
     pub warnings: Vec<Warning>,
 }
 
@@ -199,10 +202,19 @@ impl Searched for SearchedMotors {
         let listed = Listed::of(&found.designs, listing, |design| design.numbers);
         let designs: Vec<Design> =
             listed.shown.iter().filter_map(|&(place, design)| self.design(place, design)).collect();
-        let borne: Vec<Borne> =
-            designs.iter().filter_map(|design| design.contact_stress_pa.map(Borne::Contact)).collect();
+        let judged: Vec<practice::Searched> = designs
+            .iter()
+            .map(|design| practice::Searched {
+                name: format!("design {}", design.design),
+                least_chamber_m2: None,
+                ripple: design.at_flanks.as_ref().map_or(design.ripple, |at| at.ripple),
+                borne: design.contact_stress_pa.map(Borne::Contact),
+            })
+            .collect();
+        let judgement = practice::of_designs(maybe_si(search.requirements.pressure_drop), &judged);
         MotorSearch {
-            warnings: practice::of_designs(maybe_si(search.requirements.pressure_drop), &borne),
+            warnings: judgement.warnings_of_rules(),
+            judgement,
             displacement_m3: si(search.requirements.displacement),
             objectives: search.objectives.iter().map(|&objective| Objective::of(objective)).collect(),
             order: self.order,

@@ -3,6 +3,7 @@
 use crate::motor::designs::table::{Duty, Numbers, hidden, numbered, of_set, size_columns, with_duty};
 use crate::motor::search::answer::{Design, MotorSearch, SpacingError, TeethLimits};
 use crate::motor::table::facts;
+use crate::shared::judgement::table as judgement;
 use crate::table::figure::{Figure, count as many};
 use crate::table::quantities::words;
 use crate::table::report::AsReport;
@@ -46,7 +47,10 @@ impl AsReport for MotorSearch {
                     ],
                     note: "",
                 }),
-            ],
+            ]
+            .into_iter()
+            .chain(judgement::parts_of_designs(&self.judgement))
+            .collect(),
             warnings: warned(&self.warnings),
         }
     }

@@ -1,12 +1,14 @@
 //! Design as a gearbox, for a file that `analyze`, `draw` and `report` read.
 
 use crate::error::Error;
+use crate::shared::judgement::answer::Judgement;
+use crate::shared::judgement::whole::FoundRatio;
 use crate::shared::number::short;
 use crate::shared::saved::names;
 use crate::teeth::answer::shifted::SetShifts;
 use epicyclic_formats::gearbox::{NotWritable, WrittenSize, written_with_sizes};
 use epicyclic_gears::synthesis::ToothNumbers;
-use epicyclic_selection::{Candidate, Requirements};
+use epicyclic_selection::{Candidate, GearReport, Requirements};
 use epicyclic_train::set::{Gearing, SetSpec};
 use epicyclic_train::{GearSpec, Gearbox};
 
@@ -75,6 +77,18 @@ impl Saved {
             })
             .build()?;
         Ok(Self { scheme, gearbox, sizes })
+    }
+
+    /// Judgement of the gearbox by rules of practice, with the ratios of the candidate's braked gears.
+    pub(super) fn judged(&self, candidate: &Candidate, requirements: &Requirements) -> Judgement {
+        let ratio = |gear: &GearReport| FoundRatio {
+            gear: gear.gear.name().to_owned(),
+            wanted: gear.wanted,
+            tolerance: requirements.tolerance,
+            found: gear.ratio,
+        };
+        let ratios: Vec<FoundRatio> = candidate.gears.iter().map(ratio).collect();
+        Judgement::of_found(&self.gearbox, &self.sizes, &ratios)
     }
 
     /// Gearbox file below these lines of comment.

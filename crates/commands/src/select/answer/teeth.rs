@@ -12,6 +12,7 @@ use super::saved::Saved;
 use crate::answer::Answer;
 use crate::error::Error;
 use crate::finite;
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::profile_shift::WantedShifts;
 use crate::teeth::answer::shifted::{RequiredShifts, SetShifts};
 use crate::tolerance::LEAST_MODULE_M;
@@ -106,6 +107,8 @@ pub struct SelectTeeth {
     pub shown_in_full: Option<u32>,
     /// Speeds of that design, required and reached, the slowest first; empty without such a design.
     pub speeds: Vec<ReachedSpeed>,
+    /// Judgement of that design by rules of practice; without checks if there is none.
+    pub judgement: Judgement,
     /// Requirements as a record.
     pub required: Required,
     /// Limits of the size of a set.
@@ -324,6 +327,13 @@ impl<'a> Searches<'a> {
         self.wanted.asked().reached(gears.zip(ratios).map(|(gear, (wanted, ratio))| (gear, wanted, ratio)))
     }
 
+    /// Judgement of the design at a place by rules of practice.
+    fn judged(&self, place: usize) -> Result<Judgement, Error> {
+        let (_, candidate) = self.design(place)?;
+        let (_, saved) = self.saved_design(place)?;
+        Ok(saved.judged(&candidate, &self.wanted.requirements))
+    }
+
     /// Design at a place with its full figures, and as a gearbox.
     pub(crate) fn saved_design(&self, place: usize) -> Result<(Design, Saved), Error> {
         let (design, candidate) = self.design(place)?;
@@ -355,6 +365,7 @@ impl<'a> Searches<'a> {
         let SelectTeeth {
             shown_in_full,
             speeds,
+            judgement,
             required,
             size_limits,
             profile_shift,
@@ -367,6 +378,7 @@ impl<'a> Searches<'a> {
         Ok(Streamed {
             shown_in_full,
             speeds,
+            judgement,
             required,
             size_limits,
             profile_shift,
@@ -382,6 +394,7 @@ impl<'a> Searches<'a> {
         Ok(SelectTeeth {
             shown_in_full: self.in_full().map(|place| u32::try_from(place + 1).unwrap_or(u32::MAX)),
             speeds: self.in_full().map(|place| self.speeds(place)).unwrap_or_default(),
+            judgement: self.in_full().map(|place| self.judged(place)).transpose()?.unwrap_or_default(),
             required: Required::of(requirements, *order, duty)?,
             size_limits: RequiredSize {
                 greatest_ring_diameter_m: limits.ring_diameter.map(Physical::si),

@@ -4,6 +4,7 @@ use super::{best, of_candidate, size_column, size_note, speeds_reached, title, w
 use crate::select::answer::candidate::Candidate;
 use crate::select::answer::required::Required;
 use crate::select::answer::teeth::{BestOfStructure, Design, SelectTeeth, SetTeeth};
+use crate::shared::judgement::table as judgement;
 use crate::table::columns::Table;
 use crate::table::figure::Figure;
 use crate::table::report::AsReport;
@@ -31,6 +32,7 @@ impl AsReport for SelectTeeth {
         if let Some(design) = self.in_full() {
             parts.extend(best::parts(&design.candidate));
         }
+        parts.extend(judgement::parts(&self.judgement));
         Report { title: Some(title(&self.required)), parts, warnings: None }
     }
 }

@@ -1,5 +1,6 @@
 //! Judgement of a gearbox: checks with their values and limits, and what could not be judged.
 
+use crate::analyze::answer::pins::OF_PINS;
 use crate::answer::Warning;
 use epicyclic_judge::{Rule, Severity};
 use epicyclic_units::format::trimmed;
@@ -7,7 +8,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Source of the limits of tooth checks.
-pub(super) const GEOMETRY: &str = "geometry";
+pub(crate) const GEOMETRY: &str = "geometry";
 
 /// Rules that are named one by one at most; more are counted.
 const MOST_NAMED: usize = 2;
@@ -101,6 +102,31 @@ impl Judgement {
             let message = format!("{}: {}: {}", check.of.join(", "), check.message.as_ref()?, check.remedy?);
             Some(Warning { name: check.name, message })
         })
+    }
+
+    /// Adds the misses to warnings of a gearbox, but for speeds of planets that it warns of in its own words.
+    pub(crate) fn add_to(&self, warnings: &mut Vec<Warning>) {
+        let is_told = warnings.iter().any(|warning| warning.name == "planet-speed");
+        let told: &[Rule] = if is_told { &OF_PINS } else { &[] };
+        warnings.extend(self.warnings(told));
+    }
+
+    /// Misses of a list of designs as warnings: of each rule the first of its worst, with the number of others.
+    pub(crate) fn warnings_of_rules(&self) -> Vec<Warning> {
+        let mut all: Vec<(Warning, usize)> = vec![];
+        for warning in self.warnings(&[]) {
+            match all.iter_mut().find(|(known, _)| known.name == warning.name) {
+                Some((_, others)) => *others += 1,
+                None => all.push((warning, 0)),
+            }
+        }
+        let with_others = |(warning, others): (Warning, usize)| match others {
+            0 => warning,
+            _ => {
+                Warning { message: format!("{} ({others} more miss this rule)", warning.message), ..warning }
+            }
+        };
+        all.into_iter().map(with_others).collect()
     }
 
     /// The judgement in a sentence or two: what holds, the nearest to its limit, what is not judged.

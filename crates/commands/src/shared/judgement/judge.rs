@@ -7,8 +7,8 @@ use epicyclic_judge::{Limits, Rule, Verdict};
 
 /// Collects verdicts.
 #[derive(Debug, Default)]
-pub(super) struct Judge {
-    pub(super) limits: Limits,
+pub(crate) struct Judge {
+    pub(crate) limits: Limits,
     /// Checks, each with its [margin](Verdict::margin).
     checks: Vec<(Judged, Option<f64>)>,
     not_judged: Vec<NotJudged>,
@@ -16,17 +16,27 @@ pub(super) struct Judge {
 
 impl Judge {
     /// Judges a value by the usual bounds of a rule.
-    pub(super) fn see(&mut self, rule: Rule, of: &[&str], value: f64) {
+    pub(crate) fn see(&mut self, rule: Rule, of: &[&str], value: f64) {
         self.take(of, self.limits.judge(rule, value));
     }
 
     /// Judges a value by the least one that the gearbox allows.
-    pub(super) fn see_least(&mut self, rule: Rule, of: &[&str], least: f64, value: f64) {
+    pub(crate) fn see_least(&mut self, rule: Rule, of: &[&str], least: f64, value: f64) {
         self.take(of, self.limits.judge_least(rule, least, value));
     }
 
+    /// Judges a value by the greatest one that the motor allows.
+    pub(crate) fn see_most(&mut self, rule: Rule, of: &[&str], most: f64, value: f64) {
+        self.take(of, self.limits.judge_most(rule, most, value));
+    }
+
+    /// Takes a check of the geometry, which has no margin.
+    pub(crate) fn take_geometry(&mut self, check: Judged) {
+        self.checks.push((check, None));
+    }
+
     /// Takes a verdict.
-    pub(super) fn take(&mut self, of: &[&str], verdict: Verdict) {
+    pub(crate) fn take(&mut self, of: &[&str], verdict: Verdict) {
         let rule = verdict.rule;
         let judged = Judged {
             name: rule.name(),
@@ -44,19 +54,19 @@ impl Judge {
     }
 
     /// Whether a rule is judged for a set.
-    pub(super) fn has(&self, rule: Rule, set: &str) -> bool {
+    pub(crate) fn has(&self, rule: Rule, set: &str) -> bool {
         let is_own = |check: &Judged| check.name == rule.name() && check.of.iter().any(|of| of == set);
         self.checks.iter().any(|(check, _)| is_own(check))
     }
 
     /// Whether a part of a set has a check, or is named for a rule without one.
-    pub(super) fn has_any(&self, name: &str, of: &[&str]) -> bool {
+    pub(crate) fn has_any(&self, name: &str, of: &[&str]) -> bool {
         self.not_judged.iter().any(|one| one.of == name)
             || self.checks.iter().any(|(check, _)| check.of == of)
     }
 
     /// Notes rules that cannot be judged for lack of data.
-    pub(super) fn lacks(&mut self, of: &str, rules: &[Rule], missing: Vec<String>) {
+    pub(crate) fn lacks(&mut self, of: &str, rules: &[Rule], missing: Vec<String>) {
         let alike = |one: &&mut NotJudged| one.of == of && one.missing == missing;
         let mut names: Vec<&str> = rules.iter().map(|rule| rule.name()).collect();
         match self.not_judged.iter_mut().find(alike) {
@@ -68,10 +78,10 @@ impl Judge {
         }
     }
 
-    pub(super) fn take_tooth_checks(&mut self, all: &ToothChecks) {
+    pub(crate) fn take_tooth_checks(&mut self, all: &ToothChecks) {
         for check in &all.checks {
             let of = std::iter::once(check.set.clone()).chain(check.gears.iter().cloned()).collect();
-            let judged = Judged {
+            self.take_geometry(Judged {
                 name: check.name,
                 of,
                 value: check.value,
@@ -82,8 +92,7 @@ impl Judge {
                 source: GEOMETRY,
                 message: check.message.clone(),
                 remedy: check.remedy,
-            };
-            self.checks.push((judged, None));
+            });
         }
         for of in &all.not_checked {
             let missing = of.missing.iter().map(|key| (*key).to_owned()).collect();
@@ -92,7 +101,7 @@ impl Judge {
     }
 
     /// The judgement, with the worst misses first.
-    pub(super) fn judgement(mut self) -> Judgement {
+    pub(crate) fn judgement(mut self) -> Judgement {
         // Errors first; among equals the order of the checks, which is that of the sets.
         self.checks.sort_by_key(|(check, _)| (check.holds, std::cmp::Reverse(check.severity)));
         let margins = self.checks.iter().filter_map(|(check, margin)| Some((check, (*margin)?)));

@@ -4,14 +4,24 @@ use super::answer::Judgement;
 use super::judge::Judge;
 use super::{loads, teeth};
 use crate::losses::answer::Heat;
-use crate::shared::gearbox::Gearbox;
+use crate::shared::gearbox::Gearbox as Subject;
 use crate::shared::tooth_checks::answer::ToothChecks;
 use crate::strength::answer::Strength;
-use epicyclic_formats::gearbox::GearboxFile;
+use crate::tolerance::rounded;
+use epicyclic_formats::gearbox::{GearboxFile, WrittenSize, written_with_sizes};
 use epicyclic_judge::Rule;
+use epicyclic_train::Gearbox;
 
 /// Temperature of the air, °C.
 const AIR_C: f64 = 20.0;
+
+/// Ratio of a gear that a search found, with the one asked for and its tolerance.
+pub(crate) struct FoundRatio {
+    pub(crate) gear: String,
+    pub(crate) wanted: f64,
+    pub(crate) tolerance: f64,
+    pub(crate) found: f64,
+}
 
 impl Judgement {
     /// Judges a gearbox of a file, or one set of it. The strength is that at an operating point, with its
@@ -21,11 +31,44 @@ impl Judgement {
     /// Data of the file that cannot be used leave out the rules that need them, with the fault as the reason.
     #[must_use]
     pub(crate) fn of(
-        subject: &Gearbox,
+        subject: &Subject,
         set: Option<&str>,
         strength: Option<&Strength>,
         heat: Option<&Heat>,
     ) -> Self {
+        Self::collected(subject, set, strength, heat).judgement()
+    }
+
+    /// Judges a gearbox that a search found by what its file would say, and its ratios by those asked for.
+    pub(crate) fn of_found(train: &Gearbox, sizes: &[WrittenSize], ratios: &[FoundRatio]) -> Self {
+        let text = written_with_sizes(train, sizes, &[]).map_err(|error| error.to_string());
+        let subject = text.and_then(|text| {
+            Subject::parse("found.yaml", text.as_bytes()).map_err(|error| error.to_string())
+        });
+        let mut judge = match subject {
+            Ok(subject) => Self::collected(&subject, None, None, None),
+            Err(why) => {
+                let mut judge = Judge::default();
+                judge.lacks(train.name(), &[Rule::CirculatingPower, Rule::StageEfficiency], vec![why]);
+                judge
+            }
+        };
+        for one in ratios {
+            let name = format!("gear {}", one.gear);
+            let deviation = rounded((one.found / one.wanted - 1.0).abs());
+            judge.see_most(Rule::RatioDeviation, &[&name], one.tolerance, deviation);
+            judge.see(Rule::Direction, &[&name], (one.found * one.wanted).signum());
+        }
+        judge.judgement()
+    }
+
+    /// Collects the verdicts of [`Self::of`], for rules that a command adds.
+    pub(crate) fn collected(
+        subject: &Subject,
+        set: Option<&str>,
+        strength: Option<&Strength>,
+        heat: Option<&Heat>,
+    ) -> Judge {
         let mut judge = Judge::default();
         let is_wanted = |id: &str| set.is_none_or(|set| set == id);
         judge.take_tooth_checks(&ToothChecks::of(subject.tooth_checks(), is_wanted));
@@ -45,6 +88,6 @@ impl Judgement {
         }
         let why = "no method here".to_owned();
         judge.lacks(subject.train.name(), &[Rule::Scuffing, Rule::Micropitting], vec![why]);
-        judge.judgement()
+        judge
     }
 }

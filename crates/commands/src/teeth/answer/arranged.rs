@@ -3,6 +3,7 @@
 use super::{Listed, gearbox, listed};
 use crate::answer::Answer;
 use crate::error::Error;
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::records::Fraction;
 use crate::shared::tool::CuttingTool;
 use crate::shared::tooth_checks::answer::{TeethLeftOut, ToothChecks};
@@ -52,6 +53,8 @@ pub struct ArrangedSets {
     pub tooth_numbers: Vec<ArrangedNumbers>,
     /// Tooth checks of one set, the first unless another is requested.
     pub tooth_checks: ToothChecks,
+    /// Judgement of the same set by rules of practice.
+    pub judgement: Judgement,
 }
 
 /// Driving, driven and fixed member of an arrangement, by the names of its gears or `carrier`; of a pair the
@@ -143,7 +146,7 @@ pub(in crate::teeth) fn answer(
 ) -> Result<ArrangedSets, Error> {
     let arrangement = bounds.arrangement;
     let mode = request.arranged_mode(arrangement)?;
-    let Listed { ratio, tolerance, found, left_out, sets, tooth_checks } = listed(
+    let Listed { ratio, tolerance, found, left_out, sets, tooth_checks, judgement } = listed(
         request,
         &bounds.rack,
         |ratio, tolerance, most| bounds.for_ratio(ratio, mode, tolerance, most, done),
@@ -164,6 +167,7 @@ pub(in crate::teeth) fn answer(
         shown: sets.len(),
         tooth_numbers: sets,
         tooth_checks,
+        judgement,
     })
 }
 

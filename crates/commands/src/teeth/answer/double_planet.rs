@@ -3,6 +3,7 @@
 use super::{Listed, gearbox, listed};
 use crate::answer::Answer;
 use crate::error::Error;
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::records::{Fraction, Motion};
 use crate::shared::tooth_checks::answer::{TeethLeftOut, ToothChecks};
 use crate::teeth::options::Request;
@@ -39,6 +40,8 @@ pub struct DoublePlanetTeeth {
     pub tooth_numbers: Vec<DoublePlanetNumbers>,
     /// Tooth checks of one set, the first unless another is requested.
     pub tooth_checks: ToothChecks,
+    /// Judgement of the same set by rules of practice.
+    pub judgement: Judgement,
 }
 
 /// Tooth numbers of a double-planet set, with the properties that follow from them.
@@ -95,7 +98,7 @@ pub(in crate::teeth) fn answer(
     done: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Result<DoublePlanetTeeth, Error> {
     let mode = request.simple_mode()?;
-    let Listed { ratio, tolerance, found, left_out, sets, tooth_checks } = listed(
+    let Listed { ratio, tolerance, found, left_out, sets, tooth_checks, judgement } = listed(
         request,
         &bounds.rack,
         |ratio, tolerance, most| bounds.double_planets_for_ratio(ratio, mode, tolerance, most, done),
@@ -112,6 +115,7 @@ pub(in crate::teeth) fn answer(
         shown,
         tooth_numbers: sets,
         tooth_checks,
+        judgement,
     })
 }
 

@@ -3,6 +3,7 @@
 use super::{Listed, gearbox, listed};
 use crate::answer::Answer;
 use crate::error::Error;
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::profile_shift::WantedShifts;
 use crate::shared::records::{Fraction, Motion};
 use crate::shared::tool::CuttingTool;
@@ -115,6 +116,8 @@ pub struct ShiftedTeeth {
     pub tooth_numbers: Vec<ShiftedNumbers>,
     /// Tooth checks of one set, the first unless another is requested.
     pub tooth_checks: ToothChecks,
+    /// Judgement of the same set by rules of practice.
+    pub judgement: Judgement,
 }
 
 /// Tooth numbers of a simple set with its profile shifts, and the properties that follow; lengths in modules.
@@ -180,7 +183,7 @@ pub(in crate::teeth) fn answer(
 ) -> Result<ShiftedTeeth, Error> {
     let search = shifts.within(bounds).within(bounds);
     let mode = request.simple_mode()?;
-    let Listed { ratio, tolerance, found, left_out, sets, tooth_checks } = listed(
+    let Listed { ratio, tolerance, found, left_out, sets, tooth_checks, judgement } = listed(
         request,
         &bounds.rack,
         |ratio, tolerance, most| search.first_for_ratio(ratio, mode, tolerance, most, done),
@@ -198,6 +201,7 @@ pub(in crate::teeth) fn answer(
         shown: sets.len(),
         tooth_numbers: sets,
         tooth_checks,
+        judgement,
     })
 }
 

@@ -24,7 +24,11 @@ impl AsReport for ArrangedSets {
             self.arrangement
         );
         let count = count(self.found, self.shown) + &left_out(self.left_out.as_ref());
-        Report { title: Some(title), parts: parts(sets(self), &self.tooth_checks, count), warnings: None }
+        Report {
+            title: Some(title),
+            parts: parts(sets(self), &self.tooth_checks, &self.judgement, count),
+            warnings: None,
+        }
     }
 }
 

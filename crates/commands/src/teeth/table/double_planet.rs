@@ -15,6 +15,7 @@ impl AsReport for DoublePlanetTeeth {
             parts: parts(
                 sets(self),
                 &self.tooth_checks,
+                &self.judgement,
                 count(self.found, self.shown) + &left_out(self.left_out.as_ref()),
             ),
             warnings: None,

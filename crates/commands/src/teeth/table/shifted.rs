@@ -15,6 +15,7 @@ impl AsReport for ShiftedTeeth {
             parts: parts(
                 sets(self),
                 &self.tooth_checks,
+                &self.judgement,
                 count(self.found, self.shown)
                     + &left_out(self.left_out.as_ref())
                     + &near(self.tooth_numbers.iter().map(|set| set.planet_gap_in_modules)),

@@ -14,7 +14,7 @@ use epicyclic_units::Physical as _;
 use epicyclic_units::format;
 use schemars::JsonSchema;
 use serde::Serialize;
-use uom::si::f64::{Angle, Pressure};
+use uom::si::f64::Angle;
 
 /// Ports as manufactured. Phases are those of a chamber, 0 at its greatest area.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -196,16 +196,11 @@ impl MadePorts {
         })
     }
 
-    /// Greatest change of pressure in a closed chamber, in Pa; `None` without a bulk modulus.
-    pub(in crate::motor::answer) fn greatest_change(&self) -> Option<f64> {
-        self.closed.iter().filter_map(|one| one.change_pa.map(f64::abs)).reduce(f64::max)
-    }
-
     /// Warnings about faults of the ports that the manufacturer has to correct.
-    pub(in crate::motor::answer) fn warnings(&self, most_trapped: Option<Pressure>) -> Vec<Warning> {
+    pub(in crate::motor::answer) fn warnings(&self) -> Vec<Warning> {
         let degrees = |rad: f64| format::quantity(Angle::from_si(rad), 4);
         let short = self.states.iter().filter(|state| state.open_to == OpenTo::Both);
-        let mut all: Vec<Warning> = short
+        short
             .map(|state| Warning {
                 name: "short-circuit",
                 message: format!(
@@ -214,23 +209,7 @@ impl MadePorts {
                     degrees(state.to_rad)
                 ),
             })
-            .collect();
-        // Without a given limit, the practical limits of the motor apply instead.
-        let Some(most) = most_trapped.map(si) else { return all };
-        for one in self.closed.iter().filter(|one| one.change_pa.is_some_and(|change| change.abs() > most)) {
-            let change = one.change_pa.unwrap_or_default();
-            all.push(Warning {
-                name: "trapped-pressure",
-                message: format!(
-                    "a chamber closed from {} to {} changes its pressure by {}, and {} is allowed: open the ports earlier there, or give it more dead volume",
-                    degrees(one.from_rad),
-                    degrees(one.to_rad),
-                    format::quantity(Pressure::from_si(change), 4),
-                    format::quantity(Pressure::from_si(most), 4)
-                ),
-            });
-        }
-        all
+            .collect()
     }
 }
 

@@ -1,7 +1,7 @@
 //! Teeth of a design: their limits, and flow and torque if satellites seal at their flanks.
 
 use super::shown_size;
-use crate::motor::answer::{contact_stresses, practice, steel};
+use crate::motor::answer::{contact_stresses, greatest_contact, steel};
 use crate::shared::number::plain;
 use epicyclic_hydromotor::profile::limits::Limit;
 use epicyclic_hydromotor::profile::{Profile, ToothForm};
@@ -60,7 +60,7 @@ impl Teeth {
 /// Greatest contact stress in Pa while a single pair of flanks carries; `None` if the flanks cannot hold a
 /// satellite.
 fn contact(profile: &Profile, drop: Pressure) -> Option<f64> {
-    practice::greatest_contact(&contact_stresses(profile, steel().ok()?, drop).ok()?)
+    greatest_contact(&contact_stresses(profile, steel().ok()?, drop).ok()?)
 }
 
 /// Tooth profile of a design, or the reason why none exists.

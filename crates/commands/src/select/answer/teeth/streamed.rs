@@ -5,6 +5,7 @@ use crate::answer::Answer;
 use crate::finite;
 use crate::select::answer::reached::ReachedSpeed;
 use crate::select::answer::required::Required;
+use crate::shared::judgement::answer::Judgement;
 use crate::teeth::answer::shifted::RequiredShifts;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::ser::{Error as _, SerializeSeq as _};
@@ -16,6 +17,7 @@ use std::borrow::Cow;
 pub struct Streamed<'a> {
     pub(super) shown_in_full: Option<u32>,
     pub(super) speeds: Vec<ReachedSpeed>,
+    pub(super) judgement: Judgement,
     pub(super) required: Required,
     pub(super) size_limits: RequiredSize,
     #[serde(skip_serializing_if = "Option::is_none")]
