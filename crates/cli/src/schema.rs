@@ -11,6 +11,7 @@ use epicyclic_commands::answer::{schema, schema_of_file};
 use epicyclic_commands::compare::answer::Comparison;
 use epicyclic_commands::design::answer::Design;
 use epicyclic_commands::design::answer::stages::Stages;
+use epicyclic_commands::design::answer::transmission::Transmission;
 use epicyclic_commands::desk::Call;
 use epicyclic_commands::draw::answer::Drawing;
 use epicyclic_commands::drive::answer::Drive;
@@ -127,6 +128,7 @@ enum Of {
     AnswerDesign,
     /// The answer of `epicyclic design` for one ratio.
     AnswerDesignStages,
+    AnswerDesignTransmission,
     /// The answer of `epicyclic losses`.
     AnswerLosses,
     /// The answer of `epicyclic losses` with a map.
@@ -195,6 +197,7 @@ pub(crate) fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
         Of::AnswerSize => schema::<Size>(),
         Of::AnswerDesign => schema::<Design>(),
         Of::AnswerDesignStages => schema::<Stages>(),
+        Of::AnswerDesignTransmission => schema::<Transmission>(),
         Of::AnswerLosses => schema::<Losses>(),
         Of::AnswerLossesMap => schema::<LossMap>(),
         Of::AnswerSimulate => schema::<Simulation>(),
