@@ -2,6 +2,7 @@
 
 pub mod answer;
 mod factor;
+mod gears;
 pub mod page;
 pub mod request;
 pub mod table;

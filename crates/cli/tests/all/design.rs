@@ -66,10 +66,12 @@ fn ways_out_are_what_the_same_search_finds_with_the_option_typed() {
     let mut seen = vec![];
     for order in orders {
         let (code, answer, said) = design(order);
-        assert_eq!((code, &answer["file"]), (1, &Value::Null), "{order:?}: {answer}");
+        // Where a structure of another kind holds, it is the answer.
+        let is_found = answer["answer"] == "design-transmission";
+        assert_eq!((code == 0, answer["file"].is_string()), (is_found, is_found), "{order:?}");
         let ways = answer["ways_out"].as_array().unwrap();
         assert!(!ways.is_empty(), "{order:?}");
-        assert!(said.starts_with("error: no gearbox that holds was found; --"), "{said}");
+        assert!(is_found || said.starts_with("error: no gearbox that holds was found; --"), "{said}");
         for way in ways {
             let limits = way["limits"].as_array().unwrap();
             seen.extend(limits.iter().map(|limit| limit["limit"].as_str().unwrap().to_owned()));

@@ -309,12 +309,23 @@ fn every_answer_is_one_by_its_schema_and_every_key_is_written() {
     let of_judgement = |key: &String| Some(key.split_once("judgement")?.1.to_owned());
     let judged: BTreeSet<String> =
         written.values().flat_map(|(_, _, found)| found.iter().filter_map(of_judgement)).collect();
+    // The sizes of a design are one record, too.
+    let of_sizes = |name: &str, key: &str| {
+        Some(key.strip_prefix(".sizes.")?.to_owned()).filter(|_| name.starts_with("design"))
+    };
+    let sized: BTreeSet<String> = written
+        .iter()
+        .flat_map(|(name, (_, _, found))| found.iter().filter_map(|key| of_sizes(name, key)))
+        .collect();
     for (name, (_, keys, found)) in &written {
         // What these answer has all that the checks need, and keeps them.
         let is_whole = |key: &str| {
             let mut never = ["tooth_checks.not_checked", "checks[].message", "checks[].remedy"].into_iter();
             // Stages are taken only with sizes that hold.
             (name == "design-stages" && key.contains("nearest_miss"))
+                || of_sizes(name, key).is_some_and(|key| sized.contains(&key))
+                // Sets of a list of gears have the shifts of their sizes.
+                || (name == "design-transmission" && key.contains(".shifts"))
                 || of_judgement(&key.to_owned()).is_some_and(|key| judged.contains(&key))
                 || (name.starts_with("teeth") || name == "size") && never.any(|of| key.contains(of))
         };

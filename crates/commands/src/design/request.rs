@@ -2,7 +2,7 @@
 
 use crate::design::Factor;
 use crate::design::answer::stages::{self, Stages, WantedStages};
-use crate::design::answer::transmission::{self, Transmission, WantedTransmission};
+use crate::design::answer::transmission::Transmission;
 use crate::design::answer::{Design, Wanted, answer};
 use crate::design::table::way_out;
 use crate::desk::Call;
@@ -16,7 +16,7 @@ use crate::report::answer::gearbox;
 use crate::select::answer as select;
 use crate::select::answer::duty::{Duty, Load};
 use crate::select::answer::teeth::Watch;
-use crate::shared::application::{Application, FULL_LOAD};
+use crate::shared::application::Application;
 use crate::shared::basis::Basis;
 use crate::shared::gearbox::one;
 use crate::shared::gearbox_choice::refuse;
@@ -206,9 +206,6 @@ pub struct Request {
 }
 
 /// Heading of the options for one ratio.
-/// Most ratios of braked gears; a list of more is one of all gears.
-const MOST_BRAKED: usize = 2;
-
 const STAGES: &str = "One ratio: stages in series";
 
 /// Stages that are tried at most.
@@ -270,8 +267,9 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     drop(shown);
     // Where no scheme of the catalogue holds, some other structure may.
     if design.file.is_none() && request.may_be_of_gears(&design) {
-        let of_gears = request.answer_gears(&|| call.goes_on())?;
+        let mut of_gears = request.answer_gears(&|| call.goes_on())?;
         if of_gears.file.is_some() {
+            of_gears.ways_out = design.ways_out.unwrap_or_default();
             return deliver_gears(call, args, &of_gears);
         }
     }
@@ -377,7 +375,7 @@ impl Request {
             shares: self.shares(),
             overload: self.overload()?,
             basis: self.basis()?,
-            size: self.sized_for(self.sizes.minimise.unwrap_or(MinimisedSize::Whole)),
+            size: self.sized(),
         })
     }
 
@@ -418,8 +416,7 @@ impl Request {
                 format!("{}: 0 to below 1, or 100 %, is due", self.tolerance),
             ));
         }
-        let minimise = self.sizes.minimise.unwrap_or(MinimisedSize::Whole);
-        if minimise == MinimisedSize::Ring {
+        if self.sizes.minimise == Some(MinimisedSize::Ring) {
             let message =
                 "stages in series are chosen by a mass, mass or whole; --max-ring bounds their rings";
             return Err(Failure::invalid("--minimise", message));
@@ -445,88 +442,29 @@ impl Request {
             overload: self.overload()?,
             efficiency: self.criteria.set_efficiency()?.get(),
             basis: self.basis()?,
-            size: self.sized_for(minimise),
+            size: self.sized(),
         })
     }
 
-    /// Whether a list of all gears is asked for: of more ratios than a scheme has braked gears, in both
-    /// directions, or with one of 1.
-    fn is_of_gears(&self) -> bool {
-        let ratios = self.listed_ratios();
-        let signs = [ratios.iter().any(|ratio| *ratio < 0.0), ratios.iter().any(|ratio| *ratio > 0.0)];
-        ratios.len() > MOST_BRAKED || signs == [true; 2] || ratios.len() > 1 && ratios.contains(&1.0)
-    }
-
-    /// Whether a list of gears may stand for a design without tooth numbers.
-    fn may_be_of_gears(&self, design: &Design) -> bool {
-        self.scheme.is_none() && self.tooth_design.is_none() && !self.may_reverse && design.teeth.is_none()
-    }
-
-    /// Designs a gearbox for a list of gears: ratios, to which direct drive is added where they are those of
-    /// braked gears, or speeds, of which the fastest is direct. The closure is called now and then, and may
-    /// end the search.
-    ///
-    /// # Errors
-    /// As of [`Request::answer`].
-    pub fn answer_gears(
-        &self,
-        goes_on: &(dyn Fn() -> ControlFlow<()> + Sync),
-    ) -> Result<Transmission, Failure> {
-        let mut ratios = self.listed_ratios();
-        if let Some(wrong) = ratios.iter().find(|ratio| !(ratio.is_finite() && **ratio != 0.0)) {
-            return Err(Failure::invalid("--ratios", format!("{wrong} is no ratio; it must not be 0")));
-        }
-        if let Some(speeds) = &self.speeds.speeds {
-            let speeds: Vec<f64> = speeds.values().into_iter().map(Physical::si).collect();
-            let fastest = speeds.iter().copied().fold(0.0, f64::max);
-            ratios = speeds.iter().map(|speed| fastest / speed).collect();
-        } else if !self.is_of_gears() {
-            ratios.push(1.0);
-        }
-        let torque = self.duty().torque().map_err(refuse_of)?.ok_or(Error::NoLoad).map_err(refuse_of)?;
-        let mut shares = self.shares();
-        if shares.is_empty() {
-            shares = self.sizes.application.map(|of| of.shares(&ratios)).unwrap_or_default();
-        }
-        let wanted = WantedTransmission {
-            ratios,
-            tolerance: self.tolerance.0.si(),
-            bounds: self.bounds([17..=60, 17..=80, 50..=140])?,
-            speed: self.input.0,
-            torque,
-            shares,
-            overload: self.overload()?,
-            spectrum: self.sizes.application.map_or(&FULL_LOAD, Application::spectrum),
-            basis: self.basis()?,
-            size: self.sized_for(self.sizes.minimise.unwrap_or(MinimisedSize::Whole)),
-        };
-        transmission::answer(&wanted, goes_on).map_err(refuse_of)
-    }
-
-    /// The ratios of the request.
-    fn listed_ratios(&self) -> Vec<f64> {
-        self.speeds.ratios.iter().flat_map(|list| &list.0).map(|ratio| ratio.get()).collect()
-    }
-
     /// Speed and load of the input in every gear.
-    fn duty(&self) -> Duty {
+    pub(super) fn duty(&self) -> Duty {
         let power = self.power.map(|power| Load::Power(power.0));
         let load = self.torque.map(|torque| Load::Torque(torque.0)).or(power);
         Duty { input_speed: Some(self.input.0), load }
     }
 
-    /// Space of the sizes with what is least.
-    fn sized_for(&self, minimise: MinimisedSize) -> SizeRequest {
-        SizeRequest { minimise: Some(minimise), ..self.sizes.clone() }
+    /// Space of the sizes; the whole is least unless something else is.
+    pub(super) fn sized(&self) -> SizeRequest {
+        SizeRequest { minimise: self.sizes.minimise.or(Some(MinimisedSize::Whole)), ..self.sizes.clone() }
     }
 
     /// Shares of the time of the gears.
-    fn shares(&self) -> Vec<f64> {
+    pub(super) fn shares(&self) -> Vec<f64> {
         self.shares.iter().flat_map(|shares| &shares.0).map(|share| share.0.si()).collect()
     }
 
     /// Bounds of tooth numbers and numbers of planets, with the teeth that are usual where none are given.
-    fn bounds(&self, usual: [RangeInclusive<u32>; 3]) -> Result<Bounds, Failure> {
+    pub(super) fn bounds(&self, usual: [RangeInclusive<u32>; 3]) -> Result<Bounds, Failure> {
         let planets = self.sizes.planet_counts();
         Ok(Bounds {
             planets: (*planets.start()).max(2)..=(*planets.end()).max(2),
@@ -547,7 +485,7 @@ impl Request {
     }
 
     /// The factor of the overload.
-    fn overload(&self) -> Result<Option<f64>, Failure> {
+    pub(super) fn overload(&self) -> Result<Option<f64>, Failure> {
         let factor = self.overload.map(|factor| factor.0.si());
         match factor {
             Some(factor) if !(factor.is_finite() && factor > 0.0) => {
@@ -559,7 +497,7 @@ impl Request {
     }
 
     /// The basis with the factors and the life of the request.
-    fn basis(&self) -> Result<Basis, Failure> {
+    pub(super) fn basis(&self) -> Result<Basis, Failure> {
         let usual = self.sizes.application.map_or_else(Basis::default, Application::basis);
         let mut basis = match &self.basis {
             Some(own) => own.clone().completed_by(usual),
@@ -594,7 +532,7 @@ fn sharing() -> Result<[f64; 7], Failure> {
 }
 
 /// Converts an error to a failure with the option that caused it.
-fn refuse_of(error: Error) -> Failure {
+pub(super) fn refuse_of(error: Error) -> Failure {
     match &error {
         Error::NoSuchDesign { .. } => Failure::of_option("--tooth-design", &error),
         Error::Shares { .. } => Failure::of_option("--shares", &error),

@@ -10,6 +10,7 @@ use crate::shared::basis::{Basis, BasisKey};
 use crate::shared::gearbox::{Choice, one};
 use crate::size::answer::{self as size, sizing_of};
 use crate::size::options::Request as SizeRequest;
+use crate::tolerance::ROUNDED;
 use epicyclic_formats::Document;
 use epicyclic_formats::yaml::{Mapping, Value, to_string};
 use epicyclic_gears::ToothCount;
@@ -267,7 +268,8 @@ fn order(wanted: &WantedStages, tolerance: f64) -> Result<Order, Error> {
             overload.sun_torque = wanted.fast(tolerance).torque * wanted.overload.unwrap_or(1.0);
         }
     }
-    let [less, more] = [1.0 - tolerance, 1.0 + tolerance];
+    // Products of ratios are rounded.
+    let [less, more] = [1.0 - tolerance - ROUNDED, 1.0 + tolerance + ROUNDED];
     Ok(Order {
         stages: wanted.stages.clone(),
         ratio: wanted.ratio * less..=wanted.ratio * more,

@@ -7,6 +7,7 @@
 
 use super::making::{Load, MAKING, for_each_set, warnings, with_duty};
 use super::records::SizesStep;
+use super::ways_out::WayOut;
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::basis::{Basis, BasisKey};
@@ -24,6 +25,7 @@ use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_strength::series::slow_shaft;
 use epicyclic_synthesis::Kind;
+use epicyclic_synthesis::limits::Limits;
 use epicyclic_synthesis::rank::Objective;
 use epicyclic_synthesis::rules::Rules;
 use epicyclic_synthesis::shifts::Shifts;
@@ -63,6 +65,12 @@ pub struct WantedTransmission {
     pub tolerance: f64,
     /// Bounds of tooth numbers and numbers of planets.
     pub bounds: Bounds,
+    /// Ring over sun of simple sets.
+    pub k: RangeInclusive<f64>,
+    /// Limits of speeds and slips over the input's speed.
+    pub limits: Limits,
+    /// Limits of efficiency and circulating power.
+    pub usable: Usable,
     /// Speed of the input.
     pub speed: AngularVelocity,
     /// Torque on the input in every gear.
@@ -99,6 +107,9 @@ pub struct Transmission {
     pub whole_kg: Option<f64>,
     /// Sizes of the gearbox taken, with their strength over the duty; null if no structure was found.
     pub sizes: Option<SizesStep>,
+    /// Limits to relax for a scheme of the catalogue, each with the gearbox that is then found; empty for a
+    /// list of gears.
+    pub ways_out: Vec<WayOut>,
     /// Gearbox file with sizes; null if a set has none.
     pub file: Option<String>,
     /// Warnings about the gearbox.
@@ -170,8 +181,8 @@ const CLASSES: [Class; 6] = [
 /// Shift elements at most.
 const MOST_ELEMENTS: usize = 5;
 
-/// Ring over sun of simple sets. Below, planets are too small for their bearings.
-const K: RangeInclusive<f64> = 1.8..=4.5;
+/// Ring over sun of simple sets unless others are asked for. Below, planets are too small for their bearings.
+pub(crate) const K: RangeInclusive<f64> = 1.8..=4.5;
 
 /// Ring over sun of double-planet sets.
 const K_DOUBLE: RangeInclusive<f64> = 1.8..=4.5;
@@ -214,6 +225,7 @@ pub fn answer(
         basis: wanted.assumed(),
         whole_kg: None,
         sizes: None,
+        ways_out: vec![],
         file: None,
         warnings: vec![],
     };
@@ -314,15 +326,15 @@ fn search(
         engaged: engaged.clone(),
         links: 0..=usize::MAX,
         open: 0..=usize::MAX,
-        k: K,
+        k: wanted.k.clone(),
         double_planets: double_planets.clone(),
         k_double: K_DOUBLE,
         equal_k: 1,
         rules: Rules { shifts, ..Rules::default() },
-        limits: Default::default(),
+        limits: wanted.limits.clone(),
         drawable: false,
         shares: None,
-        usable: Some(Usable::default()),
+        usable: Some(wanted.usable),
         efficiency,
         most: STRUCTURES,
         all_gearboxes: false,

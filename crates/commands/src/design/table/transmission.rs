@@ -1,7 +1,7 @@
 //! A gearbox for a list of gears, asked and reached, with what came next.
 
 use crate::design::answer::transmission::{GearboxWithTeeth, Transmission};
-use crate::design::table::{ASSUMED, of_sizes, parts_of_sizes};
+use crate::design::table::{ASSUMED, of_sizes, parts_of_sizes, ways_out};
 use crate::select::table::percent;
 use crate::size::table::basis;
 use crate::synthesize::answer::teeth::TeethOfSet;
@@ -22,6 +22,9 @@ pub(crate) fn parts_of_transmission(transmission: &Transmission) -> Vec<Part> {
     let mut parts = vec![Part::Records(gears(transmission))];
     if !transmission.gearboxes.is_empty() {
         parts.push(Part::Records(gearboxes(&transmission.gearboxes)));
+    }
+    if !transmission.ways_out.is_empty() {
+        parts.push(Part::Records(ways_out(&transmission.ways_out)));
     }
     parts.push(Part::Records(basis(&transmission.basis, ASSUMED)));
     parts
