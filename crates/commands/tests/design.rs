@@ -38,7 +38,8 @@ const SPACE: &str = "--sun=18..27|--planet=18..45|--ring=60..140|--modules=2mm, 
 fn a_train_that_steps_up_is_the_reduction_turned_round() {
     let down = stages(&format!("--ratio=20|--power=12kW|--input=1500rpm|{SPACE}"));
     let up = stages(&format!("--ratio=0.05|--power=12kW|--input=75rpm|{SPACE}"));
-    let [one, other] = [&down, &up].map(|stages| stages.sizes.as_ref().unwrap_or_else(|| panic!("{:?}", stages.trains)));
+    let [one, other] =
+        [&down, &up].map(|stages| stages.sizes.as_ref().unwrap_or_else(|| panic!("{:?}", stages.trains)));
     assert_eq!(one.mass_kg, other.mass_kg);
     let near = |one: f64, other: f64| (one / other - 1.0).abs() < 1e-9;
     assert!(near(down.ratio.unwrap(), 20.0) && near(up.ratio.unwrap(), 0.05));

@@ -39,6 +39,18 @@ impl Request {
         &self,
         goes_on: &(dyn Fn() -> ControlFlow<()> + Sync),
     ) -> Result<Transmission, Failure> {
+        let of_schemes = [
+            ("--scheme", self.scheme.is_some()),
+            ("--tooth-design", self.tooth_design.is_some()),
+            ("--all-structures", self.speeds.all_structures),
+            ("--signs", self.ratios.signs.is_some()),
+        ];
+        if let Some((option, _)) =
+            of_schemes.into_iter().find(|(_, is_given)| *is_given && self.is_of_gears())
+        {
+            let message = "chooses among the schemes of one or two --ratios beside direct drive; a list of all gears takes structures of synthesize";
+            return Err(Failure::invalid(option, message));
+        }
         let mut ratios = self.listed_ratios();
         if let Some(wrong) = ratios.iter().find(|ratio| !(ratio.is_finite() && **ratio != 0.0)) {
             return Err(Failure::invalid("--ratios", format!("{wrong} is no ratio; it must not be 0")));

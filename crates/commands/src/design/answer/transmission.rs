@@ -286,8 +286,11 @@ fn structures(
     wanted: &WantedTransmission,
     goes_on: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<(usize, Vec<(Solution, Kept)>), Error> {
+    let mut are_toothless = false;
     for neighbours in [true, false] {
-        for class in &CLASSES {
+        // Few gears have thousands of large structures, none of them simpler than the small ones.
+        let classes = CLASSES.iter().filter(|(_, sets, _)| *sets < wanted.ratios.len());
+        for class in classes {
             let search = search(wanted, class, Shifts { neighbours, skips: false })?;
             let of_class = |_: &Searching, _| goes_on();
             let (synthesis, kept) = match solve(&search, &of_class) {
@@ -304,6 +307,11 @@ fn structures(
             if found.iter().any(|(_, kept)| !kept.teeth.is_empty()) {
                 return Ok((synthesis.found, found));
             }
+            are_toothless |= !found.is_empty();
+        }
+        // What has no teeth within the bounds has none with other shifts either.
+        if are_toothless {
+            break;
         }
     }
     Ok((0, vec![]))
@@ -322,7 +330,7 @@ fn search(
         tolerance: wanted.tolerance,
         kind: *kind,
         sets: *sets..=*sets,
-        elements: 1..=MOST_ELEMENTS,
+        elements: 1..=MOST_ELEMENTS.min(wanted.ratios.len()),
         engaged: engaged.clone(),
         links: 0..=usize::MAX,
         open: 0..=usize::MAX,

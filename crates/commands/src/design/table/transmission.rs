@@ -8,6 +8,7 @@ use crate::synthesize::answer::teeth::TeethOfSet;
 use crate::table::columns::Table;
 use crate::table::report::{AsReport, Part, Records, Report, warned};
 use epicyclic_units::Dimension;
+use epicyclic_units::format::trimmed;
 
 impl AsReport for Transmission {
     fn report(&self) -> Report {
@@ -42,9 +43,9 @@ pub(crate) fn in_short(transmission: &Transmission) -> String {
         count(taken.sets.len(), "set"),
         count(taken.shift_elements.len(), "shift element"),
         format!(
-            "ratios within {} (asked {})",
-            percent(taken.greatest_deviation).trim_start_matches('+'),
-            percent(transmission.tolerance).trim_start_matches('+')
+            "ratios within {} % (asked {} %)",
+            trimmed(100.0 * taken.greatest_deviation, 3),
+            trimmed(100.0 * transmission.tolerance, 3)
         ),
     ];
     if transmission.file.is_none() {
