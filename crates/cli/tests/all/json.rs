@@ -309,13 +309,14 @@ fn every_answer_is_one_by_its_schema_and_every_key_is_written() {
     let of_judgement = |key: &String| Some(key.split_once("judgement")?.1.to_owned());
     let judged: BTreeSet<String> =
         written.values().flat_map(|(_, _, found)| found.iter().filter_map(of_judgement)).collect();
-    // The sizes of a design are one record, too.
-    let of_sizes = |name: &str, key: &str| {
-        Some(key.strip_prefix(".sizes.")?.to_owned()).filter(|_| name.starts_with("design"))
+    // So are the sizes of designs, and the limits that would have to give.
+    let of_designs = |name: &str, key: &str| {
+        let is_shared = [".sizes.", ".ways_out"].iter().any(|of| key.starts_with(of));
+        (is_shared && name.starts_with("design")).then(|| key.to_owned())
     };
-    let sized: BTreeSet<String> = written
+    let designed: BTreeSet<String> = written
         .iter()
-        .flat_map(|(name, (_, _, found))| found.iter().filter_map(|key| of_sizes(name, key)))
+        .flat_map(|(name, (_, _, found))| found.iter().filter_map(|key| of_designs(name, key)))
         .collect();
     for (name, (_, keys, found)) in &written {
         // What these answer has all that the checks need, and keeps them.
@@ -323,7 +324,7 @@ fn every_answer_is_one_by_its_schema_and_every_key_is_written() {
             let mut never = ["tooth_checks.not_checked", "checks[].message", "checks[].remedy"].into_iter();
             // Stages are taken only with sizes that hold.
             (name == "design-stages" && key.contains("nearest_miss"))
-                || of_sizes(name, key).is_some_and(|key| sized.contains(&key))
+                || of_designs(name, key).is_some_and(|key| designed.contains(&key))
                 // Sets of a list of gears have the shifts of their sizes.
                 || (name == "design-transmission" && key.contains(".shifts"))
                 || of_judgement(&key.to_owned()).is_some_and(|key| judged.contains(&key))
