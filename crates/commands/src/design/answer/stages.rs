@@ -137,8 +137,8 @@ impl Answer for Stages {
 }
 
 impl WantedStages {
-    /// Ratio of input over output, for the quotient of the fast speed over the slow one.
-    fn from_input(&self, quotient: f64) -> f64 {
+    /// Input over output, for the quotient of the fast speed over the slow one.
+    fn over_output(&self, quotient: f64) -> f64 {
         if self.steps_up { 1.0 / quotient } else { quotient }
     }
 
@@ -160,11 +160,11 @@ impl TrainOfStages {
         if wanted.steps_up {
             stages.reverse();
         }
-        let ratio = |[sun, _, ring]: &[ToothCount; 3]| wanted.from_input(1.0 + ring.as_f64() / sun.as_f64());
+        let ratio = |[sun, _, ring]: &[ToothCount; 3]| wanted.over_output(1.0 + ring.as_f64() / sun.as_f64());
         Self {
             teeth: stages.iter().map(|teeth| teeth.map(ToothCount::get)).collect(),
             ratios: stages.iter().map(ratio).collect(),
-            ratio: wanted.from_input(train.ratio),
+            ratio: wanted.over_output(train.ratio),
             unusual_stages: train.unusual_stages,
             rules_missed: train.rules_missed,
             mass_kg: train.mass_kg,
@@ -238,12 +238,12 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
     let structures = sizes.as_ref().and_then(|sizes: &SizesStep| sizes.whole_kg);
     let speed = wanted.speed.si();
     Ok(Stages {
-        asked_ratio: wanted.from_input(wanted.ratio),
+        asked_ratio: wanted.over_output(wanted.ratio),
         tolerance: wanted.tolerance,
         searched_tolerance: within,
         ratio,
         input_speed_rad_s: speed,
-        asked_output_speed_rad_s: speed / wanted.from_input(wanted.ratio),
+        asked_output_speed_rad_s: speed / wanted.over_output(wanted.ratio),
         output_speed_rad_s: ratio.map(|ratio| speed / ratio),
         output_torque_n_m: ratio.map(|ratio| wanted.torque.si() * ratio),
         sets: found.sets,

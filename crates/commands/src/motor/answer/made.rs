@@ -125,7 +125,7 @@ impl Made {
 
     /// Warnings about the ports as manufactured.
     pub(crate) fn port_warnings(&self) -> Vec<Warning> {
-        self.port_figures.as_ref().map(|ports| ports.warnings()).unwrap_or_default()
+        self.port_figures.as_ref().map(MadePorts::warnings).unwrap_or_default()
     }
 }
 
