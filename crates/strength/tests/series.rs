@@ -210,7 +210,7 @@ fn small(ratio: f64, torque: f64, suns: u32, objective: Objective) -> Order {
             suns: suns..=suns + 4,
             planets: 27..=45,
             ring_offsets: -1..=0,
-            is_hunting: suns % 3 == 0,
+            is_hunting: suns.is_multiple_of(3),
             ..order.teeth
         },
         duty: vec![
