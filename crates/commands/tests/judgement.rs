@@ -12,7 +12,7 @@ use epicyclic_commands::shared::judgement::answer::{Judgement, NotJudged};
 use epicyclic_commands::strength;
 use epicyclic_commands::words::request;
 use epicyclic_formats::gearbox::GearboxFile;
-use epicyclic_judge::Rule;
+use epicyclic_judge::{Rule, Severity};
 use std::path::Path;
 
 /// A set with all that its strength and its bearings need.
@@ -183,4 +183,34 @@ fn a_pinion_in_a_ring_has_a_width() {
     every_rule_is_named(&subject, &judgement, text);
     let width = judgement.checks.iter().find(|check| check.name == Rule::FaceWidth.name()).unwrap();
     assert!((width.value.unwrap() - 0.08).abs() < 1e-12 && !width.holds, "{width:?}");
+}
+
+/// A stated limit in place of the usual one, in what `analyze` and `strength` answer: a miss that holds, and
+/// a value that holds and misses.
+#[test]
+fn stated_limits_take_the_place_of_usual_ones() {
+    let text = whole().replace("face_width: 40 mm", "face_width: 90 mm");
+    let check = |judgement: &Judgement, name: &str| {
+        let check = judgement.checks.iter().find(|check| check.name == name).unwrap();
+        (check.holds, check.severity, check.source)
+    };
+    for (limits, name, usual, stated) in [
+        ("face-width: 0.4..1.4", "face-width", (false, Severity::Warning), true),
+        ("dynamic-factor: ..1.01", "dynamic-factor", (true, Severity::Error), false),
+    ] {
+        let with_limits = format!("{text}limits: {{ {limits} }}\n");
+        let of = |text: &str| {
+            let (subject, overview) = judged(text);
+            let strength = strength::Request::default().answer(&subject).unwrap();
+            [check(&overview, name), check(&strength.judgement, name)]
+        };
+        for (holds, severity, _) in of(&text) {
+            assert_eq!((holds, severity), usual, "{name}");
+        }
+        for (holds, severity, source) in of(&with_limits) {
+            assert_eq!(holds, stated, "{name}");
+            assert!(holds || severity == Severity::Warning, "{name}");
+            assert_eq!(source, "what is stated");
+        }
+    }
 }

@@ -13,6 +13,8 @@ use epicyclic_commands::strength;
 use epicyclic_commands::strength::answer::records::Reason;
 use epicyclic_commands::words::request;
 use epicyclic_formats::Document;
+use epicyclic_formats::gearbox::GearboxFile;
+use epicyclic_judge::Severity;
 use epicyclic_strength::sizing::{Objective, Requirement};
 
 /// Two speeds and direct drive of two simple sets, and a double-planet set that nothing drives through.
@@ -251,4 +253,30 @@ fn a_search_of_nothing_and_files_without_a_duty_are_refused() {
     let none = hoist().replace("shaper: { teeth: 30 },", "");
     let missing = "missing: `strength.shaper` of set `A`; `strength.shaper` of set `B`; `planet_teeth`, `strength` of set `C`. ";
     assert!(of(&none, &small()).contains(missing), "{}", of(&none, &small()));
+}
+
+/// The search follows stated limits as the judgement of what it finds does, and the saved file keeps them.
+#[test]
+fn sizes_follow_the_limits_of_the_file() {
+    let only = Request { most: 1, ..small() };
+    let found = |limits: &str| {
+        let text = hoist() + limits;
+        let size = sized(&text, &only).unwrap();
+        let widths: Vec<_> =
+            size.judgement.checks.iter().filter(|check| check.name == "face-width").cloned().collect();
+        assert!(!widths.is_empty());
+        (text, size, widths)
+    };
+    let (_, usual, widths) = found("");
+    assert!(widths.iter().all(|check| check.value.unwrap() < 0.6), "{widths:?}");
+    // A range without the widths found before: the search takes others, which hold.
+    let wide = "limits: { face-width: 0.6.. }\n";
+    let (text, size, widths) = found(wide);
+    assert!(widths.iter().all(|check| check.holds && check.source == "what is stated"), "{widths:?}");
+    assert_ne!(size.sets[0].found[0].mass_kg, usual.sets[0].found[0].mass_kg);
+    let limits = |text: &str| read(text).read::<GearboxFile>().unwrap().limits();
+    assert_eq!(limits(&size::saved(&read(&text), &size).unwrap()), limits(&text));
+    // A range that no size keeps turns what held into warnings.
+    let (_, _, widths) = found("limits: { face-width: ..0.01 }\n");
+    assert!(widths.iter().all(|check| !check.holds && check.severity == Severity::Warning), "{widths:?}");
 }

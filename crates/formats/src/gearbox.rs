@@ -48,6 +48,7 @@
 //! # }
 //! ```
 
+use crate::Span;
 use crate::drive::Spacing;
 use epicyclic_units::{Module, Number, Quantity};
 use schemars::JsonSchema;
@@ -63,6 +64,7 @@ mod described;
 mod drag;
 mod error;
 mod kind;
+mod limits;
 mod losses;
 mod per_gear;
 mod place;
@@ -173,6 +175,10 @@ pub struct GearboxFile {
     /// Required safeties of teeth. Default 1 of flanks and roots.
     #[serde(default)]
     pub required: Option<RequiredEntry>,
+    /// Limits of rules of practice, by the names of the rules and in their units: the range outside of which
+    /// a warning follows, in place of the usual one.
+    #[serde(default)]
+    pub limits: BTreeMap<String, Span<f64>>,
     /// Remark, of any form.
     #[serde(default)]
     pub note: Option<Note>,

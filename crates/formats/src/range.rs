@@ -136,6 +136,12 @@ impl<T: End> Span<T> {
         Self { from: Some(value), to: Some(value) }
     }
 
+    /// Both ends, `None` where the range is open.
+    #[must_use]
+    pub const fn ends(&self) -> [Option<T>; 2] {
+        [self.from, self.to]
+    }
+
     /// The number, if the range holds but one.
     #[must_use]
     pub fn single(&self) -> Option<T> {

@@ -115,6 +115,9 @@ pub enum Rule {
 
 const PRACTICE: &str = "usual practice";
 
+/// Source of a limit that is stated in place of the usual one.
+pub(crate) const STATED: &str = "what is stated";
+
 impl Rule {
     /// Every rule.
     pub const ALL: &'static [Self] = Self::VARIANTS;
@@ -280,6 +283,26 @@ impl Rule {
             Self::TrappedPressure => Some((Warning, "at most `most_trapped`, or the pressure drop")),
             _ => None,
         }
+    }
+
+    /// Whether a range may be [stated](crate::Limits::state) for a gearbox in place of the usual one: not where
+    /// the limit follows from the gearbox, of searches and hydromotors, and without values.
+    #[must_use]
+    pub const fn is_statable(self) -> bool {
+        let is_other = matches!(
+            self,
+            Self::Direction
+                | Self::Scuffing
+                | Self::Micropitting
+                | Self::MotorPressure
+                | Self::ContactStress
+                | Self::Ripple
+                | Self::AxialGap
+                | Self::VolumetricEfficiency
+                | Self::Overlap
+                | Self::ChamberArea
+        );
+        self.own_limit().is_none() && !is_other
     }
 
     /// Whether the ratio of value and limit says how much is left.

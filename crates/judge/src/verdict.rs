@@ -1,5 +1,6 @@
 //! Values judged by rules.
 
+use crate::rule::STATED;
 use crate::{Bounds, Range, Rule, Severity};
 use epicyclic_units::format::trimmed;
 
@@ -16,6 +17,8 @@ pub struct Verdict {
     pub severity: Option<Severity>,
     /// Worst severity that the rule has.
     pub worst: Severity,
+    /// Who states the limit.
+    pub source: &'static str,
 }
 
 impl Verdict {
@@ -26,7 +29,8 @@ impl Verdict {
             Some((severity, limit)) => (Some(severity), limit),
             None => (None, required.nearest_end(value)),
         };
-        Self { rule, value, limit, severity, worst: worst.unwrap_or(Severity::Remark) }
+        let worst = worst.unwrap_or(Severity::Remark);
+        Self { rule, value, limit, severity, worst, source: rule.source() }
     }
 
     /// Whether the value holds.
@@ -53,7 +57,7 @@ impl Verdict {
     /// The value with its limit, in words: `specific sliding 3.4, at most 3 by usual practice`.
     #[must_use]
     pub fn words(&self) -> String {
-        let Self { rule, value, limit, .. } = self;
+        let Self { rule, value, limit, source, .. } = self;
         let unit = |number: f64| {
             let unit = rule.unit();
             format!("{}{}{unit}", trimmed(number, 4), if unit.is_empty() { "" } else { " " })
@@ -61,7 +65,7 @@ impl Verdict {
         // A value inside lies on the good side of its nearest limit, one outside on the other.
         let is_above = value > limit;
         let side = if is_above == self.holds() { "at least" } else { "at most" };
-        format!("{} {}, {side} {} by {}", rule.what(), unit(*value), unit(*limit), rule.source())
+        format!("{} {}, {side} {} by {source}", rule.what(), unit(*value), unit(*limit))
     }
 
     /// Remedy for the miss.
@@ -93,13 +97,13 @@ impl Limits {
     /// The bounds of a rule.
     #[must_use]
     pub fn bounds(&self, rule: Rule) -> Bounds {
-        self.instead_of(rule, rule.bounds())
+        let usual = rule.bounds();
+        self.stated(rule).map_or(usual, |range| usual.stated(range))
     }
 
-    /// The bounds of a rule, or the stated range in their place.
-    fn instead_of(&self, rule: Rule, bounds: Bounds) -> Bounds {
-        let stated = self.stated.iter().find(|(of, _)| *of == rule);
-        stated.map_or(bounds, |(_, range)| bounds.stated(*range))
+    /// The range that is stated in place of the usual one of a rule.
+    fn stated(&self, rule: Rule) -> Option<Range> {
+        self.stated.iter().find(|(of, _)| *of == rule).map(|(_, range)| *range)
     }
 
     /// Judges a value by the bounds of a rule.
@@ -131,7 +135,11 @@ impl Limits {
     /// Judges a value by bounds that follow from other values of the gearbox.
     #[must_use]
     pub fn judge_by(&self, rule: Rule, bounds: Bounds, value: f64) -> Verdict {
-        Verdict::of(rule, self.instead_of(rule, bounds), value)
+        let Some(range) = self.stated(rule) else { return Verdict::of(rule, bounds, value) };
+        let verdict = Verdict::of(rule, bounds.stated(range), value);
+        // A value far outside may pass the usual limit of errors.
+        let is_stated = [range.least, range.most].contains(&verdict.limit);
+        Verdict { source: if is_stated { STATED } else { verdict.source }, ..verdict }
     }
 }
 
@@ -180,7 +188,9 @@ mod tests {
         let mut limits = Limits::default();
         limits.state(Rule::SpecificSliding, Range::at_most(4.0));
         assert!(limits.judge(Rule::SpecificSliding, 3.5).holds());
-        assert_eq!(limits.judge(Rule::SpecificSliding, 4.1).severity, Some(Severity::Warning));
+        let missed = limits.judge(Rule::SpecificSliding, 4.1);
+        assert_eq!(missed.severity, Some(Severity::Warning));
+        assert_eq!(missed.miss().unwrap(), "specific sliding 4.1, at most 4 by what is stated");
         limits.state(Rule::FaceWidth, Range::between(0.2, 2.5));
         assert!(limits.judge(Rule::FaceWidth, 2.2).holds());
         assert_eq!(limits.judge(Rule::FaceWidth, 2.6).severity, Some(Severity::Error));

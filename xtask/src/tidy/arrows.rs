@@ -22,7 +22,7 @@ pub const ARROWS: &[(&str, &[&str])] = &[
     ("dynamics", &["train", "schemes", "gears"]),
     ("motion", &["dynamics", "train", "gears"]),
     ("hydromotor", &[]),
-    ("formats", &["dynamics", "train", "gears", "hydromotor"]),
+    ("formats", &["dynamics", "train", "gears", "hydromotor", "judge"]),
     ("drawing", &[]),
     ("pictures", &["drawing", "layout", "train", "schemes", "gears", "hydromotor", "vibration"]),
     (

@@ -6,6 +6,7 @@ use epicyclic_formats::gearbox::{GearEntry, GearboxFile, PublishedGear, Transmis
 use epicyclic_formats::{Document, Faults, FileKind, Path, Problem};
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::rack::BasicRack;
+use epicyclic_judge::Limits;
 use epicyclic_train::drag::Drag;
 use epicyclic_train::error::DragFault;
 use epicyclic_train::planet_bearings::PlanetBearing;
@@ -56,6 +57,8 @@ pub struct Gearbox {
     pub document: Document,
     /// The gearbox's place in it.
     pub base: Path,
+    /// The limits to judge by: the usual ones, and those that the file states in their place.
+    pub limits: Limits,
     /// Drag torques that the file states.
     pub drags: Vec<Drag>,
     /// Paths of the curves of these drags.
@@ -277,6 +280,7 @@ pub(crate) fn gearbox(
         rack,
         document: document.clone(),
         base,
+        limits: file.limits(),
         drags,
         drag_paths: file.drag_paths(),
         inputs,
@@ -314,6 +318,7 @@ fn transmission(
         rack,
         document: document.clone(),
         base,
+        limits: Limits::default(),
         drags,
         drag_paths: vec![],
         inputs,

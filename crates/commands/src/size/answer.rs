@@ -31,6 +31,7 @@ use epicyclic_formats::Document;
 use epicyclic_formats::gearbox::{GearboxFile, PlanetData};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::family::Aim;
+use epicyclic_judge::Limits;
 use epicyclic_strength as strength;
 use epicyclic_strength::factor::Edition;
 use epicyclic_strength::sizing::Objective;
@@ -135,7 +136,7 @@ pub(crate) fn answer(
         let space = request.space();
         let families = Families::of(set);
         let asked = Asked { life, viscosity, required };
-        let (task, held) = task(set, &families, &asked, request, &space);
+        let (task, held) = task(set, &families, &asked, request, (&space, &subject.limits));
         let found = match simple(set, (&task, &space), (&steps, &peaks), subject, request) {
             Some(Ok(sizing)) => size(&sizing, request.most.max(1), goes_on),
             Some(Err(reason)) => {
@@ -254,7 +255,8 @@ pub(crate) fn sizing_of(subject: &Gearbox, request: &Request) -> Result<Sizing, 
     let peaks = peaks(subject, &file.overload, None)?;
     let space = request.space();
     let sized = to_size.first().and_then(|set| {
-        let (task, _) = task(set, &Families::of(set), &Asked { life, viscosity, required }, request, &space);
+        let asked = Asked { life, viscosity, required };
+        let (task, _) = task(set, &Families::of(set), &asked, request, (&space, &subject.limits));
         simple(set, (&task, &space), (&steps, &peaks), subject, request)?.ok()
     });
     let sets = || others.into_iter().map(|other| NotSized::of(other).told()).collect();
@@ -340,7 +342,7 @@ fn task(
     families: &Families,
     asked: &Asked,
     request: &Request,
-    space: &Space,
+    (space, limits): (&Space, &Limits),
 ) -> (Task, Vec<HeldKey>) {
     let data = &set.data;
     let is_stated = |keys: &[Option<Length>]| keys.iter().any(Option::is_some);
@@ -420,7 +422,7 @@ fn task(
         objective: request.objective(),
         least_planet_angle: set.set.least_planet_angle(),
         has_stated_shifts: set.set.tooth_shape().shifts.is_some(),
-        practice: request.practice(),
+        practice: request.practice(limits),
     };
     (task, held.into_iter().filter(|(_, is_held)| *is_held).map(|(key, _)| key).collect())
 }

@@ -188,9 +188,9 @@ impl Request {
         self.minimise.unwrap_or_default()
     }
 
-    /// Limits of usual practice, if they count.
-    pub(crate) fn practice(&self) -> Option<judge::Limits> {
-        (!self.beyond_practice).then(judge::Limits::default)
+    /// The limits of practice to judge by, if they count.
+    pub(crate) fn practice(&self, limits: &judge::Limits) -> Option<judge::Limits> {
+        (!self.beyond_practice).then(|| limits.clone())
     }
 
     pub(crate) fn limits(&self) -> Limits {

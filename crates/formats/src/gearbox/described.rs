@@ -48,6 +48,7 @@ impl GearboxFile {
             }
             is_right
         });
+        self.check_limits(&mut faults);
         for (place, set) in self.sets.iter().enumerate() {
             let spec = faults.below(&of_set(self.sets.len(), place), |faults| {
                 let rack = rack.as_ref().ok();

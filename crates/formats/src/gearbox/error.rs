@@ -318,6 +318,14 @@ pub enum DescriptionError {
         /// How many are required.
         expected: usize,
     },
+    /// A stated limit of a rule whose limit follows from the gearbox.
+    #[error("the limit of `{rule}` follows from the gearbox: {limit}; leave it out")]
+    OwnLimit {
+        /// The rule.
+        rule: &'static str,
+        /// Its limit in words.
+        limit: &'static str,
+    },
     /// A spacing of planets that is stated twice.
     #[error(
         "set `{set}`: the spacing of the planets is stated twice; give one of `planet_angles` and `spacing` (`vibration.planet_angles` is read as `planet_angles`)"

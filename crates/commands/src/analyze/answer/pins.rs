@@ -1,6 +1,6 @@
 //! Practical limits for planets on their pins, checked if the input speed and the bearing are known.
 //!
-//! The limits are those of the rules [`PinSpeed`](Rule::PinSpeed), [`FullPinSpeed`](Rule::FullPinSpeed),
+//! The limits are those of the file, otherwise those of the rules [`PinSpeed`](Rule::PinSpeed), [`FullPinSpeed`](Rule::FullPinSpeed),
 //! [`OrbitAcceleration`](Rule::OrbitAcceleration) and [`NeedleAcceleration`](Rule::NeedleAcceleration): of `n·d_m`
 //! and `a·ω_H²`.
 //!
@@ -31,6 +31,7 @@ const DIGITS: usize = 4;
 pub(crate) fn warning(subject: &Gearbox, worked: &[&Worked<'_>]) -> Option<Warning> {
     // A list of transmissions has no diameters of bearings.
     let file: GearboxFile = subject.document.read().ok().filter(|_| subject.published.is_empty())?;
+    let most = |rule| subject.limits.bounds(rule).required().most;
     let mut beyond: Vec<String> = vec![];
     for bearing in subject.planet_bearings.iter().filter(|bearing| bearing.load_rating.is_some()) {
         let set = &subject.train.sets()[bearing.set];
@@ -48,9 +49,11 @@ pub(crate) fn warning(subject: &Gearbox, worked: &[&Worked<'_>]) -> Option<Warni
                 planet_name(set, bearing.planet),
                 analysis.gear().name()
             );
-            beyond.extend(turning.zip(diameter).and_then(|(n, d_m)| on_pin(&of, rolling, n, d_m)));
-            beyond
-                .extend(carrier.zip(bearing.radius).and_then(|(omega, a)| in_orbit(&of, rolling, omega, a)));
+            let most_on_pin = most(pin_speed_rule(rolling));
+            let on_pin = |(n, d_m)| on_pin(&of, rolling, most_on_pin, n, d_m);
+            beyond.extend(turning.zip(diameter).and_then(on_pin));
+            let in_orbit = |(omega, a)| in_orbit(&of, most(orbit_rule(rolling)), omega, a);
+            beyond.extend(carrier.zip(bearing.radius).and_then(in_orbit));
         }
     }
     beyond.dedup();
@@ -64,10 +67,9 @@ pub(crate) fn warning(subject: &Gearbox, worked: &[&Worked<'_>]) -> Option<Warni
 pub(crate) const OF_PINS: [Rule; 4] =
     [Rule::PinSpeed, Rule::FullPinSpeed, Rule::OrbitAcceleration, Rule::NeedleAcceleration];
 
-fn on_pin(of: &str, rolling: Rolling, speed: AngularVelocity, diameter: Length) -> Option<String> {
+fn on_pin(of: &str, rolling: Rolling, most: f64, speed: AngularVelocity, diameter: Length) -> Option<String> {
     let (speed_rpm, diameter_mm) = (speed.rpm(), diameter.mm());
     let kind = if rolling == Rolling::FullComplement { "full of rollers" } else { "with a cage" };
-    let most = pin_speed_rule(rolling).bounds().required().most;
     (speed_rpm * diameter_mm > most).then(|| {
         format!(
             "{of}: {} rpm on its pin, at most {} rpm for d_m {} mm {kind} (n·d_m {most} mm/min)",
@@ -78,9 +80,8 @@ fn on_pin(of: &str, rolling: Rolling, speed: AngularVelocity, diameter: Length) 
     })
 }
 
-fn in_orbit(of: &str, rolling: Rolling, carrier: AngularVelocity, radius: Length) -> Option<String> {
+fn in_orbit(of: &str, most: f64, carrier: AngularVelocity, radius: Length) -> Option<String> {
     let acceleration = orbit_acceleration(radius.si(), carrier.si());
-    let most = orbit_rule(rolling).bounds().required().most;
     (acceleration > most)
         .then(|| format!("{of}: {} g in its orbit, at most {most} g", trimmed(acceleration, DIGITS)))
 }

@@ -15,7 +15,12 @@ pub(crate) struct Judge {
 }
 
 impl Judge {
-    /// Judges a value by the usual bounds of a rule.
+    /// Judges by these limits.
+    pub(crate) fn by(limits: Limits) -> Self {
+        Self { limits, ..Self::default() }
+    }
+
+    /// Judges a value by the bounds of a rule.
     pub(crate) fn see(&mut self, rule: Rule, of: &[&str], value: f64) {
         self.take(of, self.limits.judge(rule, value));
     }
@@ -46,7 +51,7 @@ impl Judge {
             unit: rule.unit(),
             severity: verdict.severity.unwrap_or(verdict.worst),
             holds: verdict.holds(),
-            source: rule.source(),
+            source: verdict.source,
             message: verdict.miss(),
             remedy: (!verdict.holds()).then(|| verdict.remedy()),
         };

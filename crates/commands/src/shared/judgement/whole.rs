@@ -69,7 +69,7 @@ impl Judgement {
         strength: Option<&Strength>,
         heat: Option<&Heat>,
     ) -> Judge {
-        let mut judge = Judge::default();
+        let mut judge = Judge::by(subject.limits.clone());
         let is_wanted = |id: &str| set.is_none_or(|set| set == id);
         judge.take_tooth_checks(&ToothChecks::of(subject.tooth_checks(), is_wanted));
         let is_listed = subject.document.value().get("transmissions").is_some();

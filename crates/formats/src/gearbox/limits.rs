@@ -1,0 +1,102 @@
+//! Limits of rules of practice that a gearbox file states.
+
+use super::{DescriptionError, GearboxFile};
+use crate::faults::Faults;
+use crate::{Path, Problem, Span};
+use epicyclic_judge::{Limits, Range, Rule};
+
+impl GearboxFile {
+    /// The limits to judge the gearbox by: the usual ones, and those that the file states in their place.
+    #[must_use]
+    pub fn limits(&self) -> Limits {
+        let mut limits = Limits::default();
+        for (name, span) in &self.limits {
+            if let Ok(rule) = statable(name) {
+                limits.state(rule, range(*span));
+            }
+        }
+        limits
+    }
+
+    /// Finds names that are no rule with a limit to state.
+    pub(super) fn check_limits(&self, faults: &mut Faults) {
+        for name in self.limits.keys() {
+            faults.keep(Path::root().key("limits").key(name), statable(name));
+        }
+    }
+}
+
+fn range(span: Span<f64>) -> Range {
+    let [least, most] = span.ends();
+    Range { least: least.unwrap_or(f64::NEG_INFINITY), most: most.unwrap_or(f64::INFINITY) }
+}
+
+/// The rule of a name.
+fn statable(name: &str) -> Result<Rule, Problem> {
+    match name.parse::<Rule>() {
+        Ok(rule) if rule.is_statable() => Ok(rule),
+        Ok(rule) if let Some((_, limit)) = rule.own_limit() => {
+            Err(DescriptionError::OwnLimit { rule: rule.name(), limit }.into())
+        }
+        _ => {
+            let rules = Rule::ALL.iter().filter(|rule| rule.is_statable());
+            let allowed = rules.map(|rule| rule.name().to_owned()).collect();
+            Err(Problem::UnknownKey { key: name.to_owned(), allowed })
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::Document;
+    use crate::gearbox::GearboxFile;
+    use epicyclic_judge::Rule;
+
+    fn read(limits: &str) -> Result<GearboxFile, String> {
+        let text = format!(
+            "gearbox: P\ninput: x\noutput: y\nsets: [{{ id: P, kind: external_pair, sun: x, ring: y, teeth: [20, 60] }}]\ngears: [{{ name: only }}]\nlimits: {limits}\n"
+        );
+        let document = Document::parse_one("box.yaml", text.as_bytes()).unwrap();
+        let file: GearboxFile = document.read().map_err(|error| error.to_string())?;
+        match file.gearbox() {
+            Ok(_) => Ok(file),
+            Err(faults) => Err(faults.placed(&document, &crate::Path::root()).to_string()),
+        }
+    }
+
+    #[test]
+    fn stated_ranges_take_the_place_of_usual_ones() {
+        let limits =
+            read("{ face-width: 0.4..1.4, specific-sliding: ..3.5, shift-sum: -0.1.. }").unwrap().limits();
+        assert!(limits.judge(Rule::FaceWidth, 1.39).holds() && !limits.judge(Rule::FaceWidth, 1.41).holds());
+        assert!(limits.judge(Rule::SpecificSliding, 3.49).holds());
+        assert!(limits.judge(Rule::ShiftSum, 5.0).holds() && !limits.judge(Rule::ShiftSum, -0.11).holds());
+        assert!(!limits.judge(Rule::SpurContact, 1.1).holds());
+    }
+
+    #[test]
+    fn limits_that_cannot_be_stated_are_refused_with_what_is_allowed() {
+        for (limits, parts) in [
+            ("{ face-wdth: 0.4..1.4 }", ["limits.face-wdth", "unknown key face-wdth; write face-width?"]),
+            ("{ ripple: ..0.1 }", ["limits.ripple", "allowed: face-width, specific-sliding, "]),
+            ("{ face-width: 1.4..0.4 }", ["limits.face-width", "write the smaller number first: 0.4..1.4"]),
+            ("{ face-width: .. }", ["limits.face-width", "is no range; write one such as 1.5..4"]),
+            ("{ face-width: wide }", ["limits.face-width", "wide"]),
+            ("{ face-width: 1.2 mm }", ["limits.face-width", "1.2 mm"]),
+            (
+                "{ bearing-life: 3000.. }",
+                [
+                    "limits.bearing-life",
+                    "the limit of `bearing-life` follows from the gearbox: at least the required life",
+                ],
+            ),
+            (
+                "{ load-sharing: 1.. }",
+                ["limits.load-sharing", "at least the usual factor of the number of planets"],
+            ),
+        ] {
+            let error = read(limits).unwrap_err();
+            assert!(parts.iter().all(|part| error.contains(part)), "{limits}: {error}");
+        }
+    }
+}
