@@ -2,6 +2,7 @@
 
 pub mod application;
 pub mod basis;
+pub mod bearing_type;
 pub mod catalogue;
 pub mod drawability;
 pub mod exciting;

@@ -1,7 +1,7 @@
 //! Usual values of what a gearbox is for.
 
 use crate::shared::basis::Basis;
-use crate::size::options::BearingType;
+use crate::shared::bearing_type::BearingType;
 use epicyclic_formats::yaml::{Mapping, Value};
 use epicyclic_units::Physical;
 use std::ops::RangeInclusive;

@@ -3,15 +3,15 @@
 use crate::error::Error;
 use crate::output::NO_HEADING;
 use crate::shared::application::Application;
+use crate::shared::bearing_type::BearingType;
 use crate::shared::lists::Quantities;
 use epicyclic_formats::{RangeError, Span};
 use epicyclic_gears::involute::family::Aim;
 use epicyclic_gears::involute::set::Limits;
-use epicyclic_gears::life::Rolling;
 use epicyclic_gears::mesh::USUAL_PLANET_GAP;
 use epicyclic_judge as judge;
-use epicyclic_strength::sizing::bearing::{Bearing, listed, listed_rollers};
-use epicyclic_strength::sizing::{Objective, STANDARD_MODULES_MM, Space, in_bore};
+use epicyclic_strength::sizing::bearing::Bearing;
+use epicyclic_strength::sizing::{Objective, STANDARD_MODULES_MM, Space};
 use epicyclic_strength::{self as strength, Quantity as Of};
 use epicyclic_units::{Module, Number, Physical as _, Quantity};
 use std::ops::RangeInclusive;
@@ -107,36 +107,6 @@ pub struct Request {
     /// Bearings of the planets to choose from, in place of those of the tables.
     #[arg(skip)]
     pub bearings: Option<Vec<Bearing>>,
-}
-
-/// Kinds of planet bearings.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub enum BearingType {
-    /// Deep groove ball bearings of the series 60, 62, 63.
-    Balls,
-    /// Cylindrical roller bearings of the series NJ 2, NJ 22, NJ 3, NJ 23.
-    Rollers,
-    /// Cylindrical rollers in a cage, in the bore of the planet, rated by their dimensions.
-    RollersInBore,
-    /// Needles in a cage, in the bore of the planet.
-    Needles,
-    /// Cylindrical rollers without a cage, in the bore of the planet.
-    FullComplement,
-}
-
-impl BearingType {
-    /// Kinds of bearings where none are asked for.
-    pub(crate) const USUAL: [Self; 2] = [Self::Balls, Self::Rollers];
-
-    fn listed(self) -> &'static [Bearing] {
-        match self {
-            Self::Balls => listed(),
-            Self::Rollers => listed_rollers(),
-            Self::RollersInBore => in_bore::listed(Rolling::Rollers),
-            Self::Needles => in_bore::listed(Rolling::Needles),
-            Self::FullComplement => in_bore::listed(Rolling::FullComplement),
-        }
-    }
 }
 
 impl Request {

@@ -21,6 +21,7 @@ pub mod shared_planets;
 pub mod teeth;
 
 mod drawn;
+mod edge;
 mod gear;
 mod keep;
 mod kept;
@@ -30,6 +31,7 @@ mod tried;
 mod usable;
 mod wanted;
 
+pub use edge::Edge;
 pub use gear::WantedGear;
 pub use kept::Kept;
 pub use left_out::{LeftOut, Reason};
@@ -43,7 +45,6 @@ use crate::error::Error;
 use crate::shared::judgement::answer::Judgement;
 use crate::shared::judgement::whole::FoundRatio;
 use crate::shared::tooth_checks::answer::TeethLeftOut;
-use crate::tolerance::AT_EDGE;
 use epicyclic_numerics::values::largest_absolute;
 use epicyclic_schemes::catalogue::Scheme;
 use epicyclic_synthesis::gearbox::{element_name, own_names, real_k};
@@ -64,7 +65,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use shared_planets::SharedPlanets;
 use std::collections::BTreeSet;
-use std::ops::{ControlFlow, RangeInclusive};
+use std::ops::ControlFlow;
 use teeth::{Choices, Teeth};
 
 /// Maximum number of solutions listed, because the solver evaluates each.
@@ -247,16 +248,6 @@ pub struct Set {
     /// End of the search range that k reaches; absent if none. A wider range may then have better solutions.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub at_edge: Option<Edge>,
-}
-
-/// Ends of a range.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Edge {
-    /// Lower end.
-    Lower,
-    /// Upper end.
-    Upper,
 }
 
 /// Brake or clutch of a solution.
@@ -590,13 +581,4 @@ impl Solution {
 fn symbol(structure: &Structure, set: usize) -> String {
     let prime = if structure.is_double_planet(set) { "′" } else { "" };
     format!("{}{prime}", subscript('k', set + 1))
-}
-
-impl Edge {
-    /// End of a range at which a value lies; `None` inside.
-    fn of(value: f64, range: &RangeInclusive<f64>) -> Option<Self> {
-        let near = |end: f64| (value - end).abs() <= AT_EDGE * end;
-        let ends = [(*range.start(), Self::Lower), (*range.end(), Self::Upper)];
-        ends.into_iter().find(|(end, _)| near(*end)).map(|(_, edge)| edge)
-    }
 }

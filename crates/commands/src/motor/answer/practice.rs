@@ -18,8 +18,8 @@ const MOTOR: &str = "motor";
 
 const MPA: f64 = 1e6;
 const MM: f64 = 1e-3;
-const MM2: f64 = 1e-6;
-const MICROMETRE: f64 = 1e-6;
+const MM2: f64 = MM * MM;
+const MICROMETRE: f64 = MM / 1e3;
 
 /// Judges a motor by its results; the pressure drop counts without a width, too.
 pub(crate) fn judgement(motor: &Motor, made: &Made, drop: Option<Pressure>) -> Judgement {

@@ -2,10 +2,10 @@
 
 mod searched;
 mod streamed;
+mod wanted;
 
 use super::candidate::{BrakedGear, Candidate, Objectives, Ranked};
 use super::decisive;
-use super::duty::Duty;
 use super::reached::{Asked, ReachedSpeed};
 use super::required::{Required, finite};
 use super::saved::Saved;
@@ -13,17 +13,16 @@ use crate::answer::Answer;
 use crate::error::Error;
 use crate::finite;
 use crate::shared::judgement::answer::Judgement;
-use crate::shared::profile_shift::WantedShifts;
 use crate::teeth::answer::shifted::{RequiredShifts, SetShifts};
 use crate::tolerance::LEAST_MODULE_M;
 use epicyclic_formats::gearbox::WrittenSize;
 use epicyclic_gears::involute::search::ProfileShift;
-use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
+use epicyclic_gears::synthesis::ToothNumbers;
 use epicyclic_schemes::catalogue::SchemeGear;
 use epicyclic_selection::drawing::drawable_direct_clutches;
 use epicyclic_selection::search::{Directions, Found, OneSetSearch, Progress, ToothSearch};
 use epicyclic_selection::size::relative_ring_diameter_of_teeth;
-use epicyclic_selection::{self as selection, Mechanism, Order, Rating, Requirements, Space};
+use epicyclic_selection::{self as selection, Mechanism, Rating};
 use epicyclic_units::Physical;
 use schemars::JsonSchema;
 pub use searched::Searched;
@@ -32,36 +31,12 @@ use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use streamed::Designs;
 pub use streamed::Streamed;
-use uom::si::f64::{Length, Velocity};
+use uom::si::f64::Length;
+pub use wanted::Wanted;
 
 /// Maximum number of designs that an answer holds, at about 35 kB each; beyond it each design is computed
 /// while it is written ([`Streamed`]).
 pub const MOST_DESIGNS: usize = 10_000;
-
-/// Requirements for the choice over tooth numbers.
-#[derive(Debug, Clone)]
-pub struct Wanted {
-    /// Ratios, tolerance and limits; one ratio or two.
-    pub requirements: Requirements,
-    /// Objectives in the order in which they decide.
-    pub order: Order,
-    /// Mechanisms to choose among.
-    pub space: Space,
-    /// Bounds of tooth numbers and of planets.
-    pub bounds: Bounds,
-    /// Profile shifts of the sets; `None` for sets without profile shift.
-    pub shifts: Option<WantedShifts>,
-    /// Limits of the size that a set may need at the load factor.
-    pub limits: SizeLimits,
-    /// Maximum number of designs listed.
-    pub most: usize,
-    /// Number of the design that is shown in full, from 1.
-    pub nth: usize,
-    /// Speeds of the machine, the slowest first, if they determine the ratios.
-    pub speeds: Vec<Velocity>,
-    /// Speed and load of the input.
-    pub duty: Duty,
-}
 
 impl Wanted {
     fn asked(&self) -> Asked<'_> {
@@ -612,7 +587,10 @@ impl SetTeeth {
 mod tests {
     use super::*;
     use crate::answer::{to_json, write_json};
+    use crate::select::answer::duty::Duty;
+    use epicyclic_gears::synthesis::Bounds;
     use epicyclic_schemes::RatioSeries;
+    use epicyclic_selection::{Order, Requirements, Space};
     use uom::si::f64::{Pressure, Torque};
     use uom::si::length::millimeter;
     use uom::si::pressure::megapascal;
