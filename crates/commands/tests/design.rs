@@ -33,7 +33,7 @@ fn ratios(gearbox: &Gearbox) -> Vec<f64> {
 
 const SPACE: &str = "--sun=18..27|--planet=18..45|--ring=60..140|--modules=2mm, 3mm|--face-widths=20mm, 30mm, 50mm|--planets=3|--tolerance=0";
 
-/// The same shafts with the power the other way have the same gears and loads.
+/// A reduction and a train that steps up between the same shafts have the same gears and loads.
 #[test]
 fn a_train_that_steps_up_is_the_reduction_turned_round() {
     let down = stages(&format!("--ratio=20|--power=12kW|--input=1500rpm|{SPACE}"));
@@ -91,7 +91,7 @@ fn a_list_of_gears_is_what_its_file_says() {
             assert!((own / asked - 1.0).abs() < 0.03, "{words}: {own} for {asked}");
             assert!(
                 (own / gear.ratio.unwrap() - 1.0).abs() < 1e-12,
-                "{words}: {own} told as {:?}",
+                "{words}: {own} in the answer {:?}",
                 gear.ratio
             );
         }

@@ -175,8 +175,8 @@ pub struct GearboxFile {
     /// Required safeties of teeth. Default 1 of flanks and roots.
     #[serde(default)]
     pub required: Option<RequiredEntry>,
-    /// Limits of rules of practice, by the names of the rules and in their units: the range outside of which
-    /// a warning follows, in place of the usual one.
+    /// Ranges of values without a warning by rules of practice, in place of the usual ones; by names of
+    /// rules, in their units.
     #[serde(default)]
     pub limits: BTreeMap<String, Span<f64>>,
     /// Remark, of any form.

@@ -136,7 +136,7 @@ impl<T: End> Span<T> {
         Self { from: Some(value), to: Some(value) }
     }
 
-    /// Both ends, `None` where the range is open.
+    /// Ends of the range, `None` where it is open.
     #[must_use]
     pub const fn ends(&self) -> [Option<T>; 2] {
         [self.from, self.to]

@@ -39,7 +39,7 @@ pub enum Rolling {
 }
 
 impl Rolling {
-    /// Each kind.
+    /// Every kind of rolling elements.
     pub const ALL: [Self; 4] = [Self::Balls, Self::Rollers, Self::Needles, Self::FullComplement];
 
     /// The exponent `p`.

@@ -65,7 +65,7 @@ impl Range {
         Self { least: self.least + by, most: self.most + by }
     }
 
-    /// What both ranges hold.
+    /// Range of the values that lie in both.
     const fn within(self, other: Self) -> Self {
         Self { least: self.least.max(other.least), most: self.most.min(other.most) }
     }

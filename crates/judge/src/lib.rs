@@ -1,4 +1,5 @@
-//! Rules of practice for gearboxes and hydromotors: the quantity of each, its limits by severity, their source, a remedy.
+//! Rules of practice for gearboxes and hydromotors: the quantity of each, its limits by severity, their
+//! source, a remedy.
 //!
 //! A [`Rule`] has [`Bounds`]: a range for each [`Severity`]. A value inside all of them holds. Outside one it
 //! is a remark, a warning or an error, whichever is worst. [`Limits`] judge values, and may hold ranges of

@@ -270,7 +270,7 @@ impl Rule {
         }
     }
 
-    /// Severity of a value beyond the limit, and that limit in words, where it follows from the gearbox or motor.
+    /// Severity of a value beyond a limit that follows from the gearbox or motor, and this limit in words.
     #[must_use]
     pub const fn own_limit(self) -> Option<(crate::Severity, &'static str)> {
         match self {
@@ -285,8 +285,9 @@ impl Rule {
         }
     }
 
-    /// Whether a range may be [stated](crate::Limits::state) for a gearbox in place of the usual one: not where
-    /// the limit follows from the gearbox, of searches and hydromotors, and without values.
+    /// Whether a range may be [stated](crate::Limits::state) for a gearbox in place of the usual one. Rules
+    /// without values have none, nor those of searches and hydromotors, nor limits that follow from the
+    /// gearbox.
     #[must_use]
     pub const fn is_statable(self) -> bool {
         let is_other = matches!(

@@ -354,7 +354,7 @@ const WITHOUT_JUDGEMENT: [(&str, &[&str]); 6] = [
             "simulate-sweep",
         ],
     ),
-    ("names and schemes, none of which is a gearbox yet", &["transmissions", "schemes", "scheme"]),
+    ("names and schemes, no gearbox", &["transmissions", "schemes", "scheme"]),
     ("machines", &["machines", "machine-speeds", "machine-drum", "machine-rotor", "machine-chain-cutter"]),
     ("arcs, no motor", &["motor-construction"]),
     ("a drive with checks and warnings of its own", &["drive"]),

@@ -8,7 +8,7 @@ use common::{here, output, run, text};
 use serde_json::Value;
 use std::fs;
 
-/// Each file works with the commands that its first lines name.
+/// A file of `init` works with the commands that its first lines name.
 #[test]
 fn a_file_to_start_from_works_with_the_commands_it_names() {
     for kind in ["gearbox", "drive", "motor", "scenario"] {

@@ -24,14 +24,13 @@ impl Request {
         ratios.len() > MOST_BRAKED || signs == [true; 2] || ratios.len() > 1 && ratios.contains(&1.0)
     }
 
-    /// Whether a list of gears may stand for a design without tooth numbers.
+    /// Whether a structure of any kind may replace a design that has no tooth numbers.
     pub(super) fn may_be_of_gears(&self, design: &Design) -> bool {
         self.scheme.is_none() && self.tooth_design.is_none() && !self.may_reverse && design.teeth.is_none()
     }
 
-    /// Designs a gearbox for a list of gears: ratios, to which direct drive is added where they are those of
-    /// braked gears, or speeds, of which the fastest is direct. The closure is called now and then, and may
-    /// end the search.
+    /// Designs a gearbox for a list of gears: ratios or speeds. Direct drive is added to ratios of braked
+    /// gears; the fastest speed is direct. The closure is called now and then, and may end the search.
     ///
     /// # Errors
     /// As of [`Request::answer`].

@@ -43,15 +43,15 @@ use uom::si::f64::{AngularVelocity, Power, Ratio, Time, Torque};
 /// A gearbox for one ratio, for speeds or for a list of gears, from power to sizes that hold.
 ///
 /// --ratio, --output-speed: stages in series, whose split, teeth and sizes are chosen together. --ratios with
-/// three and more, or with a reverse gear: a structure of synthesize, its teeth, its sizes. --speeds, or one or
-/// two --ratios beside direct drive: a scheme of select, and where none holds a structure of synthesize.
+/// three and more, or with a reverse gear: a structure of synthesize with its teeth and sizes. --speeds, or
+/// one or two --ratios beside direct drive: a scheme of select, or else a structure of synthesize.
 ///
-/// The answer begins with the speeds asked for and reached. Of the tooth
-/// numbers those with the least class of deviation and the smallest rings at one load of the teeth get the
-/// sizes that size finds over a duty with the load in every gear, and the lightest is taken. Every step tells
-/// what it took, among how many, what came next, and the option to choose otherwise. Assumed values, such as
-/// materials and load factors, are listed; --basis and --factors change them. Where nothing is left, the
-/// limits that would have to give are listed, each with its option and the gearbox found with it.
+/// The answer begins with the speeds asked for and reached. Tooth numbers come in classes of deviation. The
+/// closest class with sizes is taken, and of it the lightest gearbox of the smallest rings. The command size
+/// sizes it over a duty with the load in every gear. Every step tells the choice, among how many, the next
+/// best, and the option to choose otherwise. Assumed values, such as materials and load factors, are listed;
+/// --basis and --factors change them. Where nothing is left, limits to relax are listed, each with its option
+/// and the gearbox found with it.
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = include_str!("examples.txt"),

@@ -11,7 +11,7 @@ use crate::output::Target;
 #[derive(Debug, clap::Args)]
 #[command(after_help = include_str!("examples.txt"))]
 pub struct Args {
-    /// What the file describes.
+    /// Subject of the file.
     #[arg(value_enum)]
     kind: Kind,
 

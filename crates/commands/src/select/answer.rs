@@ -64,7 +64,7 @@ pub struct Select {
     pub shown_in_full: Option<u32>,
     /// Speeds of that candidate, required and reached, the slowest first; empty without such a candidate.
     pub speeds: Vec<ReachedSpeed>,
-    /// Judgement of that candidate by rules of practice; without checks if there is none.
+    /// Judgement of the candidate shown in full, by rules of practice; without checks if no candidate is.
     pub judgement: Judgement,
     /// Requirements as a record.
     pub required: Required,

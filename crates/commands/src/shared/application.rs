@@ -20,7 +20,7 @@ const FIRST: f64 = 0.02;
 /// Face widths of servo drives in mm.
 const FINE_WIDTHS_MM: RangeInclusive<u32> = 5..=40;
 
-/// What a gearbox is for, with the values that are usual of it.
+/// Purpose of a gearbox, with usual values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum Application {
     /// Belt and scraper conveyors.
@@ -75,8 +75,8 @@ impl Application {
         }
     }
 
-    /// Shares of the time of gears with these ratios; empty for equal shares. Cars are rarely in reverse and in
-    /// their first gear.
+    /// Shares of the time of gears with these ratios; empty for equal shares. Cars are rarely in reverse and
+    /// in their first gear.
     pub(crate) fn shares(self, ratios: &[f64]) -> Vec<f64> {
         let first = ratios.iter().copied().fold(0.0, f64::max);
         let seldom = |ratio: &f64| match *ratio {

@@ -99,7 +99,8 @@ impl Answer for Size {
 ///
 /// # Errors
 /// - [`Error::Sizing`] and [`Error::Gear`] for an empty space and impossible limits.
-/// - [`Error::MissingKeys`] for keys that the file lacks; [`Error::Document`] for invalid data in the file, with the place.
+/// - [`Error::MissingKeys`] for keys that the file lacks.
+/// - [`Error::Document`] for invalid data in the file, with the place.
 /// - [`Error::NothingToSize`] if no set can be sized.
 pub(crate) fn answer(
     subject: &Gearbox,

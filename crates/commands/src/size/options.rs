@@ -85,7 +85,8 @@ pub struct Request {
     #[arg(long, conflicts_with = "bearings")]
     pub no_bearings: bool,
 
-    /// What the gearbox is for: usual K_A, life and safeties, and usual materials, for what is not stated.
+    /// Purpose of the gearbox: usual K_A, life, safeties, materials, kinds of bearings and numbers of
+    /// planets, for what is not stated.
     #[arg(long, value_enum, help_heading = NO_HEADING)]
     pub application: Option<Application>,
 

@@ -47,8 +47,8 @@ pub struct Args {
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Sizes")]
 pub struct BearingsFile {
-    /// Bearings of the planets, as CSV with the columns designation, rolling (balls, rollers, needles, full_complement), d_mm, D_mm,
-    /// B_mm, C_kN, C0_kN. Default: a table, by --bearing-type.
+    /// Bearings of the planets, as CSV with the columns designation, rolling (balls, rollers, needles,
+    /// full_complement), d_mm, D_mm, B_mm, C_kN, C0_kN. Default: a table, by --bearing-type.
     #[arg(long, value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
     bearings: Option<PathBuf>,
 }

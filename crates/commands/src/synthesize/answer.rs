@@ -126,7 +126,7 @@ pub struct Synthesis {
     pub near_miss: Option<NearMiss>,
     /// Listed solutions, the best first.
     pub solutions: Vec<Solution>,
-    /// Judgement of the first of them by rules of practice, with its best tooth numbers if they are requested.
+    /// Judgement of the first solution by rules of practice, with its best tooth numbers if requested.
     pub judgement: Judgement,
 }
 

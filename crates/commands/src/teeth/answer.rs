@@ -215,7 +215,7 @@ fn listed<Found, Set>(
     Ok(Listed { ratio, tolerance, found, left_out, sets, tooth_checks, judgement })
 }
 
-/// Judgement of a set that has the ratio within the tolerance. Gears for which no shifts are stated have none.
+/// Judgement of a set that has the ratio within the tolerance, without shifts unless they are stated.
 fn judged(gearbox: &Gearbox, wanted: f64, tolerance: f64) -> Result<Judgement, Error> {
     let unshifted = |set: SetSpec| match (&set.tooth_shape.shifts, set.kind) {
         (None, SetKind::Simple) => set.shifted(Shifts { profile: vec![0.0; 3], tips: None }),

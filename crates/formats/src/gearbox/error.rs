@@ -323,7 +323,7 @@ pub enum DescriptionError {
     OwnLimit {
         /// The rule.
         rule: &'static str,
-        /// Its limit in words.
+        /// Limit of the rule in words.
         limit: &'static str,
     },
     /// A spacing of planets that is stated twice.

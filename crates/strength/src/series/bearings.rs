@@ -58,7 +58,7 @@ impl Bearings {
 
     /// `turns^(1/p)` of each kind of bearings, for the turns of a planet over those of the input.
     pub(super) fn wear(&self, turns: f64) -> [f64; 4] {
-        [0, 1, 2, 3].map(|kind: usize| libm::pow(turns, 1.0 / self.kinds[kind].exponent))
+        std::array::from_fn(|kind| libm::pow(turns, 1.0 / self.kinds[kind].exponent))
     }
 
     /// Width of the narrowest bearing that fits into a bore and lives long enough; `None` if no bearing does.

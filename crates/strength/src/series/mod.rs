@@ -51,17 +51,18 @@ const SHAFT_LENGTH: f64 = 5.0;
 /// Mass of bearings and seals over that of their shaft.
 const SHAFT_BEARINGS: f64 = 0.5;
 
-/// Mass of the slow shaft with its bearings and seals, by the torque of the duty and the greatest one.
+/// Mass of the slow shaft with its bearings and seals, by the torque of the duty and the factor of the
+/// greatest one over it.
 ///
 /// ```text
-/// d³ = 16/π·max(T/40 MPa, T_max/80 MPa)        M = 1.5·ρ·π/4·d²·5·d
+/// d³ = 16/π·max(T/40 MPa, f·T/80 MPa)        M = 1.5·ρ·π/4·d²·5·d
 /// ```
 ///
 /// The shaft is solid and of steel; its bearings and seals weigh half as much again.
 #[must_use]
-pub fn slow_shaft(torque: Torque, greatest: Torque) -> Mass {
+pub fn slow_shaft(torque: Torque, overload: Option<f64>) -> Mass {
     let [usual, most] = TORSION;
-    let cube = 16.0 / PI * (torque.si() / usual).max(greatest.si() / most);
+    let cube = 16.0 / PI * torque.si() * (1.0 / usual).max(overload.unwrap_or(1.0) / most);
     Mass::from_si((1.0 + SHAFT_BEARINGS) * STEEL * FRAC_PI_4 * SHAFT_LENGTH * cube)
 }
 

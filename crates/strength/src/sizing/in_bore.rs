@@ -3,7 +3,7 @@
 //! Their load ratings follow from their dimensions:
 //!
 //! ```text
-//! C   = b_m·f_c·(i·L_we)^(7/9)·Z^(3/4)·D_we^(29/27)                       ISO 281, radial roller bearings, in N and mm
+//! C   = b_m·f_c·(i·L_we)^(7/9)·Z^(3/4)·D_we^(29/27)                    ISO 281, in N and mm
 //! f_c = 208·0.83·γ^(2/9)·(1 − γ)^(29/27)/(1 + γ)^(1/4)
 //!       · (1 + (1.04·((1 − γ)/(1 + γ))^(143/108))^(9/2))^(−2/9)           ISO/TR 1281-1
 //! C_0 = 44·(1 − γ)·i·Z·L_we·D_we                                          ISO 76

@@ -99,7 +99,7 @@ pub struct Sizing {
     pub planet_bore: Option<Length>,
     /// Mass of a planet for the force on its bearing, in place of that of its shape.
     pub planet_mass: Option<Mass>,
-    /// What is known of the pins of the planets.
+    /// Rolling elements and bearings of the planets on their pins.
     pub planet_pin: Pin,
     /// The least angle between neighbouring planets at given angles; `None` if they must be at equal angles.
     pub least_planet_angle: Option<Angle>,

@@ -58,11 +58,11 @@ pub struct SizedPlanet {
     pub mass: Option<Mass>,
     /// Mesh load factor `K_γ` for its bearing, in place of that of the layout.
     pub sharing: Option<f64>,
-    /// What is known of its pin.
+    /// Rolling elements and bearing on its pin.
     pub pin: Pin,
 }
 
-/// What is known of planets on their pins where no bearing of a table is chosen.
+/// Rolling elements and bearing of planets for which no bearing of a table is chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Pin {
     /// Rolling elements.

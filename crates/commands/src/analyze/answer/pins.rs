@@ -1,8 +1,8 @@
 //! Practical limits for planets on their pins, checked if the input speed and the bearing are known.
 //!
-//! The limits are those of the file, otherwise those of the rules [`PinSpeed`](Rule::PinSpeed), [`FullPinSpeed`](Rule::FullPinSpeed),
-//! [`OrbitAcceleration`](Rule::OrbitAcceleration) and [`NeedleAcceleration`](Rule::NeedleAcceleration): of `n·d_m`
-//! and `a·ω_H²`.
+//! The limits are those of the file, otherwise those of the rules [`PinSpeed`](Rule::PinSpeed),
+//! [`FullPinSpeed`](Rule::FullPinSpeed), [`OrbitAcceleration`](Rule::OrbitAcceleration) and
+//! [`NeedleAcceleration`](Rule::NeedleAcceleration): of `n·d_m` and `a·ω_H²`.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|

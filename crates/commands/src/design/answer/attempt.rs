@@ -1,6 +1,6 @@
 //! Tooth numbers and sizes of one scheme.
 
-use super::making::{Load, MAKING, warnings, with_load};
+use super::making::{Load, MAKING, for_each_set, shared, warnings, with_load};
 use super::records::{SizesStep, TeethStep, TeethTaken};
 use super::{Wanted, order_of_teeth};
 use crate::answer::Warning;
@@ -14,7 +14,7 @@ use crate::shared::profile_shift::WantedShifts;
 use crate::size::answer::{self as size, Size};
 use crate::tolerance::OBJECTIVE;
 use epicyclic_formats::Document;
-use epicyclic_formats::yaml::{Value, to_string};
+use epicyclic_formats::yaml::to_string;
 use epicyclic_selection::{Mechanism, Space};
 use epicyclic_strength::sizing::Objective;
 use epicyclic_train::Gear;
@@ -191,22 +191,12 @@ impl Tried {
 fn loaded(saved: &Saved, wanted: &Wanted, torque: Torque, speed: AngularVelocity) -> Result<String, Error> {
     let text = saved.file(&[]).map_err(|error| Error::Json(error.to_string()))?;
     let mut file = Document::parse_one(MAKING, text.as_bytes())?.value().clone();
-    let sets = file.get_mut("sets").and_then(Value::as_sequence_mut).into_iter().flatten();
-    for set in sets.filter_map(Value::as_mapping_mut) {
+    for_each_set(&mut file, |set| {
         for key in ["planets", "profile_shifts", "tip_alterations"] {
             set.remove(key);
         }
-    }
-    let gears: Vec<&str> = saved.gearbox.gears().iter().map(Gear::name).collect();
-    let shares = match &wanted.shares[..] {
-        [] => vec![1.0 / gears.len() as f64; gears.len()],
-        shares if shares.len() == gears.len() => shares.to_vec(),
-        shares => {
-            let gears = gears.iter().map(|&gear| gear.to_owned()).collect();
-            return Err(Error::Shares { given: shares.len(), gears });
-        }
-    };
-    let gears: Vec<(&str, f64)> = gears.into_iter().zip(shares).collect();
+    });
+    let gears = shared(saved.gearbox.gears().iter().map(Gear::name).collect(), &wanted.shares)?;
     let load = Load { torque, speed, overload: wanted.overload, spectrum: &FULL_LOAD };
     with_load(&mut file, &wanted.basis, &gears, load);
     if let Some(file) = file.as_mapping_mut() {

@@ -42,6 +42,25 @@ pub(super) fn with_load(file: &mut Value, basis: &Basis, gears: &[(&str, f64)], 
     with_duty(file, basis, gears, load);
 }
 
+/// Gears with their shares of the time, equal ones unless shares are given.
+///
+/// # Errors
+/// [`Error::Shares`] unless there is one share per gear.
+pub(super) fn shared<'g>(gears: Vec<&'g str>, shares: &[f64]) -> Result<Vec<(&'g str, f64)>, Error> {
+    if !shares.is_empty() && shares.len() != gears.len() {
+        let gears = gears.into_iter().map(str::to_owned).collect();
+        return Err(Error::Shares { given: shares.len(), gears });
+    }
+    let equal = 1.0 / gears.len() as f64;
+    let share = |place: usize| shares.get(place).copied().unwrap_or(equal);
+    Ok(gears.into_iter().enumerate().map(|(place, gear)| (gear, share(place))).collect())
+}
+
+/// Mapping of these keys in their order.
+pub(super) fn mapping(keys: Vec<(&str, Value)>) -> Value {
+    Value::Mapping(keys.into_iter().map(|(key, value)| (Value::from(key), value)).collect::<Mapping>())
+}
+
 /// Changes the entries of all sets.
 pub(super) fn for_each_set(file: &mut Value, change: impl FnMut(&mut Mapping)) {
     let sets = file.get_mut("sets").and_then(Value::as_sequence_mut).into_iter().flatten();
@@ -53,11 +72,8 @@ pub(super) fn with_duty(file: &mut Value, basis: &Basis, gears: &[(&str, f64)], 
     // More digits would show only the rounding of the unit conversion.
     let written = |value: f64, unit: &str| Value::from(format!("{} {unit}", trimmed(value, DIGITS)));
     let greatest = load.overload.map(|factor| written(factor * load.torque.si(), "N·m"));
-    let of_keys = |keys: Vec<(&str, Value)>| {
-        Value::Mapping(keys.into_iter().map(|(key, value)| (Value::from(key), value)).collect::<Mapping>())
-    };
     let step = |(gear, share): &(&str, f64), [part, torque, speed]: &[f64; 3]| {
-        of_keys(vec![
+        mapping(vec![
             ("gear", Value::from(*gear)),
             ("share", Value::from(share * part)),
             ("torque", written(torque * load.torque.si(), "N·m")),
@@ -68,7 +84,7 @@ pub(super) fn with_duty(file: &mut Value, basis: &Basis, gears: &[(&str, f64)], 
     let duty: Vec<Value> = gears.iter().flat_map(steps).collect();
     let against = |torque: &Value| {
         let overload =
-            |(gear, _): &(&str, f64)| of_keys(vec![("gear", Value::from(*gear)), ("torque", torque.clone())]);
+            |(gear, _): &(&str, f64)| mapping(vec![("gear", Value::from(*gear)), ("torque", torque.clone())]);
         gears.iter().map(overload).collect()
     };
     if let Some(file) = file.as_mapping_mut() {

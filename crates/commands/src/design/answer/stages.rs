@@ -1,7 +1,7 @@
 //! Stages in series for one ratio: splits, tooth numbers and sizes chosen together.
 
 use super::attempt::CLASSES;
-use super::making::{Load, MAKING, warnings, with_load};
+use super::making::{Load, MAKING, mapping, warnings, with_load};
 use super::records::SizesStep;
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
@@ -12,7 +12,7 @@ use crate::size::answer::{self as size, sizing_of};
 use crate::size::options::Request as SizeRequest;
 use crate::tolerance::ROUNDED;
 use epicyclic_formats::Document;
-use epicyclic_formats::yaml::{Mapping, Value, to_string};
+use epicyclic_formats::yaml::{Value, to_string};
 use epicyclic_gears::ToothCount;
 use epicyclic_strength::series::{InputStep, Order, Teeth, Train, Trains, search, slow_shaft};
 use epicyclic_units::Physical;
@@ -137,7 +137,7 @@ impl Answer for Stages {
 }
 
 impl WantedStages {
-    /// Input over output, for the quotient of the fast speed over the slow one.
+    /// Input speed over output speed, from the quotient of fast and slow.
     fn over_output(&self, quotient: f64) -> f64 {
         if self.steps_up { 1.0 / quotient } else { quotient }
     }
@@ -233,7 +233,7 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
     let slow_shaft_kg = train.as_ref().filter(|_| wanted.has_slow_shaft).map(|train| {
         let of_input = if wanted.steps_up { 1.0 } else { train.ratio };
         let torque = wanted.torque.abs() * of_input;
-        slow_shaft(torque, torque * wanted.overload.unwrap_or(1.0)).si()
+        slow_shaft(torque, wanted.overload).si()
     });
     let structures = sizes.as_ref().and_then(|sizes: &SizesStep| sizes.whole_kg);
     let speed = wanted.speed.si();
@@ -263,10 +263,8 @@ fn order(wanted: &WantedStages, tolerance: f64) -> Result<Order, Error> {
     let making = text(wanted, &[[24, 30, 84]])?;
     let document = Document::parse_one(MAKING, making.as_bytes())?;
     let mut of_stage = sizing_of(&one(&document, &Choice::default())?, &wanted.size)?;
-    if wanted.steps_up {
-        for overload in &mut of_stage.overloads {
-            overload.sun_torque = wanted.fast(tolerance).torque * wanted.overload.unwrap_or(1.0);
-        }
+    for overload in &mut of_stage.overloads {
+        overload.sun_torque = wanted.fast(tolerance).torque * wanted.overload.unwrap_or(1.0);
     }
     // Products of ratios are rounded.
     let [less, more] = [1.0 - tolerance - ROUNDED, 1.0 + tolerance + ROUNDED];
@@ -286,12 +284,9 @@ fn text(wanted: &WantedStages, teeth: &[[u32; 3]]) -> Result<String, Error> {
         _ if place == teeth.len() => "output".to_owned(),
         _ => format!("shaft {place}"),
     };
-    let of_keys = |keys: Vec<(&str, Value)>| {
-        Value::Mapping(keys.into_iter().map(|(key, value)| (Value::from(key), value)).collect::<Mapping>())
-    };
     let set = |(place, [sun, planet, ring]): (usize, &[u32; 3])| {
         let [of_sun, of_carrier] = if wanted.steps_up { [place + 1, place] } else { [place, place + 1] };
-        of_keys(vec![
+        mapping(vec![
             ("id", format!("stage {}", place + 1).into()),
             ("sun", shaft(of_sun).into()),
             ("ring", "ground".into()),
@@ -302,12 +297,12 @@ fn text(wanted: &WantedStages, teeth: &[[u32; 3]]) -> Result<String, Error> {
         ])
     };
     let count = if teeth.len() == 1 { "1 stage".to_owned() } else { format!("{} stages", teeth.len()) };
-    let mut file = of_keys(vec![
+    let mut file = mapping(vec![
         ("gearbox", count.into()),
         ("input", "input".into()),
         ("output", "output".into()),
         ("sets", Value::Sequence(teeth.iter().enumerate().map(set).collect())),
-        ("gears", Value::Sequence(vec![of_keys(vec![("name", GEAR.into())])])),
+        ("gears", Value::Sequence(vec![mapping(vec![("name", GEAR.into())])])),
     ]);
     let load =
         Load { torque: wanted.torque, speed: wanted.speed, overload: wanted.overload, spectrum: &FULL_LOAD };

@@ -1,23 +1,26 @@
 //! Gearboxes for a list of gears: structures, tooth numbers and sizes.
 //!
-//! Structures are those of [`synthesize`](crate::synthesize): at first with members on shafts alone, then with
-//! members on the housing and double-planet sets, from the fewest sets and shift elements up. The best of the
-//! first families get tooth numbers, and these the sizes that hold over the duty. Of all that have sizes the
-//! one with the fewest warnings is taken, then the lightest.
+//! Structures are those of [`synthesize`](crate::synthesize), from the fewest sets and shift elements up: at
+//! first with members on shafts alone, then with members on the housing and double-planet sets. The best
+//! structures of the first families get tooth numbers, and the gears sizes that hold over the duty. Of the
+//! gearboxes with sizes that with the fewest warnings is taken, then the lightest.
 
-use super::making::{Load, MAKING, for_each_set, warnings, with_duty};
+use super::making::{Load, MAKING, for_each_set, shared, warnings, with_duty};
 use super::records::SizesStep;
 use super::ways_out::WayOut;
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::basis::{Basis, BasisKey};
 use crate::shared::gearbox::{Choice, one};
+use crate::shared::records::Fraction;
 use crate::shared::saved::names;
 use crate::size::answer::{self as size, Size};
 use crate::size::options::Request as SizeRequest;
 use crate::strength::answer::missing::{MissingKeys, Purpose};
 use crate::synthesize::answer::teeth::{TeethOfSet, TeethWanted};
-use crate::synthesize::answer::{Kept, Searching, ShiftElement, Solution, Wanted as Search, saved, solve};
+use crate::synthesize::answer::{
+    Gear as SearchedGear, Kept, Searching, ShiftElement, Solution, Wanted as Search, saved, solve,
+};
 use epicyclic_formats::wanted_ratio::{Wanted as Ratio, WantedRatio};
 use epicyclic_formats::yaml::to_string;
 use epicyclic_formats::{Document, gearbox::written};
@@ -31,6 +34,7 @@ use epicyclic_synthesis::rules::Rules;
 use epicyclic_synthesis::shifts::Shifts;
 use epicyclic_synthesis::teeth::{Aim, Alike};
 use epicyclic_synthesis::usable::Usable;
+use epicyclic_train::Gear;
 use epicyclic_units::Physical;
 use epicyclic_units::format::trimmed;
 use schemars::JsonSchema;
@@ -103,7 +107,7 @@ pub struct Transmission {
     pub gearboxes: Vec<GearboxWithTeeth>,
     /// Assumed values by key.
     pub basis: Vec<BasisKey>,
-    /// Mass of gears, carriers and housing by a rule, and of the output shaft, in kg; null if a set has no size.
+    /// Mass of gears, carriers, housing and output shaft, by rules, in kg; null if a set has no size.
     pub whole_kg: Option<f64>,
     /// Sizes of the gearbox taken, with their strength over the duty; null if no structure was found.
     pub sizes: Option<SizesStep>,
@@ -132,7 +136,7 @@ pub struct GearReached {
     pub output_speed_rad_s: Option<f64>,
     /// Engaged shift elements.
     pub engaged: Vec<String>,
-    /// Efficiency with the usual losses of the meshes; null without a structure, or if the losses hold the gear.
+    /// Efficiency with usual losses of the meshes; null without a structure, or if losses hold the gear.
     pub efficiency: Option<f64>,
 }
 
@@ -204,9 +208,9 @@ pub fn answer(
     wanted: &WantedTransmission,
     goes_on: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Transmission, Error> {
-    if !wanted.shares.is_empty() && wanted.shares.len() != wanted.ratios.len() {
-        return Err(Error::Shares { given: wanted.shares.len(), gears: names(&wanted.ratios) });
-    }
+    // Shares that cannot be are refused before the search.
+    let gears = names(&wanted.ratios);
+    shared(gears.iter().map(String::as_str).collect(), &wanted.shares)?;
     let (structures, found) = structures(wanted, goes_on)?;
     let mut all = vec![];
     for place in 0..TEETH {
@@ -236,7 +240,7 @@ pub fn answer(
         transmission.warnings = warnings(&taken.size, transmission.file.as_deref())?;
         let ratios = taken.gears.iter().filter_map(|gear| gear.ratio).map(f64::abs);
         let torque = wanted.torque.abs() * ratios.fold(1.0, f64::max);
-        let shaft = slow_shaft(torque, torque * wanted.overload.unwrap_or(1.0));
+        let shaft = slow_shaft(torque, wanted.overload);
         let of_sets = taken.size.whole_kg.filter(|_| transmission.file.is_some());
         transmission.whole_kg = of_sets.map(|mass| mass + shaft.si());
         transmission.gears = taken.gears;
@@ -280,8 +284,8 @@ fn asked(wanted: &WantedTransmission) -> Vec<GearReached> {
     names(&wanted.ratios).into_iter().zip(&wanted.ratios).map(of).collect()
 }
 
-/// How many structures have the ratios, and the best of the first families with their tooth numbers. Shifts of
-/// one element for one come first.
+/// Number of structures that have the ratios, and the best of the first families with their tooth numbers.
+/// Shifts that exchange one element for one come first.
 fn structures(
     wanted: &WantedTransmission,
     goes_on: &(dyn Fn() -> ControlFlow<()> + Sync),
@@ -392,10 +396,7 @@ impl Sized {
                 set.insert("tools".into(), tools.clone());
             }
         });
-        let names: Vec<String> = gearbox.gears().iter().map(|gear| gear.name().to_owned()).collect();
-        let equal = vec![1.0 / names.len() as f64; names.len()];
-        let shares = if wanted.shares.is_empty() { &equal } else { &wanted.shares };
-        let gears: Vec<(&str, f64)> = names.iter().map(String::as_str).zip(shares.iter().copied()).collect();
+        let gears = shared(gearbox.gears().iter().map(Gear::name).collect(), &wanted.shares)?;
         let load = Load {
             torque: wanted.torque,
             speed: wanted.speed,
@@ -410,8 +411,7 @@ impl Sized {
         let missing = MissingKeys::of(&subject, &document.read()?, &wanted.basis, Purpose::Sizes)?;
         let subject = missing.assumed(&wanted.basis)?.map_or(subject, |(whole, _)| whole);
         let size = size::answer(&subject, &wanted.size, goes_on)?;
-        let reached = |((mut asked, own), ratio): ((GearReached, _), &crate::shared::records::Fraction)| {
-            let own: &crate::synthesize::answer::Gear = own;
+        let reached = |((mut asked, own), ratio): ((GearReached, &SearchedGear), &Fraction)| {
             let ratio = ratio.numerator as f64 / ratio.denominator as f64;
             asked.ratio = Some(ratio);
             asked.output_speed_rad_s = Some(wanted.speed.si() / ratio);

@@ -1,7 +1,7 @@
 //! Judgement of hydromotors by rules of practice. No motor is refused for them.
 //!
-//! With limits of the material the pressure drop counts against the one that they allow, and the contact
-//! stress by itself does not count. Checks of centrodes and limits of teeth are part of the judgement.
+//! Limits of the material, where they are stated, allow a pressure drop, and the contact stress alone does
+//! not count. Checks of centrodes and limits of teeth are part of the judgement.
 
 use super::made::Made;
 use super::{Check, GoverningLimit, Motor, ToothLimit, Verdict, greatest_contact};

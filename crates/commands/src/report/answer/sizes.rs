@@ -37,7 +37,7 @@ pub struct SetSizes {
     pub ring_diameter_m: Option<f64>,
     /// Mass of the gears in kg; null if a face width, the number of planets or the rim of a ring is missing.
     pub mass_kg: Option<f64>,
-    /// This mass with carrier and housing, by a rule, in kg; null without a ring or with several face widths.
+    /// Mass of gears, carrier and housing, by a rule, in kg; null without a ring or with several face widths.
     pub whole_kg: Option<f64>,
     /// Bearings of the planets; empty without load ratings.
     pub bearings: Vec<SizedBearing>,
@@ -160,6 +160,7 @@ impl SizedGear {
         let gear = toothed.gear(of)?;
         let module = toothed.meshes.iter().find(|mesh| mesh.gears.contains(&of))?.module;
         let is_ring = gear.kind() == GearKind::Internal;
+        // Rims of planets lie inside the outline, and their bores are known.
         let strength = data.strength.filter(|_| is_ring);
         let rim = strength.and_then(|of| of.rims.get(&data.gears.names[place]).copied().or(of.ring_rim));
         let bore = data.bores[place].map_or(0.0, Physical::si);

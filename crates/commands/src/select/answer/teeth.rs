@@ -82,7 +82,7 @@ pub struct SelectTeeth {
     pub shown_in_full: Option<u32>,
     /// Speeds of that design, required and reached, the slowest first; empty without such a design.
     pub speeds: Vec<ReachedSpeed>,
-    /// Judgement of that design by rules of practice; without checks if there is none.
+    /// Judgement of the design shown in full, by rules of practice; without checks if no design is.
     pub judgement: Judgement,
     /// Requirements as a record.
     pub required: Required,

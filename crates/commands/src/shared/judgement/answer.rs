@@ -111,7 +111,7 @@ impl Judgement {
         warnings.extend(self.warnings(told));
     }
 
-    /// Misses of a list of designs as warnings: of each rule the first of its worst, with the number of others.
+    /// Warnings of a list of designs: the worst miss of each rule, with the number of others.
     pub(crate) fn warnings_of_rules(&self) -> Vec<Warning> {
         let mut all: Vec<(Warning, usize)> = vec![];
         for warning in self.warnings(&[]) {

@@ -39,7 +39,7 @@ struct Missing {
     /// Name of the set; `None` for the gearbox.
     set: Option<String>,
     key: String,
-    /// Usual value; `None` if there is none.
+    /// Usual value; `None` of teeth, for which no value is usual.
     usual: Option<Value>,
 }
 

@@ -8,8 +8,8 @@ use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_judge::Rule;
 use epicyclic_units::Physical;
 
-/// Judges a gearbox, or one set of it, and the speeds of its duty by the resonances with the meshing teeth. The
-/// reference speed is the speed of the duty over that of the resonance.
+/// Judges a gearbox, or one set of it, and the speeds of its duty by the resonances with the meshing teeth.
+/// The reference speed is the speed of the duty over that of the resonance.
 pub(super) fn of(
     subject: &Gearbox,
     set: Option<&str>,
