@@ -19,6 +19,8 @@ pub struct Verdict {
     pub worst: Severity,
     /// Who states the limit.
     pub source: &'static str,
+    /// Whether the value is outside a range that is stated in place of the usual one.
+    pub is_against_stated: bool,
 }
 
 impl Verdict {
@@ -30,7 +32,7 @@ impl Verdict {
             None => (None, required.nearest_end(value)),
         };
         let worst = worst.unwrap_or(Severity::Remark);
-        Self { rule, value, limit, severity, worst, source: rule.source() }
+        Self { rule, value, limit, severity, worst, source: rule.source(), is_against_stated: false }
     }
 
     /// Whether the value holds.
@@ -48,10 +50,16 @@ impl Verdict {
         Some(ratio.max(1.0 / ratio)).filter(|ratio| is_known && ratio.is_finite())
     }
 
-    /// The verdict of a value that is stated on purpose: errors become this severity.
+    /// The verdict of a value that is stated on purpose: errors become this severity, and limits that are
+    /// stated, too, do not require another one.
     #[must_use]
     pub fn no_worse_than(self, severity: Severity) -> Self {
-        Self { severity: self.severity.map(|own| own.min(severity)), worst: self.worst.min(severity), ..self }
+        Self {
+            severity: self.severity.map(|own| own.min(severity)),
+            worst: self.worst.min(severity),
+            is_against_stated: false,
+            ..self
+        }
     }
 
     /// The value with its limit, in words: `specific sliding 3.4, at most 3 by usual practice`.
@@ -139,7 +147,8 @@ impl Limits {
         let verdict = Verdict::of(rule, bounds.stated(range), value);
         // A value far outside may pass the usual limit of errors.
         let is_stated = [range.least, range.most].contains(&verdict.limit);
-        Verdict { source: if is_stated { STATED } else { verdict.source }, ..verdict }
+        let source = if is_stated { STATED } else { verdict.source };
+        Verdict { source, is_against_stated: !range.contains(value), ..verdict }
     }
 }
 

@@ -37,6 +37,7 @@
 pub mod candidate;
 pub mod drawing;
 mod error;
+pub mod every;
 pub mod front;
 pub mod mechanism;
 mod objective;

@@ -34,11 +34,13 @@
 
 pub mod bearing;
 pub mod bearing_rows;
+mod bounded;
 mod checks;
 pub mod contact;
 pub mod error;
 pub mod factor;
 pub mod life;
+pub mod lightest;
 pub mod load;
 pub mod loss;
 pub mod material;

@@ -5,9 +5,8 @@
 //! - [`transmission`]: a list of gears.
 //! - [`ways_out`]: limits to relax if no gearbox is found, each with the gearbox that is then found.
 //!
-//! Each step keeps only the best result of the previous step, so that a person can follow it and choose
-//! otherwise; combinations are not searched. If no tooth numbers of a scheme have sizes, the next scheme is
-//! taken. Another scheme, or other tooth numbers, may give a lighter gearbox.
+//! Scheme, tooth numbers and sizes are chosen together by [`lightest`](epicyclic_strength::lightest), among all
+//! schemes that meet the criteria and all their tooth numbers.
 
 mod attempt;
 mod making;
@@ -25,7 +24,7 @@ use crate::shared::basis::{Basis, BasisKey};
 use crate::size::options::Request as SizeRequest;
 use attempt::Attempt;
 use epicyclic_gears::synthesis::Bounds;
-use epicyclic_selection::{Mechanism, Objective, Order, Space};
+use epicyclic_selection::{Mechanism, Space};
 use records::{SchemeStep, SizesStep, TeethStep};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -44,9 +43,7 @@ pub struct Wanted {
     /// Ring offsets of sets with profile shift; `None` for sets without profile shift. The sizing chooses the
     /// shifts again at its centre distances, with the same aim and tip thickness.
     pub ring_offsets: Option<RangeInclusive<i32>>,
-    /// Number of tooth designs of each class of deviation that are sized, the smallest rings first.
-    pub tries: usize,
-    /// Number of the tooth design to use, from 1; `None` for the lightest.
+    /// Number of the design to use, from 1; `None` for the best.
     pub tooth_design: Option<usize>,
     /// Parts of the time in the gears, the slowest first, then reverse gears; empty for equal parts.
     pub shares: Vec<f64>,
@@ -58,8 +55,7 @@ pub struct Wanted {
     pub size: SizeRequest,
 }
 
-/// Design of a gearbox from speeds and power, with sufficient strength. The first step that finds nothing is
-/// the last.
+/// Design of a gearbox from speeds and power, with sufficient strength.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Design {
@@ -86,24 +82,14 @@ impl Answer for Design {
     const NAME: &'static str = "design";
 }
 
-/// Order of the tooth search: the smallest ring at equal tooth load, then the most exact ratio.
-///
-/// # Panics
-/// Never: the objectives differ.
-#[must_use]
-pub fn order_of_teeth() -> Order {
-    Order::new(&[Objective::Size, Objective::RatioError]).expect("two objectives that differ")
-}
-
-/// Designs a gearbox. The closures of `watch` receive the progress of the tooth search, and may end it and
-/// the sizing after it. If no gearbox is found, the search is repeated with each obstructing limit relaxed.
+/// Designs a gearbox. The closures of `watch` are called now and then, and may end the search. If no gearbox is found, the search is repeated with each obstructing limit relaxed.
 ///
 /// # Errors
 /// - [`Error::NoLoad`] without load, [`Error::LoadWithoutSpeed`] without speed of the input.
 /// - [`Error::NoSuchDesign`] for a number of a tooth design that does not exist.
-/// - [`Error::Shares`] unless there is one share per gear; errors of [`select::answer`],
-///   [`select::teeth::search`] and [`size::Request::answer`](SizeRequest::answer), which refer to
-///   the file `basis` or to the unfinished gearbox.
+/// - [`Error::Shares`] unless there is one share per gear; errors of [`select::answer`] and
+///   [`size::Request::answer`](SizeRequest::answer), which refer to the file `basis` or to the unfinished
+///   gearbox.
 pub fn answer(wanted: &Wanted, watch: &Watch) -> Result<Design, Error> {
     let (mut design, relaxations) = attempted(wanted, watch)?;
     if design.file.is_none() && wanted.tooth_design.is_none() {
@@ -122,35 +108,20 @@ fn attempted(wanted: &Wanted, watch: &Watch) -> Result<(Design, Vec<select::Rela
     let all = select::Wanted { space, most: usize::MAX, ..wanted.selection.clone() };
     all.duty.torque()?.ok_or(Error::NoLoad)?;
     let (selected, mechanisms) = select::with_mechanisms(&all)?;
-    let mut attempts: Vec<(Mechanism, Attempt)> = vec![];
-    for mechanism in mechanisms {
-        attempts.push((mechanism, Attempt::of(wanted, mechanism, watch)?));
-        let is_last = attempts.last().is_some_and(|(_, attempt)| attempt.file.is_some());
-        // A number given for a tooth design refers to the list of the best scheme.
-        if is_last || wanted.tooth_design.is_some() {
-            break;
-        }
-    }
-    // If no scheme has sizes, the best one shows what is missing.
-    let taken = attempts.iter().position(|(_, attempt)| attempt.file.is_some()).unwrap_or(0);
-    let passed_over: Vec<Mechanism> = attempts.drain(..taken).map(|(mechanism, _)| mechanism).collect();
-    let taken = attempts.into_iter().next();
+    let attempt = if mechanisms.is_empty() { None } else { Some(Attempt::of(wanted, &mechanisms, watch)?) };
+    let others = attempt.as_ref().map(|attempt| attempt.others.clone()).unwrap_or_default();
+    let taken = attempt.as_ref().and_then(|attempt| attempt.mechanism);
     let mut design = Design {
         speeds: vec![],
         basis: wanted.basis.told(),
-        scheme: SchemeStep::of(
-            &selected,
-            taken.as_ref().map(|(mechanism, _)| *mechanism),
-            &passed_over,
-            wanted.mechanism.is_some(),
-        ),
+        scheme: SchemeStep::of(&selected, taken, others, wanted.mechanism.is_some()),
         teeth: None,
         sizes: None,
         file: None,
         ways_out: None,
         warnings: vec![],
     };
-    if let Some((_, Attempt { teeth, sizes, file, speeds, warnings })) = taken {
+    if let Some(Attempt { teeth, sizes, file, speeds, warnings, .. }) = attempt {
         let reversed: Vec<&str> =
             speeds.iter().filter(|speed| speed.reversed).map(|speed| speed.gear.name()).collect();
         design.warnings = warnings;

@@ -30,7 +30,7 @@ use crate::size::request::{self as sizing, BearingsFile};
 use crate::strength::answer::factors::twice;
 use epicyclic_formats::{Document, RangeError, Span};
 use epicyclic_gears::synthesis::Bounds;
-use epicyclic_selection::{Mechanism, Objective, Order, Rating, Signs};
+use epicyclic_selection::{Mechanism, Order, Rating, Signs};
 use epicyclic_strength::load::{Floating, load_sharing};
 use epicyclic_strength::series::Teeth;
 use epicyclic_strength::sizing::Objective as MinimisedSize;
@@ -46,10 +46,11 @@ use uom::si::f64::{AngularVelocity, Power, Ratio, Time, Torque};
 /// three and more, or with a reverse gear: a structure of synthesize with its teeth and sizes. --speeds, or
 /// one or two --ratios beside direct drive: a scheme of select, or else a structure of synthesize.
 ///
-/// The answer begins with the speeds asked for and reached. Tooth numbers come in classes of deviation. The
-/// closest class with sizes is taken, and of it the lightest gearbox of the smallest rings. The command size
-/// sizes it over a duty with the load in every gear. Every step tells the choice, among how many, the next
-/// best, and the option to choose otherwise. Assumed values, such as materials and load factors, are listed;
+/// The answer begins with the speeds asked for and reached. Schemes, tooth numbers and sizes are chosen
+/// together, over a duty with the load in every gear: the fewest sets beyond usual practice, then the lightest
+/// gearbox. Deviations count in classes: a tenth of --tolerance, a third, all of it; a wider class is taken
+/// only if it misses less of usual practice. Every step tells the choice, among how many, the next best, and
+/// the option to choose otherwise. Assumed values, such as materials and load factors, are listed;
 /// --basis and --factors change them. Where nothing is left, limits to relax are listed, each with its option
 /// and the gearbox found with it.
 #[derive(Debug, clap::Args)]
@@ -135,19 +136,9 @@ pub struct Request {
     #[arg(long, value_name = "NAME", value_parser = named)]
     pub scheme: Option<Mechanism>,
 
-    /// The objective that decides first among schemes, then the next for equal values.
-    #[arg(long, value_name = "OBJECTIVES", default_value = "efficiency, speed, k, error, size")]
-    pub order: List<Objective>,
-
-    /// Number of tooth designs that get sizes, those with the smallest ring at one load of the teeth; the
-    /// lightest is taken. They are taken within a tenth of --tolerance; only where none holds within a third
-    /// of it, then within all of it.
-    #[arg(long, value_name = "N", default_value = "50")]
-    pub tries: usize,
-
-    /// The tooth design with this number in place of the lightest. It counts the designs of --tries.
-    #[arg(long, value_name = "N")]
-    pub tooth_design: Option<usize>,
+    /// The design with this number in place of the best: 2 for the next one.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub tooth_design: Option<u64>,
 
     /// Teeth of the suns. Default: 17..60; of stages in series 17..30.
     #[arg(long, value_name = "RANGE")]
@@ -212,14 +203,12 @@ const STAGES: &str = "One ratio: stages in series";
 const MOST_STAGES: u32 = 4;
 
 /// Options that concern several speeds.
-const OF_SPEEDS: [&str; 19] = [
+const OF_SPEEDS: [&str; 17] = [
     "speeds",
     "ratios",
     "all_structures",
     "shares",
     "scheme",
-    "order",
-    "tries",
     "tooth_design",
     "brakes",
     "signs",
@@ -346,10 +335,21 @@ impl Request {
         answer(&self.wanted()?, watch).map_err(refuse_of)
     }
 
+    /// Rings of several sets do not add up: they are no objective of a gearbox.
+    fn refuse_ring(&self) -> Result<(), Failure> {
+        match self.sizes.minimise {
+            Some(MinimisedSize::Ring) => Err(Failure::invalid(
+                "--minimise",
+                "gearboxes are chosen by a mass, mass or whole; --max-ring bounds their rings",
+            )),
+            _ => Ok(()),
+        }
+    }
+
     fn wanted(&self) -> Result<Wanted, Failure> {
+        self.refuse_ring()?;
         let duty = self.duty();
         let rating = Rating { mesh_load_factors: sharing()?, ..Rating::default() };
-        let order = Order::new(&self.order.0).map_err(refuse_selection)?;
         // A ratio with a minus asks for a reversing output, which is otherwise refused by default.
         let is_reverse_asked = self.ratios.signs(&self.speeds) == Signs::AsGiven;
         let same_direction = self.same_direction || (!self.may_reverse && !is_reverse_asked);
@@ -360,7 +360,7 @@ impl Request {
         Ok(Wanted {
             selection: select::Wanted {
                 requirements,
-                order,
+                order: Order::default(),
                 space: speeds.space(),
                 speeds: speeds.of_machine(),
                 nth: 1,
@@ -370,8 +370,7 @@ impl Request {
             mechanism: self.scheme,
             bounds,
             ring_offsets: self.ring_offset.clone(),
-            tries: self.tries.max(1),
-            tooth_design: self.tooth_design,
+            tooth_design: self.tooth_design.map(|number| usize::try_from(number).unwrap_or(usize::MAX)),
             shares: self.shares(),
             overload: self.overload()?,
             basis: self.basis()?,
@@ -416,11 +415,7 @@ impl Request {
                 format!("{}: 0 to below 1, or 100 %, is due", self.tolerance),
             ));
         }
-        if self.sizes.minimise == Some(MinimisedSize::Ring) {
-            let message =
-                "stages in series are chosen by a mass, mass or whole; --max-ring bounds their rings";
-            return Err(Failure::invalid("--minimise", message));
-        }
+        self.refuse_ring()?;
         let bounds = self.teeth([Application::suns(self.sizes.application), 17..=80, 50..=160])?;
         let stages = self.stages.clone().unwrap_or(1..=MOST_STAGES);
         Ok(WantedStages {

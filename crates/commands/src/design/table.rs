@@ -4,10 +4,9 @@ pub(crate) mod stages;
 pub(crate) mod transmission;
 
 use crate::design::answer::Design;
-use crate::design::answer::records::{SchemeStep, SizesStep, TeethStep, TeethTaken};
+use crate::design::answer::records::{OtherScheme, SchemeStep, SizesStep, TeethStep, TeethTaken};
 use crate::design::answer::ways_out::{Limit, RelaxedLimit, WayOut};
 use crate::select::answer::reached::largest_deviation;
-use crate::select::answer::required::Objective;
 use crate::select::table::{percent, speeds_reached};
 use crate::shared::judgement::table as judgement;
 use crate::size::answer::records::{SizedDesign, SizedFamily, SizedSet};
@@ -44,6 +43,9 @@ pub(crate) fn of_sizes(sizes: &SizesStep, whole_kg: Option<f64>) -> Vec<String> 
 }
 /// Title of the assumed values.
 pub(super) const ASSUMED: &str = "Assumed values; change with --basis, --factors, --life";
+
+/// Schemes that are named beside the one taken.
+const MOST_OTHERS: usize = 3;
 
 /// Digits of ratios and of lengths in words.
 const DIGITS: usize = 4;
@@ -173,8 +175,7 @@ fn speeds_of(way: &WayOut) -> Records {
 /// A way out in words: the options and what they give.
 #[must_use]
 pub fn way_out(way: &WayOut) -> String {
-    let mass = way.teeth.mass_kg.map(|mass| format!(", gears of {}", words(Dimension::Mass, mass, DIGITS)));
-    format!("{} gives {}{}", options(way), way.scheme, mass.unwrap_or_default())
+    format!("{} gives {}{}", options(way), way.scheme, mass(&way.teeth))
 }
 
 /// The options that relax the limits, as they are typed.
@@ -222,41 +223,28 @@ fn steps(design: &Design) -> Records {
         .words("next", "next", |row| cell(row, 3))
         .words("chosen_otherwise_by", "otherwise by", |row| cell(row, 4))
         .view("Steps: what was taken", "step taken")
-        .view("Steps: among what, what came next, and how to choose otherwise", "step among next chosen_otherwise_by")
+        .view(
+            "Steps: among what, what came next, and how to choose otherwise",
+            "step among next chosen_otherwise_by",
+        )
         .note(
-            "Each step keeps only the best result of the previous step; combinations are not searched. Other tooth numbers, or another \
-             scheme, may be lighter.",
+            "Scheme, tooth numbers and sizes are chosen together: the fewest sets beyond usual practice, then the least mass, a quarter more \
+             for each rule missed. Masses by scheme and teeth count gears, carriers and housing.",
         )
         .the_answer()
         .records()
 }
 
 fn scheme(step: &SchemeStep) -> [String; 5] {
-    let among = match step.decided_by {
-        _ if step.asked_for => "asked for".to_owned(),
-        None => format!("{} of {} that meet the criteria", step.accepted, step.compared),
-        Some(by) => {
-            format!("{} of {} that meet the criteria, by {}", step.accepted, step.compared, objective(by))
-        }
+    let among = match step.asked_for {
+        true => "asked for".to_owned(),
+        false => format!("{} of {} that meet the criteria", step.accepted, step.compared),
     };
     let taken = step.taken.clone().unwrap_or_else(|| "none".to_owned());
-    let among = match &step.passed_over[..] {
-        [] => among,
-        before => format!("{among}; before it {} without sizes that hold", before.join(", ")),
-    };
-    ["scheme".to_owned(), taken, among, step.next.clone().unwrap_or_default(), "--scheme, --order".to_owned()]
-}
-
-const fn objective(objective: Objective) -> &'static str {
-    match objective {
-        Objective::Direction => "direction of rotation",
-        Objective::Efficiency => "efficiency",
-        Objective::Speed => "speed",
-        Objective::RingToSunRatio => "k",
-        Objective::RatioError => "ratio error",
-        Objective::Size => "size",
-        Objective::Circulation => "circulating power",
-    }
+    let other =
+        |other: &OtherScheme| format!("{}: {}{}", other.scheme, sets(&other.teeth), mass(&other.teeth));
+    let others: Vec<String> = step.others.iter().take(MOST_OTHERS).map(other).collect();
+    ["scheme".to_owned(), taken, among, others.join("; "), "--scheme".to_owned()]
 }
 
 /// Teeth of sun, planet and ring of each set.
@@ -271,23 +259,25 @@ fn teeth(step: &TeethStep) -> [String; 5] {
         || "none".to_owned(),
         |of| {
             let ratios: Vec<String> = of.ratios.iter().map(|ratio| trimmed(*ratio, DIGITS)).collect();
-            format!("no. {}: {}, i = {}", of.number, sets(of), ratios.join(" and "))
+            format!("{}, i = {}", sets(of), ratios.join(" and "))
         },
     );
     let within = trimmed(100.0 * step.tolerance, DIGITS);
-    let among = format!("{} of {} with sizes, within {within} %", step.tried, step.accepted);
-    let mass = |of: &TeethTaken| of.mass_kg.map(|mass| format!(", {}", words(Dimension::Mass, mass, DIGITS)));
-    let next = step
-        .next
-        .as_ref()
-        .map(|of| format!("no. {}: {}{}", of.number, sets(of), mass(of).unwrap_or_default()));
-    [
-        "teeth".to_owned(),
-        taken,
-        among,
-        next.unwrap_or_default(),
-        "--tooth-design, --tries, --tolerance".to_owned(),
-    ]
+    let ended = if step.complete { "" } else { "; the search ended early" };
+    let among = format!("{} within {within} %, {} sets sized{ended}", step.compared, step.sized);
+    let next = step.next.as_ref().map(|of| format!("{}{}", sets(of), mass(of)));
+    ["teeth".to_owned(), taken, among, next.unwrap_or_default(), "--tooth-design, --tolerance".to_owned()]
+}
+
+/// Mass that decides, and the rules missed.
+fn mass(of: &TeethTaken) -> String {
+    let mass = of.mass_kg.map(|mass| format!(", {}", words(Dimension::Mass, mass, DIGITS)));
+    let missed = match of.rules_missed {
+        None | Some(0) => String::new(),
+        Some(1) => ", misses 1 rule".to_owned(),
+        Some(missed) => format!(", misses {missed} rules"),
+    };
+    format!("{}{missed}", mass.unwrap_or_default())
 }
 
 fn sizes(step: &SizesStep) -> [String; 5] {

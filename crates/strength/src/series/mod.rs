@@ -29,7 +29,6 @@
 //! The bound leaves room for the factors of flanks that change with the size. The room is no proof: every train
 //! of small spaces is sized in the tests, and the best is the same.
 
-mod bearings;
 mod search;
 mod stage;
 

@@ -1,8 +1,9 @@
 //! Trains in the order of their bounds, until the first are sized in full.
 
-use super::stage::{Cost, Geometries, Stage, Stages};
+use super::stage::Stages;
 use super::{Found, Order, Teeth, Train, Trains};
 use crate::Error;
+use crate::bounded::{Cost, Geometries, TriedSet};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::teeth::gcd;
 use std::cmp::Reverse;
@@ -128,7 +129,7 @@ fn range(product: f64) -> usize {
 }
 
 impl Table {
-    fn new(stages: &Stages<'_>, sets: &[Stage], most: usize) -> Self {
+    fn new(stages: &Stages<'_>, sets: &[TriedSet], most: usize) -> Self {
         let allowed = [*stages.order.ratio.start(), *stages.order.ratio.end()];
         // A product lies below the end of its range; rounding may put it into a neighbour.
         let ranges = range(allowed[1]) + 2;
@@ -183,7 +184,7 @@ enum Known {
 
 struct Search<'a> {
     stages: Stages<'a>,
-    sets: Vec<Stage>,
+    sets: Vec<TriedSet>,
     table: Table,
     /// Number of stages.
     count: usize,

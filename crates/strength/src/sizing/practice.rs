@@ -1,7 +1,8 @@
 //! Usual practice in a search: the rules that gears, widths and bearings of a design miss.
 //!
 //! Designs without warnings come first. For the others mass, or ring, is multiplied by [`PRICE`] for each rule
-//! with a warning. Remarks do not count. Errors of gears and widths leave designs out. The rules are those of
+//! with a warning. Remarks do not count. Errors of gears and widths leave designs out, and so does every value
+//! outside a range that is stated in place of a usual one. The rules are those of
 //! [`practice`](epicyclic_gears::involute::practice) for gears, meshes, widths, gaps and speeds,
 //! [`Rule::LoadSharing`], the rims, and for bearings
 //! [`Rule::BallLoad`], [`Rule::BearingStaticSafety`], [`Rule::BearingLeastLoad`], and those of speed and
@@ -41,6 +42,8 @@ pub(super) struct Misses {
     rules: u64,
     /// Whether any miss is an error.
     pub(super) is_error: bool,
+    /// Whether a value is outside a range that is stated: it is required, whatever the severity.
+    pub(super) is_against_stated: bool,
 }
 
 const _: () = assert!(Rule::ALL.len() <= u64::BITS as usize, "each rule has a bit");
@@ -52,6 +55,7 @@ impl Misses {
             Some(severity) => Self {
                 rules: all.rules | 1 << one.rule as u32,
                 is_error: all.is_error || severity == Severity::Error,
+                is_against_stated: all.is_against_stated || one.is_against_stated,
             },
         })
     }
@@ -64,7 +68,16 @@ impl Misses {
 
     /// Misses of both.
     pub(super) fn with(self, other: Self) -> Self {
-        Self { rules: self.rules | other.rules, is_error: self.is_error || other.is_error }
+        Self {
+            rules: self.rules | other.rules,
+            is_error: self.is_error || other.is_error,
+            is_against_stated: self.is_against_stated || other.is_against_stated,
+        }
+    }
+
+    /// Whether gears and widths with these misses are left out.
+    pub(super) const fn is_refused(self) -> bool {
+        self.is_error || self.is_against_stated
     }
 
     /// Number of rules.

@@ -67,7 +67,7 @@ pub fn search(
         if !next.is_followed {
             heap.extend(search.wider(&next).into_iter().map(Reverse));
         }
-        if search.misses(next.layout, &search.widths(&next.widths)).0.is_error {
+        if search.misses(next.layout, &search.widths(&next.widths)).0.is_refused() {
             search.left_out.practice += 1;
             continue;
         }
@@ -317,7 +317,7 @@ impl Search<'_> {
     /// The narrowest design of a layout; those that the width ratio or the rims leave out are counted.
     fn narrowest(&mut self, layout: usize) -> Vec<Candidate> {
         let all = self.task.designs_of_layout();
-        if self.practice.get(layout).is_some_and(|own| own.of_layout.is_error) {
+        if self.practice.get(layout).is_some_and(|own| own.of_layout.is_refused()) {
             self.left_out.practice += all;
             return vec![];
         }
@@ -376,6 +376,10 @@ impl Search<'_> {
             }
             Chosen::NotCalculable => {
                 self.left_out.not_calculable += 1;
+                return Ok(None);
+            }
+            Chosen::Refused => {
+                self.left_out.practice += 1;
                 return Ok(None);
             }
         };
@@ -472,6 +476,9 @@ impl Search<'_> {
                 held.planets.push(made(*kind, None, bore, None));
                 held.misses = held.misses.with(misses(*kind, None, &[], bore));
             }
+            if held.misses.is_against_stated {
+                return Ok(Chosen::Refused);
+            }
             return Ok(Chosen::Planets(held));
         }
         let bore = |bearing: &Bearing| bearing.outside_diameter.si();
@@ -486,7 +493,7 @@ impl Search<'_> {
         bearings.sort_by(|one, other| bore(other).total_cmp(&bore(one)));
         // The best that holds, and of the others the one that misses least.
         let (mut best, mut nearest): (Option<Held>, Option<(f64, Held)>) = (None, None);
-        let is_none = bearings.is_empty();
+        let (is_none, mut is_refused) = (bearings.is_empty(), false);
         'bearings: for bearing in bearings {
             let bore = bore(bearing);
             let duty = |kind: &usize| {
@@ -514,6 +521,10 @@ impl Search<'_> {
             }
             let of_pins = duties.iter().map(|(kind, duty)| misses(*kind, Some(bearing), duty, bore));
             let mut held = Held { misses: of_pins.fold(Misses::default(), Misses::with), ..Held::default() };
+            if held.misses.is_against_stated {
+                is_refused = true;
+                continue;
+            }
             // A smaller bore is heavier: it helps only with fewer misses.
             if best.as_ref().is_some_and(|best| best.misses.count() <= held.misses.count()) {
                 continue;
@@ -546,6 +557,7 @@ impl Search<'_> {
         Ok(match best.or(nearest.map(|(_, held)| held)) {
             Some(held) => Chosen::Planets(held),
             None if is_none => Chosen::TooWide,
+            None if is_refused => Chosen::Refused,
             None => Chosen::NotCalculable,
         })
     }
@@ -566,6 +578,8 @@ enum Chosen {
     TooWide,
     /// Rims outside what the standard holds for.
     NotCalculable,
+    /// Every bearing has values outside a range that is stated.
+    Refused,
 }
 
 /// Loads and speeds of a planet's bearing over the duty.

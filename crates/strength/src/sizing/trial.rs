@@ -57,7 +57,7 @@ impl Sizing {
             };
             trials.push(Trial {
                 missed: misses.count(),
-                is_refused: misses.is_error,
+                is_refused: misses.is_refused(),
                 flanks: vec![],
                 sections: planets.iter().map(section).collect(),
                 ring: own.ring_diameter(&task).unwrap_or_default(),

@@ -1,206 +1,349 @@
-//! Tooth numbers and sizes of one scheme.
+//! Scheme, tooth numbers and sizes of a gearbox, chosen together.
 
+use super::Wanted;
 use super::making::{Load, MAKING, for_each_set, shared, warnings, with_load};
-use super::records::{SizesStep, TeethStep, TeethTaken};
-use super::{Wanted, order_of_teeth};
+use super::records::{OtherScheme, SizesStep, TeethStep, TeethTaken};
+use crate::analyze::answer::{Input, Worked};
 use crate::answer::Warning;
 use crate::error::Error;
-use crate::select::answer::reached::{ReachedSpeed, largest_deviation};
+use crate::select::answer::reached::{Asked, ReachedSpeed, largest_deviation};
 use crate::select::answer::saved::Saved;
-use crate::select::answer::teeth::{self, Searches, SizeLimits, Watch};
+use crate::select::answer::teeth::{At, Watch};
 use crate::shared::application::FULL_LOAD;
 use crate::shared::gearbox::{Choice, one};
-use crate::shared::profile_shift::WantedShifts;
-use crate::size::answer::{self as size, Size};
+use crate::size::answer::{self as size, sizing_of};
+use crate::strength::answer::load::felt;
 use crate::tolerance::OBJECTIVE;
 use epicyclic_formats::Document;
 use epicyclic_formats::yaml::to_string;
-use epicyclic_selection::{Mechanism, Space};
-use epicyclic_strength::sizing::Objective;
-use epicyclic_train::Gear;
+use epicyclic_gears::synthesis::ToothNumbers;
+use epicyclic_schemes::catalogue::SchemeGear;
+use epicyclic_selection::drawing::drawable_direct_clutches;
+use epicyclic_selection::every::{ToothedMechanism, designs, sets};
+use epicyclic_selection::{Candidate, Mechanism};
+use epicyclic_strength::lightest::{Costed, Found, Gearbox, LoadedSet, lightest};
+use epicyclic_strength::sizing::{SetOverload, SetStep, Sizing};
+use epicyclic_train::{Gear, InputLoad};
+use std::cell::RefCell;
 use std::ops::ControlFlow;
 use uom::si::f64::{AngularVelocity, Torque};
 
 /// Parts of the tolerance within which all deviations count as equal, in increasing order. The next class is
-/// searched only if no design of a class has sizes. So beyond a tenth of the tolerance, accuracy is never
-/// traded for mass.
+/// searched only if no design of a class keeps to usual practice, and is taken only if its best design misses
+/// less of it. So beyond a tenth of the tolerance, accuracy is never traded for mass.
 pub(super) const CLASSES: [f64; 3] = [0.1, 1.0 / 3.0, 1.0];
 
-/// Tooth numbers and sizes of a scheme.
+/// Designs of a class that are compared, those nearest to the ratios.
+const MOST_COMPARED: usize = 20_000;
+
+/// Gearbox with tooth numbers and sizes, or how far the search for one came.
 pub(super) struct Attempt {
+    /// Mechanism of the design taken; `None` without one.
+    pub(super) mechanism: Option<Mechanism>,
     pub(super) teeth: TeethStep,
     pub(super) sizes: Option<SizesStep>,
     /// Gearbox file with sizes; `None` unless every set has one.
     pub(super) file: Option<String>,
     /// Speeds reached with the chosen tooth numbers.
     pub(super) speeds: Vec<ReachedSpeed>,
+    /// The best gearboxes of other schemes.
+    pub(super) others: Vec<OtherScheme>,
     pub(super) warnings: Vec<Warning>,
 }
 
 impl Attempt {
-    /// Designs one scheme: the class of least deviation in which a design has sizes, the best design first.
-    pub(super) fn of(wanted: &Wanted, mechanism: Mechanism, watch: &Watch) -> Result<Self, Error> {
-        let duty = &wanted.selection.duty;
-        let torque = duty.torque()?.ok_or(Error::NoLoad)?;
-        let speed = duty.input_speed.ok_or(Error::LoadWithoutSpeed)?;
-        let tolerance = wanted.selection.requirements.tolerance;
-        let (mut tried, mut listed, mut closer): (Vec<Tried>, usize, Option<f64>) = (vec![], 0, None);
-        let (mut accepted, mut within) = (0, 0.0);
-        for part in CLASSES {
-            within = part * tolerance;
-            // The search also lists the designs of the closer classes again.
-            let of_teeth = of_teeth(wanted, mechanism, within, wanted.tries + listed);
-            let found = teeth::search(&of_teeth, watch)?;
-            accepted = found.searched().accepted;
-            for place in 0..found.shown() {
-                let speeds = found.speeds(place);
-                let deviation = largest_deviation(&speeds);
-                // A ratio at the edge of the tolerance may lead to a speed just beyond it.
-                if deviation > within + OBJECTIVE
-                    || closer.is_some_and(|closer| deviation <= closer + OBJECTIVE)
+    /// Chooses among all tooth designs of these mechanisms.
+    pub(super) fn of(wanted: &Wanted, mechanisms: &[Mechanism], watch: &Watch) -> Result<Self, Error> {
+        let goes_on = || watch(At { share: 0.0, searched: None });
+        let search = Search::new(wanted, mechanisms, &goes_on)?;
+        let chosen = search.chosen(&goes_on)?;
+        let of = |costed: &Costed, number: usize| search.all[costed.place].taken(Some(costed), number);
+        let number = wanted.tooth_design.unwrap_or(1);
+        let mut teeth = TeethStep {
+            tolerance: chosen.within,
+            compared: chosen.compared as u64,
+            sized: chosen.found.sized,
+            complete: chosen.is_complete(),
+            taken: None,
+            next: None,
+        };
+        let best = &chosen.found.best;
+        let taken = match best.get(number - 1) {
+            Some(taken) => Some((taken.place, of(taken, number))),
+            None if wanted.tooth_design.is_some() && !best.is_empty() => {
+                return Err(Error::NoSuchDesign { design: number, designs: best.len() });
+            }
+            // The nearest one shows what it lacks.
+            None => chosen.nearest.map(|place| (place, search.all[place].taken(None, 1))),
+        };
+        teeth.next = best.get(number).map(|next| of(next, number + 1));
+        let others = chosen.found.of_other_groups.iter().map(|other| OtherScheme {
+            scheme: name(search.all[other.place].of.mechanism),
+            teeth: of(other, 1),
+        });
+        let others: Vec<OtherScheme> = others.collect();
+        let Some((place, taken)) = taken else {
+            let (sizes, file, speeds) = (None, None, vec![]);
+            return Ok(Self { mechanism: None, teeth, sizes, file, speeds, others, warnings: vec![] });
+        };
+        teeth.taken = Some(taken);
+        let design = &search.all[place];
+        let document = search.document(&design.of)?;
+        let size = size::answer(&one(&document, &Choice::default())?, &wanted.size, &goes_on)?;
+        let is_whole = size.not_sized.is_empty() && size.mass_kg.is_some();
+        let file = if is_whole { Some(size::saved(&document, &size)?) } else { None };
+        let warnings = warnings(&size, file.as_deref())?;
+        Ok(Self {
+            mechanism: Some(design.of.mechanism),
+            teeth,
+            sizes: Some(SizesStep::of(size)),
+            file,
+            speeds: design.speeds.clone(),
+            others,
+            warnings,
+        })
+    }
+}
+
+/// Name of a mechanism in the source, or that of its structure.
+fn name(mechanism: Mechanism) -> String {
+    mechanism.scheme().map_or_else(|| mechanism.to_string(), |scheme| scheme.name().to_owned())
+}
+
+/// Tooth design with the speeds that it reaches.
+struct Design {
+    of: ToothedMechanism,
+    speeds: Vec<ReachedSpeed>,
+    /// Largest relative deviation of a speed or ratio.
+    deviation: f64,
+}
+
+impl Design {
+    fn taken(&self, costed: Option<&Costed>, number: usize) -> TeethTaken {
+        let k: Vec<f64> = self.of.teeth.iter().map(ToothNumbers::ring_to_sun_ratio).collect();
+        TeethTaken {
+            number,
+            mass_kg: costed.map(|costed| costed.mass_kg),
+            rules_missed: costed.map(|costed| costed.rules_missed),
+            sets: self.of.teeth.iter().map(|set| [set.sun, set.planet, set.ring].map(|z| z.get())).collect(),
+            ratios: self.of.mechanism.ratios(&k),
+        }
+    }
+
+    /// Whether the output turns against its input in some gear.
+    fn reverses(&self) -> bool {
+        self.of.wanted.iter().any(|ratio| *ratio < 0.0)
+    }
+}
+
+/// Designs chosen within a part of the tolerance.
+struct Chosen {
+    /// Largest deviation of the designs compared.
+    within: f64,
+    compared: usize,
+    /// Whether more designs lie within this deviation than were compared.
+    is_cut: bool,
+    /// The design nearest to the ratios that meets the criteria.
+    nearest: Option<usize>,
+    found: Found,
+}
+
+impl Chosen {
+    fn is_complete(&self) -> bool {
+        self.found.is_complete && !self.is_cut
+    }
+
+    /// Sets beyond usual practice and rules that the best design misses.
+    fn misses(&self) -> Option<[u32; 2]> {
+        self.found.best.first().map(|best| [best.unusual, best.rules_missed])
+    }
+}
+
+/// Tooth designs with their loads.
+struct Search<'a> {
+    wanted: &'a Wanted,
+    torque: Torque,
+    speed: AngularVelocity,
+    /// Those whose gears all turn forward first, then the nearest to the ratios.
+    all: Vec<Design>,
+    /// Mechanism, target ratios, and rules that a gearbox with these misses.
+    groups: RefCell<Vec<(Mechanism, Vec<f64>, u32)>>,
+}
+
+impl<'a> Search<'a> {
+    fn new(
+        wanted: &'a Wanted,
+        mechanisms: &[Mechanism],
+        goes_on: &dyn Fn() -> ControlFlow<()>,
+    ) -> Result<Self, Error> {
+        let selection = &wanted.selection;
+        let torque = selection.duty.torque()?.ok_or(Error::NoLoad)?;
+        let speed = selection.duty.input_speed.ok_or(Error::LoadWithoutSpeed)?;
+        let ratios = selection.requirements.series.braked();
+        let asked = Asked { speeds: &selection.speeds, ratios, input: selection.duty.input_speed };
+        let sets = sets(&wanted.bounds, wanted.ring_offsets.clone().unwrap_or(0..=0));
+        let of_mechanism =
+            |mechanism: &Mechanism| designs(*mechanism, &sets, &selection.requirements, goes_on);
+        let with_speeds = |of: ToothedMechanism| {
+            let k: Vec<f64> = of.teeth.iter().map(ToothNumbers::ring_to_sun_ratio).collect();
+            let ratios = of.wanted.iter().copied().zip(of.mechanism.ratios(&k));
+            let gears = SchemeGear::BRAKED.into_iter().zip(ratios);
+            let speeds = asked.reached(gears.map(|(gear, (wanted, ratio))| (gear, wanted, ratio)));
+            let deviation = largest_deviation(&speeds);
+            Design { of, speeds, deviation }
+        };
+        let mut all: Vec<Design> = mechanisms.iter().flat_map(of_mechanism).map(with_speeds).collect();
+        if goes_on().is_break() {
+            return Err(epicyclic_strength::Error::Cancelled.into());
+        }
+        all.sort_by(|one, other| {
+            one.reverses().cmp(&other.reverses()).then(one.deviation.total_cmp(&other.deviation))
+        });
+        Ok(Self { wanted, torque, speed, all, groups: RefCell::default() })
+    }
+
+    /// The best designs: a class of larger deviations, and designs that reverse, only where they miss less of
+    /// usual practice, or where there are no others.
+    fn chosen(&self, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Chosen, Error> {
+        let tolerance = self.wanted.selection.requirements.tolerance;
+        let forward = self.all.partition_point(|design| !design.reverses());
+        let mut chosen: Option<Chosen> = None;
+        for range in [0..forward, forward..self.all.len()] {
+            for part in CLASSES {
+                let within = part * tolerance;
+                let own = &self.all[range.clone()];
+                let count = own.partition_point(|design| design.deviation <= within + OBJECTIVE);
+                if chosen.as_ref().is_some_and(|chosen| count == chosen.compared && chosen.nearest.is_some())
                 {
                     continue;
                 }
-                listed += 1;
-                if wanted.tooth_design.is_none_or(|wanted| wanted == listed) {
-                    let goes_on = || watch(teeth::At { share: 1.0, searched: None });
-                    let of_input = (torque, speed);
-                    tried.push(Tried::of((&found, place), listed, speeds, wanted, of_input, &goes_on)?);
+                let compared = count.min(MOST_COMPARED);
+                let of_class = self.best(range.start..range.start + compared, goes_on)?;
+                let next = Chosen { within, compared, is_cut: count > compared, ..of_class };
+                let is_better = match (chosen.as_ref(), next.misses()) {
+                    (Some(chosen), Some(next)) => chosen.misses().is_none_or(|misses| next < misses),
+                    (Some(chosen), None) => chosen.nearest.is_none(),
+                    (None, _) => true,
+                };
+                if is_better {
+                    chosen = Some(next);
+                }
+                let is_usual =
+                    chosen.as_ref().and_then(Chosen::misses).is_some_and(|[unusual, _]| unusual == 0);
+                if tolerance == 0.0 || is_usual || self.wanted.tooth_design.is_some() {
+                    break;
                 }
             }
-            let is_found = |one: &Tried| wanted.tooth_design.is_some() || one.is_whole();
-            if tolerance == 0.0 || tried.iter().any(is_found) {
+            if chosen.as_ref().is_some_and(|chosen| chosen.misses().is_some()) {
                 break;
             }
-            closer = Some(within);
         }
-        if let Some(design) = wanted.tooth_design.filter(|_| tried.is_empty() && listed > 0) {
-            return Err(Error::NoSuchDesign { design, designs: listed });
-        }
-        tried.sort_by(|one, other| {
-            let practice = one.beyond_practice().cmp(&other.beyond_practice());
-            practice.then(one.objective().total_cmp(&other.objective()))
-        });
-        let mut taken = tried.iter().map(|one| one.taken.clone());
-        let teeth = TeethStep {
-            accepted,
-            tolerance: within,
-            tried: tried.len(),
-            taken: taken.next(),
-            next: taken.next(),
-        };
-        let Some(best) = tried.into_iter().next() else {
-            return Ok(Self { teeth, sizes: None, file: None, speeds: vec![], warnings: vec![] });
-        };
-        let file = if best.is_whole() {
-            let document = Document::parse_one(MAKING, best.file.as_bytes())?;
-            Some(size::saved(&document, &best.size)?)
-        } else {
-            None
-        };
-        let Tried { size, speeds, .. } = best;
-        let warnings = warnings(&size, file.as_deref())?;
-        Ok(Self { teeth, sizes: Some(SizesStep::of(size)), file, speeds, warnings })
+        Ok(chosen.expect("there are classes"))
     }
-}
 
-/// Requirements for the search for tooth numbers of one scheme, with ratios within a tolerance.
-fn of_teeth(wanted: &Wanted, mechanism: Mechanism, tolerance: f64, most: usize) -> teeth::Wanted {
-    let mut requirements = wanted.selection.requirements.clone();
-    requirements.tolerance = tolerance;
-    teeth::Wanted {
-        requirements,
-        order: order_of_teeth(),
-        space: Space::Mechanisms(vec![mechanism]),
-        bounds: wanted.bounds.clone(),
-        shifts: wanted.ring_offsets.clone().map(|offsets| WantedShifts {
-            offsets,
-            aim: wanted.size.aim,
-            tip_thickness: wanted.size.tip_thickness.get(),
-        }),
-        limits: SizeLimits::default(),
-        most,
-        nth: 1,
-        speeds: wanted.selection.speeds.clone(),
-        duty: wanted.selection.duty,
-    }
-}
-
-/// Design of the tooth search with its sizes.
-#[derive(Debug)]
-struct Tried {
-    /// Tooth numbers of the design.
-    taken: TeethTaken,
-    /// Speeds that the design reaches.
-    speeds: Vec<ReachedSpeed>,
-    /// Gearbox file without sizes.
-    file: String,
-    /// Sizes of the design.
-    size: Size,
-}
-
-impl Tried {
-    /// Sizes the design at a place of a search; `listed` is its number among all listed designs.
-    fn of(
-        (found, place): (&Searches<'_>, usize),
-        listed: usize,
-        speeds: Vec<ReachedSpeed>,
-        wanted: &Wanted,
-        (torque, speed): (Torque, AngularVelocity),
+    /// The best designs of a range.
+    fn best(
+        &self,
+        range: std::ops::Range<usize>,
         goes_on: &dyn Fn() -> ControlFlow<()>,
-    ) -> Result<Self, Error> {
-        let (design, saved) = found.saved_design(place)?;
-        let file = loaded(&saved, wanted, torque, speed)?;
-        let document = Document::parse_one(MAKING, file.as_bytes())?;
-        let size = size::answer(&one(&document, &Choice::default())?, &wanted.size, goes_on)?;
-        let mut tried = Self { taken: TeethTaken::of(&design, listed), speeds, file, size };
-        tried.taken.mass_kg = tried.mass_kg();
-        Ok(tried)
-    }
-
-    /// Whether every set has a size.
-    fn is_whole(&self) -> bool {
-        self.size.not_sized.is_empty() && self.size.mass_kg.is_some()
-    }
-
-    /// Mass of the gears in kg; `None` unless every set has a size.
-    fn mass_kg(&self) -> Option<f64> {
-        self.size.mass_kg.filter(|_| self.is_whole())
-    }
-
-    /// Whether a set has no size, and then numbers of errors and of warnings by usual practice.
-    fn beyond_practice(&self) -> (bool, [usize; 2]) {
-        let [errors, warnings, _] = self.size.judgement.misses();
-        (!self.is_whole(), [errors, warnings])
-    }
-
-    /// Objective to minimize; infinite if a set has no size.
-    fn objective(&self) -> f64 {
-        let rings = self.size.sets.iter().filter_map(|set| set.found.first()?.ring_diameter_m);
-        let objective = match self.size.minimise {
-            Objective::Mass => self.size.mass_kg,
-            Objective::Ring => rings.reduce(f64::max),
-            Objective::Whole => self.size.whole_kg,
-        };
-        objective.filter(|_| self.is_whole()).unwrap_or(f64::INFINITY)
-    }
-}
-
-/// Gearbox file with its duty and the data for its strength. The number of planets and the profile shifts are
-/// left to the sizing.
-fn loaded(saved: &Saved, wanted: &Wanted, torque: Torque, speed: AngularVelocity) -> Result<String, Error> {
-    let text = saved.file(&[]).map_err(|error| Error::Json(error.to_string()))?;
-    let mut file = Document::parse_one(MAKING, text.as_bytes())?.value().clone();
-    for_each_set(&mut file, |set| {
-        for key in ["planets", "profile_shifts", "tip_alterations"] {
-            set.remove(key);
+    ) -> Result<Chosen, Error> {
+        let first = range.start;
+        let own = &self.all[range];
+        let is_accepted =
+            |place: usize| self.candidate(&own[place].of).is_ok_and(|candidate| candidate.is_accepted());
+        let nearest = (0..own.len()).find(|place| is_accepted(*place));
+        let mut found = Found { sized: 0, is_complete: true, best: vec![], of_other_groups: vec![] };
+        if let Some(nearest) = nearest {
+            let document = self.document(&own[nearest].of)?;
+            let of_set = sizing_of(&one(&document, &Choice::default())?, &self.wanted.size)?;
+            let mut gearboxes = vec![];
+            for design in own {
+                if goes_on().is_break() {
+                    return Err(epicyclic_strength::Error::Cancelled.into());
+                }
+                gearboxes.push(self.gearbox(&design.of, &of_set)?);
+            }
+            let most = self.wanted.tooth_design.unwrap_or(1) + 1;
+            found = lightest(&of_set, &gearboxes, most, &is_accepted, goes_on)?;
+            for costed in found.best.iter_mut().chain(&mut found.of_other_groups) {
+                costed.place += first;
+            }
         }
-    });
-    let gears = shared(saved.gearbox.gears().iter().map(Gear::name).collect(), &wanted.shares)?;
-    let load = Load { torque, speed, overload: wanted.overload, spectrum: &FULL_LOAD };
-    with_load(&mut file, &wanted.basis, &gears, load);
-    if let Some(file) = file.as_mapping_mut() {
-        file.insert("gearbox".into(), saved.scheme.as_str().into());
+        let nearest = nearest.map(|place| first + place);
+        Ok(Chosen { within: 0.0, compared: 0, is_cut: false, nearest, found })
     }
-    to_string(&file).map_err(|error| Error::Json(error.to_string()))
+
+    fn candidate(&self, design: &ToothedMechanism) -> Result<Candidate, Error> {
+        let requirements = &self.wanted.selection.requirements;
+        let ToothedMechanism { mechanism, wanted, teeth, .. } = design;
+        Ok(Candidate::of_teeth(*mechanism, teeth, wanted, requirements, Some(&drawable_direct_clutches))?)
+    }
+
+    /// A design with the loads of its sets.
+    fn gearbox(&self, design: &ToothedMechanism, of_set: &Sizing) -> Result<Gearbox, Error> {
+        let requirements = &self.wanted.selection.requirements;
+        let candidate = self.candidate(design)?;
+        let saved = Saved::of(&candidate, requirements, &[], vec![])?;
+        let place = {
+            let groups = self.groups.borrow();
+            groups.iter().position(|(of, wanted, _)| *of == design.mechanism && *wanted == design.wanted)
+        };
+        let group = match place {
+            Some(place) => place,
+            None => {
+                let [errors, warnings, _] = saved.judged(&candidate, requirements).misses();
+                let missed = u32::try_from(errors + warnings).unwrap_or(u32::MAX);
+                let mut groups = self.groups.borrow_mut();
+                groups.push((design.mechanism, design.wanted.clone(), missed));
+                groups.len() - 1
+            }
+        };
+        let gears = saved.gearbox.gears().iter().map(Gear::name).collect();
+        let shares = shared(gears, &self.wanted.shares)?;
+        let sets = || design.teeth.iter().map(|teeth| [teeth.sun, teeth.planet, teeth.ring]);
+        let mut loaded: Vec<LoadedSet> =
+            sets().map(|teeth| LoadedSet { teeth, duty: vec![], overloads: vec![] }).collect();
+        let no_torques = || Error::NothingToSize { sets: vec![] };
+        for (gear, share) in shares {
+            let load = Some(InputLoad::Torque(self.torque));
+            let worked = Worked::new(&saved.gearbox, gear, Input { speed: Some(self.speed), load })?;
+            for (place, set) in loaded.iter_mut().enumerate() {
+                let (sun_torque, [sun_speed, carrier_speed]) =
+                    felt(place, &worked, self.speed).ok_or_else(no_torques)?;
+                set.duty.push(SetStep { share, sun_torque, sun_speed, carrier_speed });
+                let overload = self.wanted.overload.zip(of_set.overloads.first());
+                set.overloads.extend(
+                    overload.map(|(factor, required)| SetOverload {
+                        sun_torque: sun_torque * factor,
+                        ..*required
+                    }),
+                );
+            }
+        }
+        Ok(Gearbox { group, sets: loaded, rules_missed: self.groups.borrow()[group].2 })
+    }
+
+    /// Gearbox file of a design with its duty and the data for its strength. The number of planets and the
+    /// profile shifts are left to the sizing.
+    fn document(&self, design: &ToothedMechanism) -> Result<Document, Error> {
+        let candidate = self.candidate(design)?;
+        let teeth: Vec<_> = design.teeth.iter().map(|teeth| (*teeth, None)).collect();
+        let saved = Saved::of(&candidate, &self.wanted.selection.requirements, &teeth, vec![])?;
+        let text = saved.file(&[]).map_err(|error| Error::Json(error.to_string()))?;
+        let mut file = Document::parse_one(MAKING, text.as_bytes())?.value().clone();
+        for_each_set(&mut file, |set| {
+            for key in ["planets", "profile_shifts", "tip_alterations"] {
+                set.remove(key);
+            }
+        });
+        let gears = shared(saved.gearbox.gears().iter().map(Gear::name).collect(), &self.wanted.shares)?;
+        let overload = self.wanted.overload;
+        let load = Load { torque: self.torque, speed: self.speed, overload, spectrum: &FULL_LOAD };
+        with_load(&mut file, &self.wanted.basis, &gears, load);
+        if let Some(file) = file.as_mapping_mut() {
+            file.insert("gearbox".into(), saved.scheme.as_str().into());
+        }
+        let text = to_string(&file).map_err(|error| Error::Json(error.to_string()))?;
+        Ok(Document::parse_one(MAKING, text.as_bytes())?)
+    }
 }

@@ -2,8 +2,7 @@
 
 use crate::select::answer::Select;
 use crate::select::answer::candidate::Candidate;
-use crate::select::answer::required::{Objective, Required};
-use crate::select::answer::teeth;
+use crate::select::answer::required::Required;
 use crate::shared::catalogue::KRange;
 use crate::shared::judgement::answer::Judgement;
 use crate::size::answer::Size;
@@ -25,8 +24,6 @@ pub struct Criteria {
     pub brakes: Orders,
     /// Allowed signs of the ratios.
     pub signs: Signs,
-    /// Objectives in the order in which they decide.
-    pub order: Vec<Objective>,
     /// Allowed range of ring-to-sun ratios.
     pub k: KRange,
     /// Preferred range of ring-to-sun ratios.
@@ -57,7 +54,6 @@ impl Criteria {
             tolerance: of.tolerance,
             brakes: of.brakes,
             signs: of.signs,
-            order: of.order,
             k: of.k,
             preferred_k: of.preferred_k,
             set_efficiency: of.set_efficiency,
@@ -76,7 +72,7 @@ impl Criteria {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SchemeStep {
-    /// Whether the scheme was asked for; otherwise it is the best by the order of objectives.
+    /// Whether the scheme was asked for; otherwise it is that of the best gearbox.
     pub asked_for: bool,
     /// Chosen scheme: its name in the source, or that of its structure. Null if none meets the criteria.
     pub taken: Option<String>,
@@ -86,44 +82,45 @@ pub struct SchemeStep {
     pub compared: usize,
     /// Number of schemes that meet the criteria.
     pub accepted: usize,
-    /// Objective by which the best scheme is ahead; null if there is only one, or all are equal.
-    pub decided_by: Option<Objective>,
     /// Ring-to-sun ratios of the sets that give the required ratios exactly.
     pub k: Vec<f64>,
-    /// Better schemes that were passed over, because none of their tooth numbers has sufficient sizes.
-    pub passed_over: Vec<String>,
-    /// Next best scheme that meets the criteria; null if none exists.
-    pub next: Option<String>,
+    /// The best gearboxes of other schemes, in order, as far as a short search finds them.
+    pub others: Vec<OtherScheme>,
+}
+
+/// Best gearbox of a scheme that was not taken.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct OtherScheme {
+    /// Name of the scheme in the source, or that of its structure.
+    pub scheme: String,
+    /// Its tooth numbers.
+    pub teeth: TeethTaken,
 }
 
 impl SchemeStep {
-    /// Step from all candidates, the chosen mechanism, and the better ones without sizes.
+    /// Step from all candidates and the chosen mechanism; without one, the best by usual objectives shows how
+    /// far the search came.
     pub(super) fn of(
         selection: &Select,
         taken: Option<Mechanism>,
-        passed_over: &[Mechanism],
+        others: Vec<OtherScheme>,
         asked_for: bool,
     ) -> Self {
         let name = |one: &Candidate| one.scheme.unwrap_or(&one.structure).to_owned();
-        let accepted = || selection.candidates.iter().filter(|one| one.accepted);
-        let of = |mechanism: &Mechanism| {
-            let structure = mechanism.to_string();
-            accepted().find(|one| one.structure == structure)
+        let mut accepted = selection.candidates.iter().filter(|one| one.accepted);
+        let first = match taken.map(|mechanism| mechanism.to_string()) {
+            Some(structure) => accepted.find(|one| one.structure == structure),
+            None => accepted.next(),
         };
-        let first = taken.as_ref().and_then(of);
-        let passed_over: Vec<String> = passed_over.iter().filter_map(of).map(name).collect();
-        let taken = first.map(name);
-        let is_left = |name: &String| Some(name) != taken.as_ref() && !passed_over.contains(name);
         Self {
             asked_for,
             criteria: Criteria::of(&selection.required),
             compared: selection.accepted + selection.rejected,
             accepted: selection.accepted,
-            decided_by: selection.decided_by,
             k: first.iter().flat_map(|first| &first.sets).map(|set| set.k).collect(),
-            next: accepted().map(name).find(is_left),
-            taken,
-            passed_over,
+            taken: first.map(name),
+            others,
         }
     }
 }
@@ -134,13 +131,15 @@ impl SchemeStep {
 pub struct TeethStep {
     /// Largest relative deviation of the designs compared by mass: a part of the tolerance, or all of it.
     pub tolerance: f64,
-    /// Number of tooth designs (pairs of sets, or single sets) within this deviation that meet the criteria.
-    pub accepted: u64,
-    /// Number of tooth designs for which sizes were searched.
-    pub tried: usize,
-    /// Chosen tooth design; null if none exists, or fewer than the number asked for.
+    /// Number of tooth designs (pairs of sets, or single sets) of all schemes within this deviation.
+    pub compared: u64,
+    /// Number of sets that were sized; bounds below their mass exclude the others.
+    pub sized: u64,
+    /// Whether every better design within this deviation is excluded; false if the search ended early.
+    pub complete: bool,
+    /// Chosen tooth design; null if none exists.
     pub taken: Option<TeethTaken>,
-    /// Next best of the designs with searched sizes; null if none exists.
+    /// Next best design; null if there is none.
     pub next: Option<TeethTaken>,
 }
 
@@ -148,27 +147,17 @@ pub struct TeethStep {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct TeethTaken {
-    /// Number of the design, from 1: ordered by class of deviation, then by the smallest ring at equal tooth
-    /// load.
+    /// Number of the design, from 1: the fewest sets beyond usual practice first, then the lightest.
     pub number: usize,
-    /// Mass of the gears in kg; null if a set has no size.
+    /// Mass in kg that decides: of gears, carriers and housing by a rule, or of the gears; null if a set has no
+    /// size.
     pub mass_kg: Option<f64>,
+    /// Rules of usual practice that sets and gearbox miss; null if a set has no size.
+    pub rules_missed: Option<u32>,
     /// Tooth numbers of sun, planet and ring of each set.
     pub sets: Vec<[u32; 3]>,
     /// Ratios of the braked gears.
     pub ratios: Vec<f64>,
-}
-
-impl TeethTaken {
-    /// Tooth numbers of a design without sizes, with its number.
-    pub(super) fn of(design: &teeth::Design, number: usize) -> Self {
-        Self {
-            number,
-            mass_kg: None,
-            sets: design.tooth_numbers.iter().map(|set| [set.sun, set.planet, set.ring]).collect(),
-            ratios: design.candidate.gears.iter().map(|gear| gear.ratio).collect(),
-        }
-    }
 }
 
 /// Choice of the sizes.

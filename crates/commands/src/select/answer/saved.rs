@@ -27,7 +27,7 @@ pub struct Saved {
 impl Saved {
     /// Converts a candidate. If it has teeth, `teeth` holds the tooth numbers of each set, with its profile
     /// shifts if any.
-    pub(super) fn of(
+    pub(crate) fn of(
         candidate: &Candidate,
         requirements: &Requirements,
         teeth: &[(ToothNumbers, Option<SetShifts>)],
@@ -80,7 +80,7 @@ impl Saved {
     }
 
     /// Judgement of the gearbox by rules of practice, with the ratios of the candidate's braked gears.
-    pub(super) fn judged(&self, candidate: &Candidate, requirements: &Requirements) -> Judgement {
+    pub(crate) fn judged(&self, candidate: &Candidate, requirements: &Requirements) -> Judgement {
         let ratio = |gear: &GearReport| FoundRatio {
             gear: gear.gear.name().to_owned(),
             wanted: gear.wanted,

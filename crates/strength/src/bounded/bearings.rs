@@ -1,18 +1,15 @@
 //! The narrowest bearing that fits into a planet and lives long enough.
 
-use super::{InputStep, Order};
+use crate::sizing::bearing::Bearing;
 use crate::tolerance::RIM;
 use epicyclic_gears::life::Rolling;
 use epicyclic_units::Physical;
-use std::f64::consts::TAU;
 
 /// Bearings with one kind of rolling elements.
 #[derive(Debug)]
 struct OfKind {
     /// `p`
     exponent: f64,
-    /// `(Σ share·turns·(T/T_max)^p)^(1/p)` of the input over the life, turns in millions.
-    wear: f64,
     /// By outside diameter, ascending: load ratings, ascending, each with the width of the narrowest bearing
     /// up to this diameter that has at least this rating.
     by_diameter: Vec<(f64, Vec<[f64; 2]>)>,
@@ -27,17 +24,8 @@ pub(super) struct Bearings {
 }
 
 impl Bearings {
-    pub(super) fn new(order: &Order) -> Self {
-        let torque = |step: &InputStep| step.torque.si().abs();
-        let greatest = order.duty.iter().map(torque).fold(0.0, f64::max);
-        let all = &order.of_stage.space.bearings;
+    pub(super) fn new(all: &[Bearing]) -> Self {
         let kind = |rolling: Rolling| {
-            let exponent = rolling.exponent();
-            let turns = |step: &InputStep| {
-                let millions = step.speed.si().abs() / TAU * order.of_stage.life.si() / 1e6;
-                step.share * millions * libm::pow(torque(step) / greatest, exponent)
-            };
-            let sum: f64 = order.duty.iter().map(turns).sum();
             let mut own: Vec<_> = all.iter().filter(|bearing| bearing.rolling == rolling).collect();
             own.sort_by(|one, other| one.outside_diameter.si().total_cmp(&other.outside_diameter.si()));
             let (mut by_diameter, mut known) = (vec![], vec![]);
@@ -51,18 +39,22 @@ impl Bearings {
                 }
                 by_diameter.push((bearing.outside_diameter.si(), known.clone()));
             }
-            OfKind { exponent, wear: libm::pow(sum, 1.0 / exponent), by_diameter }
+            OfKind { exponent: rolling.exponent(), by_diameter }
         };
         Self { kinds: Rolling::ALL.map(kind), is_none: all.is_empty() }
     }
 
-    /// `turns^(1/p)` of each kind of bearings, for the turns of a planet over those of the input.
-    pub(super) fn wear(&self, turns: f64) -> [f64; 4] {
-        std::array::from_fn(|kind| libm::pow(turns, 1.0 / self.kinds[kind].exponent))
+    /// `(Σ turns·(F/F_max)^p)^(1/p)` of each kind of bearings over steps of a life, turns in millions, and
+    /// the force over the greatest.
+    pub(super) fn wear(&self, steps: impl Iterator<Item = (f64, f64)> + Clone) -> [f64; 4] {
+        self.kinds.each_ref().map(|kind| {
+            let sum: f64 = steps.clone().map(|(turns, force)| turns * libm::pow(force, kind.exponent)).sum();
+            libm::pow(sum, 1.0 / kind.exponent)
+        })
     }
 
     /// Width of the narrowest bearing that fits into a bore and lives long enough; `None` if no bearing does.
-    /// The force is that at the greatest torque.
+    /// The force is the greatest one.
     pub(super) fn width(&self, bore: f64, force: f64, wear: [f64; 4]) -> Option<f64> {
         if self.is_none {
             return Some(0.0);
@@ -70,7 +62,7 @@ impl Bearings {
         let of_kind = |(kind, wear): (&OfKind, f64)| {
             let fitting = kind.by_diameter.partition_point(|(diameter, _)| *diameter <= bore * (1.0 + RIM));
             let (_, ratings) = kind.by_diameter.get(fitting.checked_sub(1)?)?;
-            let needed = force * kind.wear * wear;
+            let needed = force * wear;
             ratings.get(ratings.partition_point(|[rating, _]| *rating < needed)).map(|[_, width]| *width)
         };
         self.kinds.iter().zip(wear).filter_map(of_kind).reduce(f64::min)

@@ -1,0 +1,418 @@
+//! Sets with a bound below their cost, before they are sized.
+//!
+//! Each set is tried at one module and every centre distance. Its flanks there give the volume of teeth that a
+//! torque needs, its planets the bearings that fit: together a bound below its cost.
+//!
+//! The bound leaves room for the factors of flanks that change with the size. The room is no proof: searches
+//! with it are compared with the size of everything in the tests.
+
+mod bearings;
+
+use crate::factor::{Side, Symbol};
+use crate::load::load_sharing;
+use crate::sizing::practice::priced;
+use crate::sizing::trial::Trial;
+use crate::sizing::{Design, Layout, Objective, SetOverload, SetStep, Sizing, Space, structure};
+use crate::tolerance::RIM;
+use crate::{Error, Quantity};
+use bearings::Bearings;
+use epicyclic_gears::ToothCount;
+use epicyclic_gears::involute::practice::{of_face_load, orbit_acceleration, orbit_rule};
+use epicyclic_gears::life::Rolling;
+use epicyclic_gears::spacing::PlanetSpacing;
+use epicyclic_judge::{Limits, Range, Rule, Severity};
+use epicyclic_units::Physical;
+use std::cmp::Ordering;
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+use std::f64::consts::TAU;
+use std::ops::{Add, ControlFlow};
+use uom::si::f64::Length;
+
+/// Room for the factors of the flanks that change with the size, as a share of the safety.
+const ROOM: f64 = 0.1;
+
+/// Steps of the centre distance in a module, in a trial.
+const STEPS: f64 = 8.0;
+
+/// Face width over diameter of the smaller gear in a trial.
+const PROPORTION: f64 = 0.8;
+
+/// Load of the flanks in N/m² by which a trial gets its module.
+const LOAD: f64 = 5e6;
+
+/// Cost of a set or of several; the fields count in their order.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Cost {
+    /// Sets beyond usual practice.
+    pub(crate) unusual: f64,
+    /// Mass with the price of the rules that are missed, kg.
+    pub(crate) price: f64,
+    /// Mass that the objective counts, kg.
+    pub(crate) mass: f64,
+    /// Rules that are missed.
+    pub(crate) missed: u32,
+}
+
+impl Cost {
+    pub(crate) fn of(missed: u32, mass: f64) -> Self {
+        let [unusual, price] = priced(missed, mass);
+        Self { unusual, price, mass, missed }
+    }
+}
+
+impl Cost {
+    /// Cost of several sets with rules that they miss together.
+    pub(crate) fn with_missed(self, missed: u32) -> Self {
+        let [unusual, price] = priced(missed, self.price);
+        Self { unusual: self.unusual + unusual, price, missed: self.missed + missed, ..self }
+    }
+}
+
+impl Eq for Cost {}
+
+impl Ord for Cost {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.unusual.total_cmp(&other.unusual).then(self.price.total_cmp(&other.price))
+    }
+}
+
+impl PartialOrd for Cost {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Add for Cost {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            unusual: self.unusual + other.unusual,
+            price: self.price + other.price,
+            mass: self.mass + other.mass,
+            missed: self.missed + other.missed,
+        }
+    }
+}
+
+/// Set with the results of its trials.
+#[derive(Debug, Clone)]
+pub(crate) struct TriedSet {
+    pub(crate) teeth: [ToothCount; 3],
+    /// `1 + z_r/z_s`
+    pub(crate) ratio: f64,
+    /// Numbers of planets that have equal angles, by their index.
+    placed: Vec<bool>,
+    /// Teeth of the smaller gear of the sun mesh.
+    smaller: f64,
+    /// Largest bore of the planets, in modules.
+    bore: f64,
+    /// Largest radius of the planets' centres, in modules.
+    radius: f64,
+    /// The set at each centre distance.
+    tried: Vec<Tried>,
+}
+
+/// Load of a set, as its bound sees it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Load {
+    /// Which of the duties of the trial has no higher speeds and no more turns.
+    pub(crate) duty: usize,
+    /// Greatest torque of the sun, N·m.
+    pub(crate) torque: f64,
+    /// Wear of the planets' bearings over the life.
+    pub(crate) wear: [f64; 4],
+    /// Greatest speed of the carrier, rad/s.
+    pub(crate) carrier_speed: f64,
+}
+
+/// A set at one centre distance, whatever the module.
+#[derive(Debug, Clone)]
+struct Tried {
+    missed: u32,
+    /// Volume `m²·b` that the flanks need for each N·m of `T·K_γ/N`, under each duty, m³/(N·m).
+    volumes: Vec<f64>,
+    /// Cross-section of all gears times density over `m²`, for each number of planets, kg/m³.
+    sections: Vec<f64>,
+    /// Outside diameter of the ring, in modules.
+    ring: f64,
+    /// Radius of the planets' centres, in modules.
+    radius: f64,
+}
+
+/// Number of planets and module of a set.
+#[derive(Debug, Clone, Copy)]
+struct Choice {
+    planets: u32,
+    module: Length,
+    /// Index of the narrowest face width whose flanks may hold.
+    width: usize,
+    bound: Cost,
+}
+
+/// What is the same for all sets: materials, requirements, and the space of sizes.
+pub(crate) struct Sets<'a> {
+    /// A set whose teeth, duty and overloads are not used.
+    pub(crate) of_set: &'a Sizing,
+    /// `K_γ/N` of each number of planets; `None` outside its table.
+    shares: Vec<Option<f64>>,
+    modules: Vec<Length>,
+    widths: Vec<Length>,
+    bearings: Bearings,
+}
+
+impl<'a> Sets<'a> {
+    pub(crate) fn new(of_set: &'a Sizing) -> Self {
+        let space = &of_set.space;
+        let method = &of_set.methods[0];
+        let given = method.given.of(Side::First, Symbol::LoadSharing);
+        let share = |planets: &u32| {
+            let sharing = given.map_or_else(|| load_sharing(*planets, method.floating).ok(), Some)?;
+            Some(sharing / f64::from(*planets))
+        };
+        let sorted = |lengths: &[Length]| {
+            let mut all = lengths.to_vec();
+            all.sort_by(|one, other| one.si().total_cmp(&other.si()));
+            all
+        };
+        Self {
+            of_set,
+            shares: space.planets.iter().map(share).collect(),
+            modules: sorted(&space.modules),
+            widths: sorted(&space.face_widths),
+            bearings: Bearings::new(&space.bearings),
+        }
+    }
+
+    /// Load of a duty, by the first duty of the trial.
+    pub(crate) fn load(&self, teeth: [ToothCount; 3], duty: &[SetStep]) -> Load {
+        let fastest = duty.iter().map(|step| step.carrier_speed.si().abs()).fold(0.0, f64::max);
+        Load { duty: 0, torque: greatest(duty), wear: self.wear(teeth, duty), carrier_speed: fastest }
+    }
+
+    /// Wear of the bearings of a set's planets over a duty.
+    fn wear(&self, [sun, planet, _]: [ToothCount; 3], duty: &[SetStep]) -> [f64; 4] {
+        let greatest = greatest(duty);
+        if greatest == 0.0 {
+            return [0.0; 4];
+        }
+        let millions = self.of_set.life.si() / TAU / 1e6 * sun.as_f64() / planet.as_f64();
+        self.bearings.wear(duty.iter().map(|step| {
+            (step.share * step.sun_speed.si().abs() * millions, step.sun_torque.si().abs() / greatest)
+        }))
+    }
+
+    /// Tries a set under several duties, at a module that fits a torque in the middle of those that it may
+    /// have; `None` if its teeth have no room for one another, whatever the size.
+    pub(crate) fn tried(
+        &self,
+        teeth: [ToothCount; 3],
+        duties: &[Vec<SetStep>],
+        middling: f64,
+    ) -> Result<Option<TriedSet>, Error> {
+        let [sun, planet, ring] = teeth;
+        let ratio = 1.0 + ring.as_f64() / sun.as_f64();
+        let smaller = sun.min(planet).as_f64();
+        let of_set = self.of_set;
+        let planets = &of_set.space.planets;
+        let is_placed = |planets: u32| {
+            of_set.least_planet_angle.is_some() || PlanetSpacing::least_unequal(sun, ring, planets).is_equal()
+        };
+        let first = planets.iter().zip(&self.shares).filter(|(of, share)| share.is_some() && is_placed(**of));
+        let Some((first, Some(share))) = first.min_by_key(|(of, _)| **of) else { return Ok(None) };
+        let diameter = libm::cbrt(2.0 * middling * share / (PROPORTION * LOAD));
+        let off = |module: &&Length| libm::log(module.si() * smaller / diameter).abs();
+        let module = self.modules.iter().min_by(|one, other| off(one).total_cmp(&off(other)));
+        let module = *module.ok_or(Error::NothingToSearch { quantity: Quantity::Module })?;
+        let face = module * (PROPORTION * smaller);
+        let space = Space {
+            modules: vec![module],
+            planets: vec![*first],
+            centre_distance_step: module / STEPS,
+            largest_ring: None,
+            ..of_set.space.clone()
+        };
+        let sizing = Sizing { teeth, duty: duties[0].clone(), overloads: vec![], space, ..of_set.clone() };
+        let square = module.si() * module.si();
+        let tried = |trial: Trial| {
+            let volume = |(duty, safety): (&Vec<SetStep>, &f64)| {
+                let needed = of_set.required_contact / (safety * (1.0 + ROOM));
+                square * face.si() * needed * needed / (greatest(duty) * share)
+            };
+            Tried {
+                missed: trial.missed,
+                volumes: duties.iter().zip(&trial.flanks).map(volume).collect(),
+                sections: trial.sections.iter().map(|section| section / square).collect(),
+                ring: (trial.ring / module).si(),
+                radius: (trial.radius / module).si(),
+            }
+        };
+        let trials = sizing.trials(face, duties, planets)?;
+        let largest = |of: fn(&Trial) -> Length| {
+            trials.iter().map(|trial| (of(trial) / module).si()).fold(0.0, f64::max)
+        };
+        let (bore, radius) = (largest(|trial| trial.bore), largest(|trial| trial.radius));
+        let tried: Vec<Tried> = trials.into_iter().map(tried).collect();
+        let placed = planets.iter().map(|planets| is_placed(*planets)).collect();
+        Ok((!tried.is_empty()).then_some(TriedSet { teeth, ratio, placed, smaller, bore, radius, tried }))
+    }
+
+    /// Every number of planets and module that may hold under a load.
+    fn choices<'s>(&'s self, set: &'s TriedSet, load: Load) -> impl Iterator<Item = Choice> + 's {
+        let planets = self.of_set.space.planets.iter().zip(&self.shares).zip(&set.placed).enumerate();
+        let planets = planets.filter_map(|(place, ((planets, share), placed))| {
+            Some((place, *planets, (*share)?)).filter(|_| *placed)
+        });
+        let [sun, _, ring] = set.teeth.map(ToothCount::as_f64);
+        planets.flat_map(move |(place, planets, share)| {
+            self.modules.iter().filter_map(move |module| {
+                let force = load.torque * share * (sun + ring) / (set.radius * module.si() * sun);
+                let least = self.bearings.width(set.bore * module.si(), force, load.wear)?;
+                let tried = set.tried.iter().filter_map(|tried| {
+                    let volume = tried.volumes[load.duty] * load.torque * share;
+                    let acceleration = orbit_acceleration(tried.radius * module.si(), load.carrier_speed);
+                    let missed = self.of_orbit(acceleration);
+                    self.at(set, tried, (place, *module, missed), [volume, least])
+                });
+                let (bound, width) = tried.min()?;
+                Some(Choice { planets, module: *module, width, bound })
+            })
+        })
+    }
+
+    /// Bound and narrowest face width of a set at a centre distance whose flanks need a volume, and whose
+    /// bearings a width.
+    fn at(
+        &self,
+        set: &TriedSet,
+        tried: &Tried,
+        (planets, module, missed): (usize, Length, u32),
+        [volume, least]: [f64; 2],
+    ) -> Option<(Cost, usize)> {
+        let largest = self.of_set.space.largest_ring;
+        if largest.is_some_and(|largest| module * tried.ring > largest * (1.0 + RIM)) {
+            return None;
+        }
+        let module = module.si();
+        let width = self.widths.partition_point(|width| width.si() < least.max(volume / (module * module)));
+        let face = self.widths.get(width)?.si();
+        let missed = tried.missed + missed + self.of_width(face / (module * set.smaller))?;
+        let gears = tried.sections[planets] * module * module * face;
+        let mass = self.of_set.objective.mass(gears, structure(tried.ring * module, face));
+        Some((Cost::of(missed, mass), width))
+    }
+
+    /// Whether planets miss the rules of their orbit on every kind of bearings.
+    fn of_orbit(&self, acceleration: f64) -> u32 {
+        let Some(limits) = &self.of_set.practice else { return 0 };
+        let bearings = self.of_set.space.bearings.iter().map(|bearing| bearing.rolling);
+        let alone = self.of_set.space.bearings.is_empty().then_some(self.of_set.planet_pin.rolling);
+        let holds = |rolling: Rolling| {
+            limits.judge(orbit_rule(rolling), acceleration).severity < Some(Severity::Warning)
+        };
+        u32::from(!bearings.chain(alone).any(holds))
+    }
+
+    /// Rules missed by a face that is too wide; `None` if practice refuses it. A face that is too narrow may
+    /// become wider.
+    fn of_width(&self, ratio: f64) -> Option<u32> {
+        let Some(limits) = &self.of_set.practice else { return Some(0) };
+        let given = self.of_set.methods[0].given.of(Side::First, Symbol::FaceContact);
+        let of_load = given.map(|given| of_face_load(limits, ratio, given).severity);
+        let of_width = limits.judge(Rule::FaceWidth, ratio);
+        let of_width = Some(of_width).filter(|of| of.value > of.limit);
+        let missed = [of_width.and_then(|of| of.severity), of_load.flatten()];
+        let missed = missed.map(|severity| severity >= Some(Severity::Warning));
+        let is_refused =
+            of_width.is_some_and(|of| of.severity == Some(Severity::Error) || of.is_against_stated);
+        (!is_refused).then(|| missed.into_iter().map(u32::from).sum())
+    }
+
+    /// The bound below the cost of a set under a load; `None` if nothing can hold.
+    pub(crate) fn bound(&self, set: &TriedSet, load: Load) -> Option<Cost> {
+        self.choices(set, load).map(|choice| choice.bound).min()
+    }
+
+    /// Sizes a set for a duty and overloads whose bound is that of a load; `None` if nothing holds.
+    pub(crate) fn size(
+        &self,
+        set: &TriedSet,
+        load: Load,
+        loads: (Vec<SetStep>, Vec<SetOverload>),
+        known: &mut Geometries,
+        goes_on: &dyn Fn() -> ControlFlow<()>,
+    ) -> Result<Option<Cost>, Error> {
+        self.sized(set, load, loads, self.of_set.practice.clone(), known, goes_on)
+    }
+
+    /// A bound below the cost of a set under any load that is not less: its size without the rule that more
+    /// load may hold; `None` if nothing holds.
+    pub(crate) fn size_at_least(
+        &self,
+        set: &TriedSet,
+        load: Load,
+        loads: (Vec<SetStep>, Vec<SetOverload>),
+        known: &mut Geometries,
+        goes_on: &dyn Fn() -> ControlFlow<()>,
+    ) -> Result<Option<Cost>, Error> {
+        let mut practice = self.of_set.practice.clone();
+        if let Some(limits) = &mut practice {
+            limits.state(Rule::BearingLeastLoad, Range::OPEN);
+        }
+        self.sized(set, load, loads, practice, known, goes_on)
+    }
+
+    fn sized(
+        &self,
+        set: &TriedSet,
+        load: Load,
+        (duty, overloads): (Vec<SetStep>, Vec<SetOverload>),
+        practice: Option<Limits>,
+        known: &mut Geometries,
+        goes_on: &dyn Fn() -> ControlFlow<()>,
+    ) -> Result<Option<Cost>, Error> {
+        let mut choices: Vec<Choice> = self.choices(set, load).collect();
+        choices.sort_by_key(|choice| choice.bound);
+        let of_set = self.of_set;
+        let mut sizing = Sizing { teeth: set.teeth, duty, overloads, practice, ..of_set.clone() };
+        let mut best: Option<Cost> = None;
+        for choice in choices {
+            if best.is_some_and(|best| best <= choice.bound) {
+                break;
+            }
+            sizing.space.modules = vec![choice.module];
+            sizing.space.planets = vec![choice.planets];
+            sizing.space.face_widths = self.widths[choice.width..].to_vec();
+            let key = (set.teeth, choice.planets, choice.module.si().to_bits());
+            let geometries = match known.entry(key) {
+                Entry::Occupied(known) => known.into_mut(),
+                Entry::Vacant(place) => place.insert(sizing.geometries(goes_on)?),
+            };
+            let cost = |design: Design| {
+                let mass = of_set.objective.mass(design.mass.si(), design.structure.si());
+                Cost::of(design.rules_missed, mass)
+            };
+            best = sizing.best_of(geometries, goes_on)?.map(cost).into_iter().chain(best).min();
+        }
+        Ok(best)
+    }
+}
+
+/// Greatest torque of a duty, N·m.
+pub(crate) fn greatest(duty: &[SetStep]) -> f64 {
+    duty.iter().map(|step| step.sun_torque.si().abs()).fold(0.0, f64::max)
+}
+
+/// Layouts by teeth, number of planets and module, in bits.
+pub(crate) type Geometries = HashMap<([ToothCount; 3], u32, u64), Vec<Layout>>;
+
+impl Objective {
+    /// Mass that counts; of the ring, which does not add up over sets, that of the gears.
+    fn mass(self, gears: f64, structure: f64) -> f64 {
+        match self {
+            Self::Mass | Self::Ring => gears,
+            Self::Whole => gears + structure,
+        }
+    }
+}

@@ -1,0 +1,319 @@
+//! The lightest of many gearboxes of simple sets: schemes, tooth numbers and sizes chosen together.
+//!
+//! # Objective
+//! First the number of sets with warnings by usual practice, and a gearbox with other warnings counts as one
+//! set more; then the mass, a quarter more for each warning: of the gears, or by
+//! [`Objective::Whole`](crate::sizing::Objective::Whole) of gears, carriers and housing. Masses are sums over
+//! the sets.
+//!
+//! # How the best gearbox is found
+//! Each set has a bound below its cost, for the least of the loads that it has in any gearbox of its group.
+//! All gearboxes are put in the order of the sums of these bounds. The first gearbox gets one of its sets
+//! sized, first for the least load, then for its own, and goes back into the queue with the cost in place of
+//! the bound. A gearbox that comes first with all sets sized is the best: no other has a lower bound.
+
+use crate::Error;
+use crate::bounded::{Cost, Geometries, Load, Sets, TriedSet, greatest};
+use crate::sizing::{SetOverload, SetStep, Sizing};
+use epicyclic_gears::ToothCount;
+use epicyclic_units::Physical;
+use std::cmp::Reverse;
+use std::collections::{BinaryHeap, HashMap, HashSet};
+use std::ops::{Add, ControlFlow};
+
+/// Sets that are sized at most.
+const MOST: u64 = 3000;
+
+/// Sets that are sized at most for the best gearboxes of other groups than those found first.
+const MOST_FOR_OTHERS: u64 = 40;
+
+/// Set of a gearbox with its loads.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoadedSet {
+    /// Teeth of sun, planets and ring.
+    pub teeth: [ToothCount; 3],
+    /// Steps of the duty, as many as of every other set of the gearbox's group.
+    pub duty: Vec<SetStep>,
+    /// The overloads.
+    pub overloads: Vec<SetOverload>,
+}
+
+/// Gearbox to choose from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Gearbox {
+    /// Gearboxes of one group have the same sets in the same places; their ratios differ little.
+    pub group: usize,
+    /// Sets in their places.
+    pub sets: Vec<LoadedSet>,
+    /// Rules of usual practice that the gearbox misses besides those of its sets.
+    pub rules_missed: u32,
+}
+
+/// Gearbox with the cost of its sets at their best sizes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Costed {
+    /// Place of the gearbox.
+    pub place: usize,
+    /// Sets beyond usual practice, and one more for a gearbox beyond it.
+    pub unusual: u32,
+    /// Rules of usual practice that sets and gearbox miss.
+    pub rules_missed: u32,
+    /// Mass in kg that the objective counts.
+    pub mass_kg: f64,
+    /// Mass with a quarter more for each rule missed, in kg.
+    pub price_kg: f64,
+}
+
+/// Result of a search.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Found {
+    /// Sets that were sized.
+    pub sized: u64,
+    /// Whether no other gearbox can be better; false if the search ended early for its length.
+    pub is_complete: bool,
+    /// The best gearboxes, in order.
+    pub best: Vec<Costed>,
+    /// The best gearboxes of groups that have none among these, in order, as far as a short search finds them.
+    pub of_other_groups: Vec<Costed>,
+}
+
+/// The best `most` gearboxes of those that `is_accepted` accepts, unless `goes_on`, which is called now and
+/// then, breaks. `of_set` is a set with materials, factors, requirements and space; its teeth, duty and
+/// overloads are not used.
+///
+/// # Errors
+/// [`Error::NothingToSearch`] for a space without modules, face widths or planets; [`Error::Cancelled`]; those
+/// of [`size`](crate::sizing::size).
+pub fn lightest(
+    of_set: &Sizing,
+    gearboxes: &[Gearbox],
+    most: usize,
+    is_accepted: &dyn Fn(usize) -> bool,
+    goes_on: &dyn Fn() -> ControlFlow<()>,
+) -> Result<Found, Error> {
+    of_set.space.check()?;
+    let mut search = Search::new(of_set, gearboxes, goes_on)?;
+    let mut queue = BinaryHeap::new();
+    for place in 0..gearboxes.len() {
+        let bounds = search.known(place).into_iter().map(|(cost, _)| cost);
+        queue.extend(search.whole(place, bounds).map(|cost| Reverse(Queued { cost, place })));
+    }
+    let (mut rejected, mut accepted) = (HashSet::new(), HashSet::new());
+    let mut found = Found { sized: 0, is_complete: true, best: vec![], of_other_groups: vec![] };
+    let mut others_from = None;
+    while let Some(Reverse(next)) = queue.pop() {
+        let group = gearboxes[next.place].group;
+        let is_enough = found.best.len() >= most;
+        let has = |all: &[Costed]| all.iter().any(|one| gearboxes[one.place].group == group);
+        if is_enough && (has(&found.best) || has(&found.of_other_groups)) {
+            continue;
+        }
+        let known = search.known(next.place);
+        let costs = known.iter().map(|(cost, _)| *cost);
+        let Some(cost) = search.whole(next.place, costs) else { continue };
+        if cost > next.cost {
+            queue.push(Reverse(Queued { cost, ..next }));
+            continue;
+        }
+        if !accepted.contains(&next.place) {
+            if rejected.contains(&next.place) || !is_accepted(next.place) {
+                rejected.insert(next.place);
+                continue;
+            }
+            accepted.insert(next.place);
+        }
+        let least = known.iter().enumerate().min_by_key(|(_, (_, known))| *known);
+        match least {
+            Some((set, (_, known))) if *known < Known::Sized => {
+                let limit = match is_enough {
+                    true => *others_from.get_or_insert(search.sized) + MOST_FOR_OTHERS,
+                    false => MOST,
+                };
+                if search.sized >= limit {
+                    found.is_complete = is_enough;
+                    break;
+                }
+                search.learn(next.place, set, *known)?;
+                queue.push(Reverse(next));
+            }
+            _ => {
+                let costed = Costed {
+                    place: next.place,
+                    unusual: cost.unusual as u32,
+                    rules_missed: cost.missed,
+                    mass_kg: cost.mass,
+                    price_kg: cost.price,
+                };
+                if is_enough { &mut found.of_other_groups } else { &mut found.best }.push(costed);
+            }
+        }
+    }
+    Ok(Found { sized: search.sized, ..found })
+}
+
+/// A gearbox in the queue with a bound below its cost.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Queued {
+    cost: Cost,
+    place: usize,
+}
+
+/// How far the cost of a set is known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Known {
+    /// By its trial.
+    Tried,
+    /// Sized for the least load of its group.
+    Least,
+    /// Sized for its own load.
+    Sized,
+}
+
+/// Set under the least of the loads that it has in the gearboxes of a group.
+#[derive(Debug, Clone)]
+struct Least {
+    teeth: [ToothCount; 3],
+    duty: Vec<SetStep>,
+    overloads: Vec<SetOverload>,
+    load: Load,
+    /// Bound, and cost for this load once it is sized; `None` if nothing holds.
+    bound: Option<Cost>,
+    sized: Option<Option<Cost>>,
+}
+
+/// Group, place and teeth of a set.
+type Key = (usize, usize, [ToothCount; 3]);
+
+struct Search<'a> {
+    gearboxes: &'a [Gearbox],
+    sets: Sets<'a>,
+    tried: HashMap<[ToothCount; 3], Option<TriedSet>>,
+    least: Vec<Least>,
+    /// Places of the sets of each gearbox in `least`.
+    of_gearbox: Vec<Vec<usize>>,
+    /// Costs of sets for their own loads, by gearbox and place.
+    own: HashMap<(usize, usize), Option<Cost>>,
+    geometries: Geometries,
+    sized: u64,
+    goes_on: &'a dyn Fn() -> ControlFlow<()>,
+}
+
+impl<'a> Search<'a> {
+    fn new(
+        of_set: &'a Sizing,
+        gearboxes: &'a [Gearbox],
+        goes_on: &'a dyn Fn() -> ControlFlow<()>,
+    ) -> Result<Self, Error> {
+        let sets = Sets::new(of_set);
+        let (mut places, mut least, mut of_gearbox) = (HashMap::<Key, usize>::new(), vec![], vec![]);
+        for gearbox in gearboxes {
+            let mut own = vec![];
+            for (place, set) in gearbox.sets.iter().enumerate() {
+                let at = *places.entry((gearbox.group, place, set.teeth)).or_insert(least.len());
+                match least.get_mut(at) {
+                    None => least.push(Least::of(set)),
+                    Some(least) => least.lower(set),
+                }
+                own.push(at);
+            }
+            of_gearbox.push(own);
+        }
+        let mut by_teeth = HashMap::<[ToothCount; 3], Vec<usize>>::new();
+        for (place, one) in least.iter().enumerate().filter(|(_, one)| greatest(&one.duty) > 0.0) {
+            by_teeth.entry(one.teeth).or_default().push(place);
+        }
+        let mut tried = HashMap::new();
+        for (teeth, places) in by_teeth {
+            if goes_on().is_break() {
+                return Err(Error::Cancelled);
+            }
+            let duties: Vec<Vec<SetStep>> = places.iter().map(|place| least[*place].duty.clone()).collect();
+            let middling = duties.iter().map(|duty| greatest(duty)).fold(0.0, f64::max);
+            let set = sets.tried(teeth, &duties, middling)?;
+            for (duty, place) in places.into_iter().enumerate() {
+                let one = &mut least[place];
+                one.load = Load { duty, ..sets.load(teeth, &one.duty) };
+                one.bound = set.as_ref().and_then(|set| sets.bound(set, one.load));
+            }
+            tried.insert(teeth, set);
+        }
+        let (own, geometries) = (HashMap::new(), HashMap::new());
+        Ok(Self { gearboxes, sets, tried, least, of_gearbox, own, geometries, sized: 0, goes_on })
+    }
+
+    /// Costs of the sets of a gearbox as far as they are known; `None` where nothing holds.
+    fn known(&self, gearbox: usize) -> Vec<(Option<Cost>, Known)> {
+        let of = |(place, least): (usize, &usize)| {
+            let least = &self.least[*least];
+            match (self.own.get(&(gearbox, place)), least.sized) {
+                (Some(cost), _) => (*cost, Known::Sized),
+                (None, Some(cost)) => (cost, Known::Least),
+                (None, None) => (least.bound, Known::Tried),
+            }
+        };
+        self.of_gearbox[gearbox].iter().enumerate().map(of).collect()
+    }
+
+    /// Cost of a gearbox; `None` if a set has none.
+    fn whole(&self, gearbox: usize, costs: impl Iterator<Item = Option<Cost>>) -> Option<Cost> {
+        let sum = costs.collect::<Option<Vec<Cost>>>()?.into_iter().fold(Cost::default(), Add::add);
+        Some(sum.with_missed(self.gearboxes[gearbox].rules_missed))
+    }
+
+    /// Gets to know more of a set of a gearbox.
+    fn learn(&mut self, gearbox: usize, place: usize, known: Known) -> Result<(), Error> {
+        if (self.goes_on)().is_break() {
+            return Err(Error::Cancelled);
+        }
+        self.sized += 1;
+        let own = &self.gearboxes[gearbox].sets[place];
+        let least = &self.least[self.of_gearbox[gearbox][place]];
+        // A bound says that there is a trial.
+        let Some(Some(set)) = self.tried.get(&own.teeth) else { return Ok(()) };
+        // A set that has the least load alone is sized at once.
+        let is_least = known == Known::Tried && !least.is_load_of(own);
+        let known = &mut self.geometries;
+        if is_least {
+            let loads = (least.duty.clone(), least.overloads.clone());
+            let cost = self.sets.size_at_least(set, least.load, loads, known, self.goes_on)?;
+            self.least[self.of_gearbox[gearbox][place]].sized = Some(cost);
+        } else {
+            let load = Load { duty: least.load.duty, ..self.sets.load(own.teeth, &own.duty) };
+            let loads = (own.duty.clone(), own.overloads.clone());
+            let cost = self.sets.size(set, load, loads, known, self.goes_on)?;
+            self.own.insert((gearbox, place), cost);
+        }
+        Ok(())
+    }
+}
+
+impl Least {
+    fn of(set: &LoadedSet) -> Self {
+        let LoadedSet { teeth, duty, overloads } = set.clone();
+        let load = Load { duty: 0, torque: 0.0, wear: [0.0; 4], carrier_speed: 0.0 };
+        Self { teeth, duty, overloads, load, bound: None, sized: None }
+    }
+
+    /// Takes the lesser of each torque and speed.
+    fn lower(&mut self, other: &LoadedSet) {
+        for (own, other) in self.duty.iter_mut().zip(&other.duty) {
+            own.sun_torque = own.sun_torque.abs().min(other.sun_torque.abs());
+            own.sun_speed = own.sun_speed.abs().min(other.sun_speed.abs());
+            own.carrier_speed = own.carrier_speed.abs().min(other.carrier_speed.abs());
+        }
+        for (own, other) in self.overloads.iter_mut().zip(&other.overloads) {
+            own.sun_torque = own.sun_torque.abs().min(other.sun_torque.abs());
+        }
+    }
+
+    /// Whether a set has this load, whatever the signs.
+    fn is_load_of(&self, set: &LoadedSet) -> bool {
+        let steps = self.duty.iter().zip(&set.duty).all(|(one, other)| {
+            one.sun_torque.si().abs() == other.sun_torque.si().abs()
+                && one.sun_speed.si().abs() == other.sun_speed.si().abs()
+                && one.carrier_speed.si().abs() == other.carrier_speed.si().abs()
+        });
+        let torque = |one: &SetOverload| one.sun_torque.si().abs();
+        steps && self.overloads.iter().map(torque).eq(set.overloads.iter().map(torque))
+    }
+}
