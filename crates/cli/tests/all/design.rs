@@ -16,7 +16,6 @@ const QUICK: &[&str] = &[
     "--modules=3 mm, 4 mm, 6 mm",
     "--face-widths=30 mm, 60 mm",
     "--planets=3..4",
-    "--tries=3",
 ];
 
 /// The design of some options: exit code, answer, and the last line of what is said.
@@ -105,7 +104,7 @@ fn ways_out_are_what_the_same_search_finds_with_the_option_typed() {
 }
 
 /// Tooth numbers of scheme I by trial of all: none that are nearer to the ratio by a class are passed over
-/// for mass.
+/// for mass, only for usual practice.
 #[test]
 fn deviations_come_before_mass() {
     for (ratio, tolerance) in [(3.9375, 0.03), (3.7, 0.03), (4.3, 0.01), (5.1, 0.1), (3.0, 0.0)] {
@@ -129,7 +128,13 @@ fn deviations_come_before_mass() {
         }
         let classes = [0.1, 1.0 / 3.0, 1.0].map(|part| part * tolerance);
         let least = classes.into_iter().find(|class| nearest <= class + 1e-12).unwrap();
-        assert!((taken - least).abs() < 1e-12, "{ratio}: within {taken}, and there are some within {least}");
+        let missed = |answer: &Value| answer["teeth"]["taken"]["rules_missed"].as_f64().unwrap();
+        let narrower = format!("--tolerance={least}");
+        assert!(
+            (taken - least).abs() < 1e-12
+                || taken > least && missed(&answer) < missed(&design(&[&ratio_of, &narrower]).1),
+            "{ratio}: within {taken}, and there are some within {least}"
+        );
     }
 }
 
