@@ -9,6 +9,7 @@
 //! schemes that meet the criteria and all their tooth numbers.
 
 mod attempt;
+mod loaded;
 mod making;
 pub mod records;
 pub mod stages;

@@ -1,9 +1,9 @@
 //! Scheme, tooth numbers and sizes of a gearbox, chosen together.
 
 use super::Wanted;
+use super::loaded;
 use super::making::{Load, MAKING, for_each_set, shared, warnings, with_load};
 use super::records::{OtherScheme, SizesStep, TeethStep, TeethTaken};
-use crate::analyze::answer::{Input, Worked};
 use crate::answer::Warning;
 use crate::error::Error;
 use crate::select::answer::reached::{Asked, ReachedSpeed, largest_deviation};
@@ -12,7 +12,6 @@ use crate::select::answer::teeth::{At, Watch};
 use crate::shared::application::FULL_LOAD;
 use crate::shared::gearbox::{Choice, one};
 use crate::size::answer::{self as size, sizing_of};
-use crate::strength::answer::load::felt;
 use crate::tolerance::OBJECTIVE;
 use epicyclic_formats::Document;
 use epicyclic_formats::yaml::to_string;
@@ -21,9 +20,9 @@ use epicyclic_schemes::catalogue::SchemeGear;
 use epicyclic_selection::drawing::drawable_direct_clutches;
 use epicyclic_selection::every::{ToothedMechanism, designs, sets};
 use epicyclic_selection::{Candidate, Mechanism};
-use epicyclic_strength::lightest::{Costed, Found, Gearbox, LoadedSet, lightest};
-use epicyclic_strength::sizing::{SetOverload, SetStep, Sizing};
-use epicyclic_train::{Gear, InputLoad};
+use epicyclic_strength::lightest::{Costed, Found, Gearbox, lightest};
+use epicyclic_strength::sizing::Sizing;
+use epicyclic_train::Gear;
 use std::cell::RefCell;
 use std::ops::ControlFlow;
 use uom::si::f64::{AngularVelocity, Torque};
@@ -279,6 +278,12 @@ impl<'a> Search<'a> {
         Ok(Candidate::of_teeth(*mechanism, teeth, wanted, requirements, Some(&drawable_direct_clutches))?)
     }
 
+    /// Load of the input in every gear.
+    fn load(&self) -> Load {
+        let overload = self.wanted.overload;
+        Load { torque: self.torque, speed: self.speed, overload, spectrum: &FULL_LOAD }
+    }
+
     /// A design with the loads of its sets.
     fn gearbox(&self, design: &ToothedMechanism, of_set: &Sizing) -> Result<Gearbox, Error> {
         let requirements = &self.wanted.selection.requirements;
@@ -300,27 +305,9 @@ impl<'a> Search<'a> {
         };
         let gears = saved.gearbox.gears().iter().map(Gear::name).collect();
         let shares = shared(gears, &self.wanted.shares)?;
-        let sets = || design.teeth.iter().map(|teeth| [teeth.sun, teeth.planet, teeth.ring]);
-        let mut loaded: Vec<LoadedSet> =
-            sets().map(|teeth| LoadedSet { teeth, duty: vec![], overloads: vec![] }).collect();
-        let no_torques = || Error::NothingToSize { sets: vec![] };
-        for (gear, share) in shares {
-            let load = Some(InputLoad::Torque(self.torque));
-            let worked = Worked::new(&saved.gearbox, gear, Input { speed: Some(self.speed), load })?;
-            for (place, set) in loaded.iter_mut().enumerate() {
-                let (sun_torque, [sun_speed, carrier_speed]) =
-                    felt(place, &worked, self.speed).ok_or_else(no_torques)?;
-                set.duty.push(SetStep { share, sun_torque, sun_speed, carrier_speed });
-                let overload = self.wanted.overload.zip(of_set.overloads.first());
-                set.overloads.extend(
-                    overload.map(|(factor, required)| SetOverload {
-                        sun_torque: sun_torque * factor,
-                        ..*required
-                    }),
-                );
-            }
-        }
-        Ok(Gearbox { group, sets: loaded, rules_missed: self.groups.borrow()[group].2 })
+        let teeth: Vec<_> = design.teeth.iter().map(|teeth| [teeth.sun, teeth.planet, teeth.ring]).collect();
+        let sets = loaded::sets(&saved.gearbox, &teeth, &shares, self.load(), of_set.overloads.first())?;
+        Ok(Gearbox { group, sets, rules_missed: self.groups.borrow()[group].2 })
     }
 
     /// Gearbox file of a design with its duty and the data for its strength. The number of planets and the
@@ -337,9 +324,7 @@ impl<'a> Search<'a> {
             }
         });
         let gears = shared(saved.gearbox.gears().iter().map(Gear::name).collect(), &self.wanted.shares)?;
-        let overload = self.wanted.overload;
-        let load = Load { torque: self.torque, speed: self.speed, overload, spectrum: &FULL_LOAD };
-        with_load(&mut file, &self.wanted.basis, &gears, load);
+        with_load(&mut file, &self.wanted.basis, &gears, self.load());
         if let Some(file) = file.as_mapping_mut() {
             file.insert("gearbox".into(), saved.scheme.as_str().into());
         }

@@ -2,30 +2,33 @@
 //!
 //! Structures are those of [`synthesize`](crate::synthesize), from the fewest sets and shift elements up: at
 //! first with members on shafts alone, then with members on the housing and double-planet sets. The best
-//! structures of the first families get tooth numbers, and the gears sizes that hold over the duty. Of the
-//! gearboxes with sizes that with the fewest warnings is taken, then the lightest.
+//! structures of the first families get tooth numbers: of simple sets the lightest, chosen together with the
+//! sizes by [`lightest`]; the gears get sizes that hold over the duty. Of the gearboxes with sizes that with the fewest warnings is taken, then the lightest.
 
+use super::loaded;
 use super::making::{Load, MAKING, for_each_set, shared, warnings, with_duty};
 use super::records::SizesStep;
 use super::ways_out::WayOut;
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::basis::{Basis, BasisKey};
-use crate::shared::gearbox::{Choice, one};
+use crate::shared::gearbox::{Choice, Gearbox as Subject, one};
 use crate::shared::records::Fraction;
 use crate::shared::saved::names;
-use crate::size::answer::{self as size, Size};
+use crate::size::answer::{self as size, Size, sizing_of};
 use crate::size::options::Request as SizeRequest;
 use crate::strength::answer::missing::{MissingKeys, Purpose};
-use crate::synthesize::answer::teeth::{TeethOfSet, TeethWanted};
+use crate::synthesize::answer::teeth::{TeethOfSet, TeethOfSets, TeethWanted};
 use crate::synthesize::answer::{
     Gear as SearchedGear, Kept, Searching, ShiftElement, Solution, Wanted as Search, saved, solve,
 };
 use epicyclic_formats::wanted_ratio::{Wanted as Ratio, WantedRatio};
 use epicyclic_formats::yaml::to_string;
 use epicyclic_formats::{Document, gearbox::written};
+use epicyclic_gears::ToothCount;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::Bounds;
+use epicyclic_strength::lightest::{Gearbox, lightest};
 use epicyclic_strength::series::slow_shaft;
 use epicyclic_synthesis::Kind;
 use epicyclic_synthesis::limits::Limits;
@@ -213,9 +216,9 @@ pub fn answer(
     shared(gears.iter().map(String::as_str).collect(), &wanted.shares)?;
     let (structures, found) = structures(wanted, goes_on)?;
     let mut all = vec![];
-    for place in 0..TEETH {
-        for (solution, kept) in &found {
-            all.extend(Sized::of(wanted, (solution, kept), place, goes_on)?);
+    for (solution, kept) in &found {
+        for place in best_teeth(wanted, (solution, kept), goes_on)? {
+            all.push(Sized::of(wanted, (solution, kept), place, goes_on)?);
         }
     }
     all.sort_by(|one, other| one.rank().partial_cmp(&other.rank()).expect("masses are numbers"));
@@ -250,6 +253,12 @@ pub fn answer(
 }
 
 impl WantedTransmission {
+    /// Load of the input in every gear.
+    fn load(&self) -> Load {
+        let Self { torque, speed, overload, spectrum, .. } = *self;
+        Load { torque, speed, overload, spectrum }
+    }
+
     /// Assumed values, with the duty where it is not the stated load alone.
     fn assumed(&self) -> Vec<BasisKey> {
         let mut all = self.basis.told();
@@ -364,6 +373,75 @@ fn search(
     })
 }
 
+/// Places of the tooth numbers that get sizes: the lightest of simple sets; with double-planet sets those with
+/// usual planets.
+fn best_teeth(
+    wanted: &WantedTransmission,
+    (solution, kept): (&Solution, &Kept),
+    goes_on: &dyn Fn() -> ControlFlow<()>,
+) -> Result<Vec<usize>, Error> {
+    let choices: Vec<&TeethOfSets> = solution.teeth.iter().flat_map(|teeth| &teeth.choices).collect();
+    let mut places: Vec<usize> = (0..choices.len()).collect();
+    places.sort_by(|one, other| off_usual(&choices[*one].sets).total_cmp(&off_usual(&choices[*other].sets)));
+    let are_simple = |teeth: &TeethOfSets| teeth.sets.iter().all(|set| set.outer_planet.is_none());
+    if let Some(first) = places.first().filter(|_| choices.iter().all(|teeth| are_simple(teeth))) {
+        let of_set = sizing_of(&subject(wanted, kept, *first)?, &wanted.size)?;
+        let mut gearboxes = vec![];
+        for (place, teeth) in choices.iter().enumerate() {
+            let gearbox = gearbox(wanted, kept, place)?;
+            let gears = shared(gearbox.gears().iter().map(Gear::name).collect(), &wanted.shares)?;
+            let teeth = teeth.sets.iter().map(|set| {
+                let [sun, planet, ring] = [set.sun, set.planet, set.ring].map(ToothCount::new);
+                Ok([sun?, planet?, ring?])
+            });
+            let teeth = teeth.collect::<Result<Vec<_>, epicyclic_gears::Error>>()?;
+            let sets = loaded::sets(&gearbox, &teeth, &gears, wanted.load(), of_set.overloads.first())?;
+            gearboxes.push(Gearbox { group: 0, sets, rules_missed: 0 });
+        }
+        let found = lightest(&of_set, &gearboxes, TEETH, &|_| true, goes_on)?;
+        if !found.best.is_empty() {
+            places = found.best.iter().map(|best| best.place).collect();
+        }
+    }
+    places.truncate(TEETH);
+    Ok(places)
+}
+
+/// Gearbox with the tooth numbers at a place.
+fn gearbox(
+    wanted: &WantedTransmission,
+    kept: &Kept,
+    place: usize,
+) -> Result<epicyclic_train::Gearbox, Error> {
+    let count = match wanted.ratios.len() {
+        1 => "1 gear".to_owned(),
+        gears => format!("{gears} gears"),
+    };
+    saved::gearbox(kept, &count, Some(&kept.teeth[place]))
+}
+
+/// This gearbox with its duty, materials and factors.
+fn subject(wanted: &WantedTransmission, kept: &Kept, place: usize) -> Result<Subject, Error> {
+    let gearbox = gearbox(wanted, kept, place)?;
+    let text = written(&gearbox, &[]).map_err(|error| Error::Json(error.to_string()))?;
+    let mut file = Document::parse_one(MAKING, text.as_bytes())?.value().clone();
+    // The numbers of planets are left to the sizing.
+    for_each_set(&mut file, |set| {
+        set.remove("planets");
+        if let Some(tools) = &wanted.basis.tools {
+            set.insert("tools".into(), tools.clone());
+        }
+    });
+    let gears = shared(gearbox.gears().iter().map(Gear::name).collect(), &wanted.shares)?;
+    with_duty(&mut file, &wanted.basis, &gears, wanted.load());
+    let file = to_string(&file).map_err(|error| Error::Json(error.to_string()))?;
+    let document = Document::parse_one(MAKING, file.as_bytes())?;
+    let subject = one(&document, &Choice::default())?;
+    // Sets of each kind have their own gears and meshes that materials and factors are of.
+    let missing = MissingKeys::of(&subject, &document.read()?, &wanted.basis, Purpose::Sizes)?;
+    Ok(missing.assumed(&wanted.basis)?.map_or(subject, |(whole, _)| whole))
+}
+
 /// How far planets are from usual tooth numbers.
 fn off_usual(sets: &[TeethOfSet]) -> f64 {
     let planets = sets.iter().flat_map(|set| [Some(set.planet), set.outer_planet]).flatten();
@@ -371,45 +449,16 @@ fn off_usual(sets: &[TeethOfSet]) -> f64 {
 }
 
 impl Sized {
-    /// Sizes a gearbox with its tooth numbers at a place; `None` if it has none there.
+    /// Sizes a gearbox with its tooth numbers at a place.
     fn of(
         wanted: &WantedTransmission,
         (solution, kept): (&Solution, &Kept),
         place: usize,
         goes_on: &dyn Fn() -> ControlFlow<()>,
-    ) -> Result<Option<Self>, Error> {
-        let choices = solution.teeth.iter().flat_map(|teeth| &teeth.choices);
-        let mut choices: Vec<_> = choices.zip(&kept.teeth).collect();
-        choices.sort_by(|one, other| off_usual(&one.0.sets).total_cmp(&off_usual(&other.0.sets)));
-        let Some((teeth, design)) = choices.get(place).copied() else { return Ok(None) };
-        let count = match wanted.ratios.len() {
-            1 => "1 gear".to_owned(),
-            gears => format!("{gears} gears"),
-        };
-        let gearbox = saved::gearbox(kept, &count, Some(design))?;
-        let text = written(&gearbox, &[]).map_err(|error| Error::Json(error.to_string()))?;
-        let mut file = Document::parse_one(MAKING, text.as_bytes())?.value().clone();
-        // The numbers of planets are left to the sizing.
-        for_each_set(&mut file, |set| {
-            set.remove("planets");
-            if let Some(tools) = &wanted.basis.tools {
-                set.insert("tools".into(), tools.clone());
-            }
-        });
-        let gears = shared(gearbox.gears().iter().map(Gear::name).collect(), &wanted.shares)?;
-        let load = Load {
-            torque: wanted.torque,
-            speed: wanted.speed,
-            overload: wanted.overload,
-            spectrum: wanted.spectrum,
-        };
-        with_duty(&mut file, &wanted.basis, &gears, load);
-        let file = to_string(&file).map_err(|error| Error::Json(error.to_string()))?;
-        let document = Document::parse_one(MAKING, file.as_bytes())?;
-        let subject = one(&document, &Choice::default())?;
-        // Sets of each kind have their own gears and meshes that materials and factors are of.
-        let missing = MissingKeys::of(&subject, &document.read()?, &wanted.basis, Purpose::Sizes)?;
-        let subject = missing.assumed(&wanted.basis)?.map_or(subject, |(whole, _)| whole);
+    ) -> Result<Self, Error> {
+        let mut choices = solution.teeth.iter().flat_map(|teeth| &teeth.choices);
+        let teeth = choices.nth(place).expect("places are those of choices");
+        let subject = subject(wanted, kept, place)?;
         let size = size::answer(&subject, &wanted.size, goes_on)?;
         let reached = |((mut asked, own), ratio): ((GearReached, &SearchedGear), &Fraction)| {
             let ratio = ratio.numerator as f64 / ratio.denominator as f64;
@@ -434,7 +483,7 @@ impl Sized {
             mass_kg: size.mass_kg.filter(|_| is_whole),
             ring_diameter_m: rings.flatten().reduce(f64::max).filter(|_| is_whole),
         };
-        Ok(Some(Self { of, gears, document: subject.document, size }))
+        Ok(Self { of, gears, document: subject.document, size })
     }
 
     /// Whether a set has no size, errors and warnings, mass.
