@@ -46,7 +46,7 @@ impl Bearings {
 
     /// `(Σ turns·(F/F_max)^p)^(1/p)` of each kind of bearings over steps of a life, turns in millions, and
     /// the force over the greatest.
-    pub(super) fn wear(&self, steps: impl Iterator<Item = (f64, f64)> + Clone) -> [f64; 4] {
+    pub(super) fn wear(&self, steps: &(impl Iterator<Item = (f64, f64)> + Clone)) -> [f64; 4] {
         self.kinds.each_ref().map(|kind| {
             let sum: f64 = steps.clone().map(|(turns, force)| turns * libm::pow(force, kind.exponent)).sum();
             libm::pow(sum, 1.0 / kind.exponent)

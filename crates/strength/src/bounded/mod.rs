@@ -198,7 +198,7 @@ impl<'a> Sets<'a> {
             return [0.0; 4];
         }
         let millions = self.of_set.life.si() / TAU / 1e6 * sun.as_f64() / planet.as_f64();
-        self.bearings.wear(duty.iter().map(|step| {
+        self.bearings.wear(&duty.iter().map(|step| {
             (step.share * step.sun_speed.si().abs() * millions, step.sun_torque.si().abs() / greatest)
         }))
     }
