@@ -45,7 +45,7 @@ fn a_train_that_steps_up_is_the_reduction_turned_round() {
     assert!(near(down.ratio.unwrap(), 20.0) && near(up.ratio.unwrap(), 0.05));
     assert!(near(down.output_torque_n_m.unwrap(), 20.0 * 12e3 / down.input_speed_rad_s));
     assert!(near(up.output_torque_n_m.unwrap(), 0.05 * 12e3 / up.input_speed_rad_s));
-    assert!(near(down.whole_kg.unwrap(), up.whole_kg.unwrap()));
+    assert!(near(down.masses.unwrap().whole_kg, up.masses.unwrap().whole_kg));
     let taken = |stages: &Stages| {
         let best = stages.trains.iter().find(|trains| trains.taken).unwrap().best.clone().unwrap();
         best.teeth

@@ -180,7 +180,7 @@ pub struct SizesStep {
     /// Mass of the best designs of all sets, in kg; null if a set has none.
     pub mass_kg: Option<f64>,
     /// Mass of the best designs with carriers and housing, by a rule, in kg; null if a set has none.
-    pub whole_kg: Option<f64>,
+    pub with_structure_kg: Option<f64>,
     /// Sets with the safeties of their teeth over the duty.
     pub sets: Vec<SizedSet>,
     /// Set with the least margin over a requirement, and this requirement; null if a set has no size.
@@ -214,7 +214,7 @@ impl SizesStep {
         let ratio = |one: &GoverningSet| one.requirement.value / one.requirement.required;
         let governing =
             best.and_then(|all| all.into_iter().min_by(|one, other| ratio(one).total_cmp(&ratio(other))));
-        let Size { designs, mass_kg, whole_kg, sets, judgement, .. } = size;
-        Self { designs, mass_kg, whole_kg, sets, governing, judgement }
+        let Size { designs, mass_kg, whole_kg: with_structure_kg, sets, judgement, .. } = size;
+        Self { designs, mass_kg, with_structure_kg, sets, governing, judgement }
     }
 }
