@@ -47,6 +47,9 @@ pub(crate) fn of_sizes(sizes: &SizesStep, masses: Option<&Masses>) -> Vec<String
 /// Title of the assumed values.
 pub(super) const ASSUMED: &str = "Assumed values; change with --basis, --factors, --life";
 
+/// Reserve of torque up to which a requirement is near its limit.
+const NEAR: f64 = 1.15;
+
 /// Digits of ratios and of lengths in words.
 const DIGITS: usize = 4;
 
@@ -98,7 +101,7 @@ pub(crate) fn assumed(all: &[BasisKey]) -> Records {
         .text("what", "what", |one| &one.key)
         .text("value", "value", |one| &one.value)
         .view("Also assumed", "what value")
-        .note("--planets, --bearing-type, --modules, --face-widths, --shares, --overload and --factors 'K_gamma …' change them.")
+        .note("--planets, --bearing-type, --modules, --face-widths, --shares, --overload and --factors 'K_gamma …, Y_M …' change them.")
         .records()
 }
 
@@ -358,11 +361,18 @@ fn strength(step: &SizesStep) -> Option<[String; 5]> {
             "of the planet bearing, the load that it carries for the required life over its own".to_owned()
         }
     };
+    let reserve = of.reserve();
+    let steps = if reserve > NEAR {
+        "; nothing is near its limit: the steps of modules, widths and bearings decide"
+    } else {
+        ""
+    };
     let taken = format!(
-        "{} of {} required: {what} of set {}",
+        "{} of {} required: {what} of set {}, {} % of torque to spare{steps}",
         trimmed(of.value, DIGITS),
         trimmed(of.required, DIGITS),
-        governing.set
+        governing.set,
+        trimmed(100.0 * (reserve - 1.0), 2)
     );
     Some(["strength".to_owned(), taken, String::new(), String::new(), "--basis, --factors".to_owned()])
 }

@@ -50,13 +50,13 @@ pub fn sheet(
 ) -> Result<Sheet, Error> {
     let overview = &report.overview;
     let mut answer = vec![Block::Answer(of_records(overview::in_short(overview)))];
+    if let Some(duty) = &report.duty {
+        answer.push(Block::Answer(of_records(asked_duty(duty))));
+    }
     answer.extend(scheme_of(shown, scale)?);
     answer.push(Block::Answer(of_records(sets::records(&overview.sets))));
     if !report.sizes.is_empty() {
         answer.push(Block::Answer(of_records(sizes(&report.sizes))));
-    }
-    if let Some(duty) = &report.duty {
-        answer.push(Block::Answer(of_records(asked_duty(duty))));
     }
     answer.push(Block::words(operating_point(overview, report.duty.is_some())));
     answer.extend(strength::enough(&report.strength).map(Block::Words));

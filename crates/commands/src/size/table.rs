@@ -197,7 +197,7 @@ pub(crate) fn designs<'s>(
         format!("{title}: what governs, least safeties, bearing life"),
         "set place governing flank_safety root_safety bearing_hours usual",
     )
-    .note("Usual: gears, widths, speeds and bearings miss no rule of practice; of others each miss counts as a quarter more.")
+    .note("Governs: what has the least reserve of torque; flanks have that of S_H². Usual: gears, widths, speeds and bearings miss no rule of practice; of others each miss counts as a quarter more.")
     .the_answer_if(name == "designs")
     .records()
 }

@@ -37,10 +37,18 @@ pub(super) fn assumed(
 ) -> Result<Vec<BasisKey>, Error> {
     let mut all = vec![];
     let mut assume = |key: &str, value: String| all.push(BasisKey { key: key.to_owned(), value });
-    if !has_load_sharing(basis) {
+    if let Some(named) = size.application.as_ref().and_then(ValueEnum::to_possible_value) {
+        let brings = "usual K_A, life, safeties, planets, bearings where nothing else is asked for";
+        assume("application", format!("{}: {brings}", named.get_name()));
+    }
+    if !has_factor(basis, Symbol::LoadSharing) {
         assume("K_γ", sharing(size)?);
     }
     assume("duty", duty(load.spectrum));
+    if !has_factor(basis, Symbol::MeanStress) {
+        let both = "of one sign in each gear; where it reverses, Y_M is 0.7 of sun and ring as of planets";
+        assume("torque", both.to_owned());
+    }
     if load.gears > 1 {
         let percent = |share: &f64| format!("{} %", trimmed(100.0 * share, DIGITS));
         let shares = match load.shares {
@@ -62,7 +70,8 @@ fn of_application(size: &SizeRequest, assume: &mut impl FnMut(&str, String)) {
     let usual = size.application;
     if size.planets.is_none() {
         let counts = size.planet_counts();
-        assume("planets", format!("{}..{}", counts.start(), counts.end()));
+        let ends = [counts.start(), counts.end()].map(u32::to_string);
+        assume("planets", if ends[0] == ends[1] { ends[0].clone() } else { ends.join("..") });
     }
     if !size.no_bearings {
         if size.bearings.is_none() {
@@ -84,11 +93,12 @@ fn of_application(size: &SizeRequest, assume: &mut impl FnMut(&str, String)) {
     }
 }
 
-/// Whether `K_γ` is among the factors of the basis.
-fn has_load_sharing(basis: &Basis) -> bool {
-    let factors = ["factors", "sun_mesh_factors"].into_iter().filter_map(|key| basis.strength.get(key));
+/// Whether a factor of all meshes is given.
+fn has_factor(basis: &Basis, symbol: Symbol) -> bool {
+    let factors =
+        ["factors", "sun_mesh_factors", "sun_factors"].into_iter().filter_map(|key| basis.strength.get(key));
     let mut names = factors.filter_map(Value::as_mapping).flat_map(|of| of.keys());
-    names.any(|name| Symbol::named(&flow(name)) == Some(Symbol::LoadSharing))
+    names.any(|name| Symbol::named(&flow(name)) == Some(symbol))
 }
 
 /// `K_γ` of the numbers of planets that are allowed.

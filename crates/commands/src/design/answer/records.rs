@@ -183,7 +183,8 @@ pub struct SizesStep {
     pub with_structure_kg: Option<f64>,
     /// Sets with the safeties of their teeth over the duty.
     pub sets: Vec<SizedSet>,
-    /// Set with the least margin over a requirement, and this requirement; null if a set has no size.
+    /// Set with the least reserve of torque over a requirement, and this requirement; null if a set has no
+    /// size.
     pub governing: Option<GoverningSet>,
     /// Judgement of the gearbox with these sizes by rules of practice.
     pub judgement: Judgement,
@@ -210,10 +211,10 @@ impl SizesStep {
                 Some(GoverningSet { set: set.set.clone(), requirement })
             })
             .collect();
-        // Safeties and load ratios have different required values; only the quotient compares them.
-        let ratio = |one: &GoverningSet| one.requirement.value / one.requirement.required;
+        // Safeties of flanks, of roots and loads of bearings compare by the torque that they leave.
+        let reserve = |one: &GoverningSet| one.requirement.reserve();
         let governing =
-            best.and_then(|all| all.into_iter().min_by(|one, other| ratio(one).total_cmp(&ratio(other))));
+            best.and_then(|all| all.into_iter().min_by(|one, other| reserve(one).total_cmp(&reserve(other))));
         let Size { designs, mass_kg, whole_kg: with_structure_kg, sets, judgement, .. } = size;
         Self { designs, mass_kg, with_structure_kg, sets, governing, judgement }
     }

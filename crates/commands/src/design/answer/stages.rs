@@ -384,3 +384,59 @@ fn text(wanted: &WantedStages, teeth: &[[u32; 3]], torque: Torque) -> Result<Str
 
 /// Name of the only gear.
 const GEAR: &str = "only";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::words::request;
+    use std::iter;
+
+    fn wanted(steps_up: bool) -> WantedStages {
+        WantedStages {
+            ratio: 20.0,
+            steps_up,
+            tolerance: 0.03,
+            stages: 1..=3,
+            teeth: Teeth {
+                suns: 17..=30,
+                planets: 17..=80,
+                rings: 50..=160,
+                ring_offsets: 0..=0,
+                ring_to_sun_ratio: 1.2..=12.0,
+                is_hunting: false,
+            },
+            speed: AngularVelocity::from_si(100.0),
+            torque: Torque::from_si(45.0),
+            is_of_output: true,
+            overload: None,
+            efficiency: 0.9,
+            basis: Basis::default(),
+            size: request(iter::empty::<&str>()).unwrap(),
+        }
+    }
+
+    /// No split of a ratio loses more than equal stages.
+    #[test]
+    fn the_least_efficiency_is_below_that_of_every_split() {
+        for steps_up in [false, true] {
+            let wanted = wanted(steps_up);
+            let of_stage = |ratio: f64| match steps_up {
+                true => ratio / (1.0 + (ratio - 1.0) / 0.9),
+                false => (1.0 + (ratio - 1.0) * 0.9) / ratio,
+            };
+            for first in [1.5, 2.5, 3.0, 4.0, 4.472, 5.0, 8.0, 12.0] {
+                for second in [1.5, 2.0, 2.7144, 3.0] {
+                    let two = of_stage(first) * of_stage(20.0 / first);
+                    let three = of_stage(first) * of_stage(second) * of_stage(20.0 / (first * second));
+                    assert!(wanted.least_efficiency(0.0, 2) <= two + 1e-12, "{first}");
+                    let is_reduction = 20.0 / (first * second) >= 1.0;
+                    assert!(
+                        !is_reduction || wanted.least_efficiency(0.0, 3) <= three + 1e-12,
+                        "{first} {second}"
+                    );
+                }
+            }
+            assert!(wanted.least_efficiency(0.03, 2) < wanted.least_efficiency(0.0, 2));
+        }
+    }
+}
