@@ -70,7 +70,7 @@ pub struct Args {
     #[command(flatten)]
     bearings: BearingsFile,
 
-    /// Write the gearbox with its sizes, its duty and what no speed tells; size, strength, analyze, draw and
+    /// Write the gearbox with its sizes, its duty and the assumed values; size, strength, analyze, draw and
     /// report read it.
     #[arg(long, value_name = "FILE", help_heading = NO_HEADING)]
     save: Option<PathBuf>,

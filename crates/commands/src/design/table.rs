@@ -38,6 +38,12 @@ pub(crate) fn of_sizes(sizes: &SizesStep, masses: Option<&Masses>) -> Vec<String
         least(&mut gears().map(|gear| gear.flank.safety)).map(|of| format!("least S_H {}", trimmed(of, 3))),
     );
     all.extend(least(&mut gears().map(|gear| gear.root.safety)).map(|of| format!("S_F {}", trimmed(of, 3))));
+    let overloads = found.iter().filter_map(|design| design.overload.as_ref());
+    let overload = overloads.min_by(|one, other| one.reserve().total_cmp(&other.reserve()));
+    all.extend(overload.map(|of| {
+        let symbol = if of.requirement == Requirement::OverloadFlank { "S_H" } else { "S_F" };
+        format!("{symbol} {} of {} against the overload", trimmed(of.value, 3), trimmed(of.required, 3))
+    }));
     let bearings =
         found.iter().flat_map(|design| &design.planet_sizes).filter_map(|planet| planet.bearing.as_ref());
     let life = least(&mut bearings.filter_map(|bearing| bearing.life_s));
