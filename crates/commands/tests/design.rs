@@ -77,6 +77,8 @@ fn the_output_has_the_torque_that_is_asked_for() {
         let gearbox = gearbox(stages.file.as_ref().unwrap());
         let analysis = gearbox.train.analyze_gear(&gearbox.train.gears()[0]).unwrap();
         assert!(near(stages.efficiency.unwrap(), analysis.efficiency().unwrap()));
+        let back = analysis.back_driving_efficiency().unwrap();
+        assert!(near(stages.back_driving_efficiency.unwrap(), back));
         let taken = stages.trains.iter().find(|trains| trains.taken).unwrap().best.clone().unwrap();
         let of_stage = |[sun, _, ring]: &[u32; 3]| {
             let k = f64::from(*ring) / f64::from(*sun);

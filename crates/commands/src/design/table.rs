@@ -42,7 +42,7 @@ pub(crate) fn of_sizes(sizes: &SizesStep, masses: Option<&Masses>) -> Vec<String
     let overload = overloads.min_by(|one, other| one.reserve().total_cmp(&other.reserve()));
     all.extend(overload.map(|of| {
         let symbol = if of.requirement == Requirement::OverloadFlank { "S_H" } else { "S_F" };
-        format!("{symbol} {} of {} against the overload", trimmed(of.value, 3), trimmed(of.required, 3))
+        format!("overload {symbol} {} of {}", trimmed(of.value, 3), trimmed(of.required, 3))
     }));
     let bearings =
         found.iter().flat_map(|design| &design.planet_sizes).filter_map(|planet| planet.bearing.as_ref());
@@ -268,8 +268,8 @@ fn steps(design: &Design) -> Records {
         .view("Steps: what was taken", "step taken")
         .view("Steps: among what, what came next, and how to choose otherwise", "step among next chosen_otherwise_by")
         .note(
-            "Each step keeps only the best result of the previous step; combinations are not searched. Other tooth numbers, or another \
-             scheme, may be lighter.",
+            "Each step keeps only the best result of the previous step; combinations are not searched. Tooth numbers with fewer misses of \
+             practice come first, then less mass of gears, carriers and housing, or what --minimise says. Another scheme may be lighter.",
         )
         .the_answer()
         .records()

@@ -84,6 +84,8 @@ pub struct Stages {
     pub input_power_w: Option<f64>,
     /// Efficiency of the meshes of all stages; null if no train holds.
     pub efficiency: Option<f64>,
+    /// Efficiency of the meshes when the output drives; null if no train holds, or if the losses hold it.
+    pub back_driving_efficiency: Option<f64>,
     /// Sets of tooth numbers that stages were chosen from.
     pub sets: usize,
     /// Best trains of each number of stages.
@@ -256,10 +258,10 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
     }
     let train = taken.and_then(|place| trains[place].best.clone());
     let (mut sizes, mut file, mut all_warnings) = (None, None, vec![]);
-    let (mut efficiency, mut masses) = (None, None);
+    let (mut efficiency, mut back_driving_efficiency, mut masses) = (None, None, None);
     let mut torque = Some(wanted.torque).filter(|_| !wanted.is_of_output);
     if let Some(train) = &train {
-        efficiency = efficiency_of(wanted, train)?;
+        [efficiency, back_driving_efficiency] = efficiencies(wanted, train)?;
         let of_input = wanted.input_torque(train.ratio, efficiency);
         torque = Some(of_input);
         let making = text(wanted, &train.teeth, of_input)?;
@@ -291,6 +293,7 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
         input_torque_n_m: torque.map(Physical::si),
         input_power_w: torque.map(|of| (of * wanted.speed).si()),
         efficiency,
+        back_driving_efficiency,
         sets: found.sets,
         masses,
         trains,
@@ -302,12 +305,14 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
     })
 }
 
-/// Efficiency of the meshes of a train; `None` if their losses hold it.
-fn efficiency_of(wanted: &WantedStages, train: &TrainOfStages) -> Result<Option<f64>, Error> {
+/// Efficiencies of the meshes of a train, driven from the input and from the output; `None` if their losses
+/// hold it.
+fn efficiencies(wanted: &WantedStages, train: &TrainOfStages) -> Result<[Option<f64>; 2], Error> {
     let making = text(wanted, &train.teeth, wanted.torque)?;
     let document = Document::parse_one(MAKING, making.as_bytes())?;
     let subject = one(&document, &Choice::default())?;
-    Ok(moving(analysis(&subject.train, GEAR)?.efficiency()))
+    let analysis = analysis(&subject.train, GEAR)?;
+    Ok([analysis.efficiency(), analysis.back_driving_efficiency()].map(moving))
 }
 
 /// Searches the best trains of each number of stages within a tolerance.

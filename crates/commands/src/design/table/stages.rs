@@ -99,6 +99,12 @@ fn asked(stages: &Stages) -> Section {
             "η",
             [Figure::None, stages.efficiency.map_or(Figure::None, Figure::Number), Figure::None],
         ),
+        Row::new(
+            "back_driving_efficiency",
+            "efficiency, driven by the output",
+            "η back",
+            [Figure::None, stages.back_driving_efficiency.map_or(Figure::None, Figure::Number), Figure::None],
+        ),
         of_input("input_torque", "torque on the input", "T_in", Dimension::Torque, stages.input_torque_n_m),
         of_input("input_power", "power into the input", "P", Dimension::Power, stages.input_power_w),
     ];
