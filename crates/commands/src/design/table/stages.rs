@@ -138,8 +138,8 @@ fn trains(all: &[TrainsOf]) -> Records {
         .view("The best trains of each number of stages", "stages taken teeth ratio mass rules_missed")
         .note(
             "Trains that keep to usual practice come first, then less mass, of which each rule missed counts a quarter: \
-             of gears, carriers and housing by a rule, or what --minimise says. The other parts of the whole are alike for \
-             all. --stages decides otherwise.",
+             of gears, carriers and housing by a rule, or what --minimise says. Slow shaft and flanges are not in this \
+             mass. --stages decides otherwise.",
         )
         .the_answer()
         .records()
