@@ -7,8 +7,10 @@
     reason = "helpers of tests, which clippy does not know for such"
 )]
 
+use epicyclic_commands::analyze::answer::{Input, overview};
 use epicyclic_commands::design::Request;
 use epicyclic_commands::design::answer::stages::Stages;
+use epicyclic_commands::report;
 use epicyclic_commands::shared::gearbox::Gearbox;
 use epicyclic_commands::size;
 use epicyclic_commands::words::request;
@@ -43,9 +45,12 @@ fn a_train_that_steps_up_is_the_reduction_turned_round() {
     assert_eq!(one.mass_kg, other.mass_kg);
     let near = |one: f64, other: f64| (one / other - 1.0).abs() < 1e-9;
     assert!(near(down.ratio.unwrap(), 20.0) && near(up.ratio.unwrap(), 0.05));
-    assert!(near(down.output_torque_n_m.unwrap(), 20.0 * 12e3 / down.input_speed_rad_s));
-    assert!(near(up.output_torque_n_m.unwrap(), 0.05 * 12e3 / up.input_speed_rad_s));
-    assert!(near(down.whole_kg.unwrap(), up.whole_kg.unwrap()));
+    for (stages, ratio) in [(&down, 20.0), (&up, 0.05)] {
+        let torque = ratio * 12e3 / stages.input_speed_rad_s * stages.efficiency.unwrap();
+        assert!(near(stages.output_torque_n_m.unwrap(), torque));
+        assert!(near(stages.input_power_w.unwrap(), 12e3));
+    }
+    assert!(near(down.masses.unwrap().whole_kg, up.masses.unwrap().whole_kg));
     let taken = |stages: &Stages| {
         let best = stages.trains.iter().find(|trains| trains.taken).unwrap().best.clone().unwrap();
         best.teeth
@@ -55,6 +60,66 @@ fn a_train_that_steps_up_is_the_reduction_turned_round() {
     assert_eq!(taken(&down), reversed);
     let [down, up] = [&down, &up].map(|stages| ratios(&gearbox(stages.file.as_ref().unwrap())));
     assert!(near(down[0], 20.0) && near(up[0], 0.05), "{down:?} {up:?}");
+}
+
+/// The input gives the torque asked for on the output and the losses, by the solver and by Willis' equation
+/// with losses; the report has the same on its first sheet.
+#[test]
+fn the_output_has_the_torque_that_is_asked_for() {
+    for (ratio, speed) in [("20", "1500rpm"), ("0.05", "75rpm")] {
+        let words =
+            format!("--ratio={ratio}|--output-torque=900 N·m|--input={speed}|--efficiency=0.96|{SPACE}");
+        let words = if ratio == "0.05" { words.replace("900 N·m", "45 N·m") } else { words };
+        let stages = stages(&words);
+        let near = |one: f64, other: f64| (one / other - 1.0).abs() < 1e-9;
+        let output = stages.output_torque_n_m.unwrap();
+        assert!(near(output, stages.asked_output_torque_n_m.unwrap()), "{output}");
+        let gearbox = gearbox(stages.file.as_ref().unwrap());
+        let analysis = gearbox.train.analyze_gear(&gearbox.train.gears()[0]).unwrap();
+        assert!(near(stages.efficiency.unwrap(), analysis.efficiency().unwrap()));
+        let back = analysis.back_driving_efficiency().unwrap();
+        assert!(near(stages.back_driving_efficiency.unwrap(), back));
+        let taken = stages.trains.iter().find(|trains| trains.taken).unwrap().best.clone().unwrap();
+        let of_stage = |[sun, _, ring]: &[u32; 3]| {
+            let k = f64::from(*ring) / f64::from(*sun);
+            if ratio == "20" { (1.0 + k * 0.96) / (1.0 + k) } else { (1.0 + k) / (1.0 + k / 0.96) }
+        };
+        let efficiency: f64 = taken.teeth.iter().map(of_stage).product();
+        assert!(near(stages.efficiency.unwrap(), efficiency));
+        let input = stages.input_torque_n_m.unwrap();
+        assert!(near(input * stages.ratio.unwrap() * efficiency, output));
+        assert!(near(stages.input_power_w.unwrap(), input * stages.input_speed_rad_s));
+        let (page, _) = report::Request::default().answer(&gearbox, &GO_ON).unwrap();
+        let duty = page.duty.unwrap();
+        let [step] = &duty.steps[..] else { panic!("{duty:?}") };
+        assert!((step.input_torque_n_m / input - 1.0).abs() < 1e-9);
+        assert!((step.output_torque_n_m.unwrap() / output - 1.0).abs() < 1e-9);
+        assert!((step.output_speed_rad_s.unwrap() / stages.output_speed_rad_s.unwrap() - 1.0).abs() < 1e-9);
+        assert_eq!((&duty.application_factors[..], duty.life_s), (&[1.25][..], Some(20_000.0 * 3600.0)));
+    }
+}
+
+/// A servo gearbox has its flanges in the whole, of the usual mass of its size.
+#[test]
+fn a_servo_gearbox_weighs_what_is_usual_of_its_flange() {
+    let servo = stages(
+        "--ratio=10|--output-torque=45 N·m|--overload=2.45|--input=3000rpm|--application=robot|--max-ring=90mm",
+    );
+    let masses = servo.masses.unwrap();
+    assert!(masses.flanges_kg.is_some() && masses.shift_elements_kg.is_none());
+    assert!((2.0..3.5).contains(&masses.whole_kg), "{masses:?}");
+    let of_report = {
+        let gearbox = gearbox(servo.file.as_ref().unwrap());
+        let (page, _) = report::Request::default().answer(&gearbox, &GO_ON).unwrap();
+        page.sizes[0].clone()
+    };
+    let near = |one: f64, other: f64| (one / other - 1.0).abs() < 1e-6;
+    assert!(near(of_report.mass_kg.unwrap(), masses.gears_kg), "{of_report:?}");
+    assert!(near(of_report.structure_kg.unwrap(), masses.structure_kg), "{of_report:?}");
+    let named = |key: &str| servo.assumed.iter().find(|one| one.key == key).map(|one| one.value.as_str());
+    assert_eq!(named("planets"), Some("3"));
+    assert_eq!(named("bearings of the planets"), Some("needles"));
+    assert!(named("overload").is_none() && named("modules").is_some());
 }
 
 /// The train that holds the greatest load has gears without common divisors where these are asked for.
@@ -70,6 +135,27 @@ fn hunting_teeth_have_no_common_divisor() {
         assert!(!(2..=*planet).any(divides), "{sun} {planet} {ring}");
     }
     assert!(seen > 0);
+}
+
+/// Analysis, sizes and the page of a gearbox warn of roots that a duty bends both ways, as its strength does.
+#[test]
+fn a_torque_that_reverses_is_warned_of_by_every_command() {
+    let one_way = stages(&format!("--ratio=20|--power=12kW|--input=1500rpm|{SPACE}")).file.unwrap();
+    let at = one_way.find("duty:").unwrap();
+    let step =
+        |torque: &str| format!("- {{ gear: only, share: 0.5, torque: {torque} N·m, speed: 1500 rpm }}\n");
+    let both = format!("{}duty:\n{}{}", &one_way[..at], step("60"), step("-60"));
+    for (file, reverses) in [(one_way, false), (both, true)] {
+        let gearbox = gearbox(&file);
+        let overview = overview::answer(&gearbox, Input::default(), None).unwrap();
+        let (page, _) = report::Request::default().answer(&gearbox, &GO_ON).unwrap();
+        let sizes = request::<size::Request>(["--no-bearings"]).unwrap().answer(&gearbox, &GO_ON).unwrap();
+        let all = [&overview.warnings, &page.overview.warnings, &page.strength[0].warnings, &sizes.warnings];
+        for (place, warnings) in all.into_iter().enumerate() {
+            let is_warned = warnings.iter().any(|one| one.name == "reversed-bending");
+            assert_eq!(is_warned, reverses, "{place}");
+        }
+    }
 }
 
 /// Ratios of the file by the solver, and sizes that `size` finds again.
@@ -102,6 +188,13 @@ fn a_list_of_gears_is_what_its_file_says() {
             "{words}: {:?} for {mass}",
             again.mass_kg
         );
+        // Brakes and clutches are part of the whole.
+        let masses = design.masses.unwrap();
+        let elements = masses.shift_elements_kg.unwrap();
+        let sum = masses.gears_kg + masses.structure_kg + masses.slow_shaft_kg.unwrap() + elements;
+        assert!(elements > 0.0 && (sum / masses.whole_kg - 1.0).abs() < 1e-12);
+        let assumed = |key: &str| design.assumed.iter().any(|one| one.key == key);
+        assert!(assumed("K_γ") && assumed("shares of the gears") && assumed("standards"));
         // The taken one is the best of all that are listed.
         let rank = |of: usize| (design.gearboxes[of].mass_kg.is_none(), design.gearboxes[of].warnings);
         assert!((1..design.gearboxes.len()).all(|other| rank(0) <= rank(other)));

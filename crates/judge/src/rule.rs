@@ -359,7 +359,9 @@ impl Rule {
     #[must_use]
     pub const fn remedy(self, is_too_large: bool) -> &'static str {
         match self {
-            Self::FaceWidth if is_too_large => "narrower gears of larger diameter",
+            Self::FaceWidth if is_too_large => {
+                "narrower gears of larger diameter, or more planets or stages where the diameter is bounded"
+            }
             Self::FaceWidth => "wider gears of smaller diameter: smaller modules",
             Self::SpecificSliding => "shift the gears for equal sliding at their roots (`--aim sliding`)",
             Self::SunShift | Self::PlanetShift | Self::RingShift | Self::GearShift => {

@@ -17,6 +17,7 @@
 //! | [`bearing`] | modified rating life by ISO 281 |
 //! | [`bearing_rows`] | both rows of a planet's bearings under a tilting moment |
 //! | [`loss`] | loss of a mesh by sliding |
+//! | [`masses`] | masses of flanges, brakes and clutches by rules |
 //! | [`sizing`] | module, face width, planets, centre distance and bearing of a set that holds over a duty |
 //! | [`series`] | the lightest stages in series for one ratio |
 //!
@@ -43,6 +44,7 @@ pub mod life;
 pub mod lightest;
 pub mod load;
 pub mod loss;
+pub mod masses;
 pub mod material;
 pub mod mesh;
 pub mod planets;

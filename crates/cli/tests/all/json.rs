@@ -309,9 +309,9 @@ fn every_answer_is_one_by_its_schema_and_every_key_is_written() {
     let of_judgement = |key: &String| Some(key.split_once("judgement")?.1.to_owned());
     let judged: BTreeSet<String> =
         written.values().flat_map(|(_, _, found)| found.iter().filter_map(of_judgement)).collect();
-    // So are the sizes of designs, and the limits that would have to give.
+    // So are the sizes and masses of designs, and the limits that would have to give.
     let of_designs = |name: &str, key: &str| {
-        let is_shared = [".sizes.", ".ways_out"].iter().any(|of| key.starts_with(of));
+        let is_shared = [".sizes.", ".ways_out", ".masses."].iter().any(|of| key.starts_with(of));
         (is_shared && name.starts_with("design")).then(|| key.to_owned())
     };
     let designed: BTreeSet<String> = written

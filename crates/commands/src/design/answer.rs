@@ -1,5 +1,6 @@
 //! Design of a gearbox from speeds and power: its scheme, tooth numbers and sizes with sufficient strength.
 //!
+//! - [`masses`]: the whole and its parts.
 //! - [`records`]: steps, each with its choice and the next best.
 //! - [`stages`]: stages in series for one ratio.
 //! - [`transmission`]: a list of gears.
@@ -8,9 +9,11 @@
 //! Scheme, tooth numbers and sizes are chosen together by [`lightest`](epicyclic_strength::lightest), among all
 //! schemes that meet the criteria and all their tooth numbers.
 
+mod assumed;
 mod attempt;
 mod loaded;
 mod making;
+pub mod masses;
 pub mod records;
 pub mod stages;
 pub mod transmission;
@@ -21,11 +24,14 @@ use crate::error::Error;
 use crate::select::answer as select;
 use crate::select::answer::reached::ReachedSpeed;
 use crate::select::answer::teeth::Watch;
+use crate::shared::application::FULL_LOAD;
 use crate::shared::basis::{Basis, BasisKey};
 use crate::size::options::Request as SizeRequest;
+use assumed::{AssumedLoad, assumed};
 use attempt::Attempt;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_selection::{Mechanism, Space};
+use masses::Masses;
 use records::{SchemeStep, SizesStep, TeethStep};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -64,6 +70,10 @@ pub struct Design {
     pub speeds: Vec<ReachedSpeed>,
     /// Assumed values by key.
     pub basis: Vec<BasisKey>,
+    /// Assumptions that are no keys of the file.
+    pub assumed: Vec<BasisKey>,
+    /// Masses of the whole and of its parts; null without a file.
+    pub masses: Option<Masses>,
     /// Choice of the scheme.
     pub scheme: SchemeStep,
     /// Choice of the tooth numbers; null if no scheme meets the criteria.
@@ -112,9 +122,17 @@ fn attempted(wanted: &Wanted, watch: &Watch) -> Result<(Design, Vec<select::Rela
     let attempt = if mechanisms.is_empty() { None } else { Some(Attempt::of(wanted, &mechanisms, watch)?) };
     let others = attempt.as_ref().map(|attempt| attempt.others.clone()).unwrap_or_default();
     let taken = attempt.as_ref().and_then(|attempt| attempt.mechanism);
+    let load = AssumedLoad {
+        spectrum: &FULL_LOAD,
+        gears: selected.required.ratios.len() + 1,
+        shares: &wanted.shares,
+        overload: wanted.overload,
+    };
     let mut design = Design {
         speeds: vec![],
         basis: wanted.basis.told(),
+        assumed: assumed(&wanted.basis, &wanted.size, &load)?,
+        masses: None,
         scheme: SchemeStep::of(&selected, taken, others, wanted.mechanism.is_some()),
         teeth: None,
         sizes: None,
@@ -132,6 +150,9 @@ fn attempted(wanted: &Wanted, watch: &Watch) -> Result<(Design, Vec<select::Rela
                 reversed.join(" and ")
             );
             design.warnings.insert(0, Warning { name: "output-reversed", message });
+        }
+        if let Some((file, sizes)) = file.as_ref().zip(sizes.as_ref()) {
+            design.masses = Masses::of(file, sizes, (wanted.size.application, wanted.overload))?;
         }
         (design.teeth, design.sizes, design.file, design.speeds) = (Some(teeth), sizes, file, speeds);
     }

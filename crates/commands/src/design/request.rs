@@ -71,7 +71,7 @@ pub struct Args {
     #[command(flatten)]
     bearings: BearingsFile,
 
-    /// Write the gearbox with its sizes, its duty and what no speed tells; size, strength, analyze, draw and
+    /// Write the gearbox with its sizes, its duty and the assumed values; size, strength, analyze, draw and
     /// report read it.
     #[arg(long, value_name = "FILE", help_heading = NO_HEADING)]
     save: Option<PathBuf>,
@@ -103,7 +103,8 @@ pub struct Request {
     #[arg(long, value_name = "SPEED", conflicts_with_all = OF_SPEEDS, allow_hyphen_values = true, help_heading = STAGES)]
     pub output_speed: Option<Quantity<AngularVelocity>>,
 
-    /// Torque on the output at --ratio, without losses, in place of --power.
+    /// Torque on the output at --ratio, in place of --power; the input gives the losses of the meshes as well.
+    /// --efficiency sets them.
     #[arg(long, value_name = "TORQUE", conflicts_with_all = ["speeds", "ratios"], allow_hyphen_values = true, help_heading = STAGES)]
     pub output_torque: Option<Quantity<Torque>>,
 
@@ -421,7 +422,6 @@ impl Request {
         Ok(WantedStages {
             ratio: quotient,
             steps_up,
-            has_slow_shaft: self.sizes.application.is_none_or(Application::has_slow_shaft),
             tolerance,
             stages: *stages.start() as usize..=*stages.end() as usize,
             teeth: Teeth {
@@ -434,6 +434,7 @@ impl Request {
             },
             speed,
             torque: duty.torque().map_err(refuse_of)?.ok_or(Error::NoLoad).map_err(refuse_of)?,
+            is_of_output: self.output_torque.is_some(),
             overload: self.overload()?,
             efficiency: self.criteria.set_efficiency()?.get(),
             basis: self.basis()?,

@@ -4,37 +4,45 @@ pub(crate) mod stages;
 pub(crate) mod transmission;
 
 use crate::design::answer::Design;
+use crate::design::answer::masses::Masses;
 use crate::design::answer::records::{OtherScheme, SchemeStep, SizesStep, TeethStep, TeethTaken};
 use crate::design::answer::ways_out::{Limit, RelaxedLimit, WayOut};
 use crate::select::answer::reached::largest_deviation;
 use crate::select::table::{percent, speeds_reached};
+use crate::shared::basis::BasisKey;
 use crate::shared::judgement::table as judgement;
 use crate::size::answer::records::{SizedDesign, SizedFamily, SizedSet};
 use crate::size::table::{basis, designs, gears, left_out};
 use crate::strength::table::{Worn, over_duty};
 use crate::table::columns::Table;
 use crate::table::figure::{hours, text};
-use crate::table::quantities::words;
+use crate::table::quantities::{quantity, words};
 use crate::table::report::AsReport;
-use crate::table::report::{Part, Records, Report, Text, warned};
+use crate::table::report::{Part, Records, Report, Row, Section, Text, warned};
 use epicyclic_strength::sizing::Requirement;
 use epicyclic_units::Dimension;
 use epicyclic_units::format::trimmed;
 
 /// Ring, masses, least safeties and life of the best sizes.
-pub(crate) fn of_sizes(sizes: &SizesStep, whole_kg: Option<f64>) -> Vec<String> {
+pub(crate) fn of_sizes(sizes: &SizesStep, masses: Option<&Masses>) -> Vec<String> {
     let found: Vec<&SizedDesign> = sizes.sets.iter().filter_map(|set| set.found.first()).collect();
     let mut all = vec![];
     let rings = found.iter().filter_map(|design| design.ring_diameter_m);
     all.extend(rings.reduce(f64::max).map(|ring| format!("ring {}", words(Dimension::Length, ring, DIGITS))));
     all.extend(sizes.mass_kg.map(|mass| format!("gears {}", words(Dimension::Mass, mass, 3))));
-    all.extend(whole_kg.map(|mass| format!("whole about {}", words(Dimension::Mass, mass, 2))));
+    all.extend(masses.map(|of| format!("whole about {}", words(Dimension::Mass, of.whole_kg, 2))));
     let gears = || found.iter().flat_map(|design| &design.over_duty);
     let least = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::min);
     all.extend(
         least(&mut gears().map(|gear| gear.flank.safety)).map(|of| format!("least S_H {}", trimmed(of, 3))),
     );
     all.extend(least(&mut gears().map(|gear| gear.root.safety)).map(|of| format!("S_F {}", trimmed(of, 3))));
+    let overloads = found.iter().filter_map(|design| design.overload.as_ref());
+    let overload = overloads.min_by(|one, other| one.reserve().total_cmp(&other.reserve()));
+    all.extend(overload.map(|of| {
+        let symbol = if of.requirement == Requirement::OverloadFlank { "S_H" } else { "S_F" };
+        format!("overload {symbol} {} of {}", trimmed(of.value, 3), trimmed(of.required, 3))
+    }));
     let bearings =
         found.iter().flat_map(|design| &design.planet_sizes).filter_map(|planet| planet.bearing.as_ref());
     let life = least(&mut bearings.filter_map(|bearing| bearing.life_s));
@@ -46,6 +54,9 @@ pub(super) const ASSUMED: &str = "Assumed values; change with --basis, --factors
 
 /// Schemes that are named beside the one taken.
 const MOST_OTHERS: usize = 3;
+
+/// Reserve of torque up to which a requirement is near its limit.
+const NEAR: f64 = 1.15;
 
 /// Digits of ratios and of lengths in words.
 const DIGITS: usize = 4;
@@ -70,8 +81,36 @@ pub(crate) fn parts_of_choice(design: &Design) -> Vec<Part> {
         parts.push(Part::Records(ways_out(ways)));
         parts.extend(ways.iter().map(|way| Part::Records(speeds_of(way))));
     }
+    parts.extend(design.masses.as_ref().map(|of| Part::Facts(masses(of))));
     parts.push(Part::Records(basis(&design.basis, ASSUMED)));
+    parts.push(Part::Records(assumed(&design.assumed)));
     parts
+}
+
+/// Masses of the whole and of its parts.
+pub(crate) fn masses(of: &Masses) -> Section {
+    let row = |name, label, mass| Row::new(name, label, "", [quantity(Dimension::Mass, mass)]);
+    let mut rows =
+        vec![row("gears", "gears", of.gears_kg), row("structure", "carriers, housing", of.structure_kg)];
+    let others = [
+        ("slow_shaft", "slow shaft, its bearings, seals", of.slow_shaft_kg),
+        ("flanges", "flanges, motor adapter, output bearings", of.flanges_kg),
+        ("shift_elements", "brakes, clutches", of.shift_elements_kg),
+    ];
+    rows.extend(others.into_iter().filter_map(|(name, label, mass)| Some(row(name, label, mass?))));
+    rows.push(row("whole", "whole", of.whole_kg));
+    let note = "All but the gears by rules usual of the trade; oil, lubrication, actuation and the motor are not in them.";
+    Section { name: "masses", title: "Masses", columns: &[], rows, note }
+}
+
+/// Assumptions that are no keys of the file.
+pub(crate) fn assumed(all: &[BasisKey]) -> Records {
+    Table::new("assumed", all.iter())
+        .text("what", "what", |one| &one.key)
+        .text("value", "value", |one| &one.value)
+        .view("Also assumed", "what value")
+        .note("--planets, --bearing-type, --modules, --face-widths, --shares, --overload and --factors 'K_gamma …, Y_M …' change them.")
+        .records()
 }
 
 /// The sizes with their safeties, and what was left out.
@@ -115,7 +154,12 @@ pub(crate) fn in_short(design: &Design) -> String {
     match design.sizes.as_ref().and_then(|sizes| sizes.mass_kg).filter(|_| design.file.is_some()) {
         Some(mass) => {
             let mass = words(Dimension::Mass, mass, DIGITS);
-            format!("{name}: speeds within {off} of those asked for; gears of {mass} hold over the duty.")
+            let whole = design.masses.map_or_else(String::new, |of| {
+                format!(", whole about {},", words(Dimension::Mass, of.whole_kg, 2))
+            });
+            format!(
+                "{name}: speeds within {off} of those asked for; gears of {mass}{whole} hold over the duty."
+            )
         }
         None => format!("{name}: no gearbox that holds was found."),
     }
@@ -228,8 +272,8 @@ fn steps(design: &Design) -> Records {
             "step among next chosen_otherwise_by",
         )
         .note(
-            "Scheme, tooth numbers and sizes are chosen together: the fewest sets beyond usual practice, then the least mass, a quarter more \
-             for each rule missed. Masses by scheme and teeth count gears, carriers and housing.",
+            "Scheme, tooth numbers and sizes are chosen together: the fewest sets beyond usual practice, then the least mass of gears, carriers and housing, or what --minimise says, a quarter more \
+             for each rule missed.",
         )
         .the_answer()
         .records()
@@ -313,11 +357,18 @@ fn strength(step: &SizesStep) -> Option<[String; 5]> {
             "of the planet bearing, the load that it carries for the required life over its own".to_owned()
         }
     };
+    let reserve = of.reserve();
+    let steps = if reserve > NEAR {
+        "; nothing is near its limit: the steps of modules, widths and bearings decide"
+    } else {
+        ""
+    };
     let taken = format!(
-        "{} of {} required: {what} of set {}",
+        "{} of {} required: {what} of set {}, {} % of torque to spare{steps}",
         trimmed(of.value, DIGITS),
         trimmed(of.required, DIGITS),
-        governing.set
+        governing.set,
+        trimmed(100.0 * (reserve - 1.0), 2)
     );
     Some(["strength".to_owned(), taken, String::new(), String::new(), "--basis, --factors".to_owned()])
 }

@@ -11,7 +11,7 @@ use crate::losses::table as losses;
 use crate::page::paper::{PICTURE_MM, SMALL_PLOT_MM};
 use crate::page::sheet::{Arrangement, Block, Section, Sheet};
 use crate::report::answer::gearbox::{GearOverK, GearboxReport, OverK, Shown};
-use crate::report::table::sizes;
+use crate::report::table::{asked_duty, sizes};
 use crate::shared::drawability::table as drawability;
 use crate::shared::judgement::table as judgement;
 use crate::sheet::table as sheet;
@@ -50,12 +50,15 @@ pub fn sheet(
 ) -> Result<Sheet, Error> {
     let overview = &report.overview;
     let mut answer = vec![Block::Answer(of_records(overview::in_short(overview)))];
+    if let Some(duty) = &report.duty {
+        answer.push(Block::Answer(of_records(asked_duty(duty))));
+    }
     answer.extend(scheme_of(shown, scale)?);
     answer.push(Block::Answer(of_records(sets::records(&overview.sets))));
     if !report.sizes.is_empty() {
         answer.push(Block::Answer(of_records(sizes(&report.sizes))));
     }
-    answer.push(Block::words(operating_point(overview)));
+    answer.push(Block::words(operating_point(overview, report.duty.is_some())));
     answer.extend(strength::enough(&report.strength).map(Block::Words));
     answer.extend(report.vibration.as_ref().and_then(vibration::in_short).map(Block::Words));
     let has_shifts = report.shifts.as_ref().is_some_and(|shifts| !shifts.shifts.is_empty());
@@ -161,7 +164,7 @@ fn about(overview: &Overview) -> String {
 }
 
 /// Describes the given speed and load of the input.
-fn operating_point(overview: &Overview) -> String {
+fn operating_point(overview: &Overview, has_duty: bool) -> String {
     let at = &overview.operating_point;
     let of = |si: Option<f64>, dimension| Some(Figure::Quantity { si: si?, dimension }.table());
     let known = [
@@ -170,10 +173,15 @@ fn operating_point(overview: &Overview) -> String {
         of(at.power_w, Dimension::Power),
     ];
     let known: Vec<String> = known.into_iter().flatten().collect();
-    if known.is_empty() {
-        "No speed or load of the input is given: speeds, torques and powers are over the input's.".to_owned()
-    } else {
-        format!("At the input: {}.", known.join(", "))
+    match (known.is_empty(), has_duty) {
+        (true, true) => {
+            "Other speeds, torques and powers of this page are over the input's; --input with --power or --torque gives them at one load."
+                .to_owned()
+        }
+        (true, false) => {
+            "No speed or load of the input is given: speeds, torques and powers are over the input's.".to_owned()
+        }
+        (false, _) => format!("At the input: {}.", known.join(", ")),
     }
 }
 

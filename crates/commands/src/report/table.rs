@@ -1,6 +1,7 @@
 //! Sizes of the sets on the first sheet of a report.
 
 use crate::report::answer::sizes::SetSizes;
+use crate::strength::answer::on_shafts::{AskedDuty, OverloadOnInput};
 use crate::strength::answer::records::{Against, Governing};
 use crate::table::columns::Table;
 use crate::table::figure::hours;
@@ -26,7 +27,7 @@ pub(crate) fn sizes(sets: &[SetSizes]) -> Records {
         ("face_width", any(|set| !set.face_widths_m.is_empty())),
         ("ring_diameter", any(|set| set.ring_diameter_m.is_some())),
         ("mass", any(|set| set.mass_kg.is_some())),
-        ("whole", any(|set| set.whole_kg.is_some())),
+        ("structure", any(|set| set.structure_kg.is_some())),
     ]);
     let [has_bearings, is_rated] =
         [any(|set| !set.bearings.is_empty()), any(|set| set.flank.is_some() || set.root.is_some())];
@@ -48,7 +49,7 @@ pub(crate) fn sizes(sets: &[SetSizes]) -> Records {
         .list("face_width", "b", Dimension::Length, |set| set.face_widths_m.clone())
         .measured("ring_diameter", "ring Ø", Dimension::Length, 1, |set| set.ring_diameter_m)
         .measured("mass", "gears", Dimension::Mass, 1, |set| set.mass_kg)
-        .measured("whole", "whole", Dimension::Mass, 0, |set| set.whole_kg)
+        .measured("structure", "carrier, housing", Dimension::Mass, 1, |set| set.structure_kg)
         .list("load_rating", "C", Dimension::Force, |set| {
             set.bearings.iter().map(|bearing| bearing.load_rating_n).collect()
         })
@@ -66,6 +67,43 @@ pub(crate) fn sizes(sets: &[SetSizes]) -> Records {
         table
     };
     table.records()
+}
+
+/// Duty of the file on input and output, with its application factor, overloads and life.
+pub(crate) fn asked_duty(duty: &AskedDuty) -> Records {
+    Table::new("duty", duty.steps.iter())
+        .text("gear", "gear", |step| &step.gear)
+        .share("share", "of the time", |step| step.share)
+        .quantity("input_power", "P in", Dimension::Power, |step| step.input_power_w)
+        .quantity("input_speed", "n in", Dimension::AngularSpeed, |step| step.input_speed_rad_s)
+        .quantity("output_speed", "n out", Dimension::AngularSpeed, |step| step.output_speed_rad_s)
+        .quantity("input_torque", "T in", Dimension::Torque, |step| step.input_torque_n_m)
+        .quantity("output_torque", "T out", Dimension::Torque, |step| step.output_torque_n_m)
+        .number("efficiency", "η", |step| step.efficiency)
+        .view(
+            "Duty asked for",
+            "gear share input_power input_speed output_speed input_torque output_torque efficiency",
+        )
+        .note(around(duty))
+        .records()
+}
+
+/// Application factor, overloads and life of a duty in words.
+fn around(duty: &AskedDuty) -> String {
+    let mut all = vec!["T out: with the losses of the meshes.".to_owned()];
+    if !duty.application_factors.is_empty() {
+        let factors: Vec<String> = duty.application_factors.iter().map(|of| trimmed(*of, DIGITS)).collect();
+        all.push(format!("Application factor K_A {}.", factors.join(", ")));
+    }
+    let overload = |of: &OverloadOnInput| {
+        format!("gear {} {}", of.gear, words(Dimension::Torque, of.input_torque_n_m, DIGITS))
+    };
+    if !duty.overload.is_empty() {
+        let overloads: Vec<String> = duty.overload.iter().map(overload).collect();
+        all.push(format!("Greatest torque in: {}.", overloads.join(", ")));
+    }
+    all.extend(duty.life_s.map(|life| format!("Required life {} h.", trimmed(hours(life), DIGITS))));
+    all.join(" ")
 }
 
 /// Least life of the bearings of a set, in s.
@@ -86,13 +124,16 @@ fn place(of: &Governing) -> String {
 fn masses(sets: &[SetSizes]) -> String {
     let all = |of: fn(&SetSizes) -> Option<f64>| sets.iter().map(of).sum::<Option<f64>>();
     let told = |of: Option<f64>, digits| of.map(|mass| words(Dimension::Mass, mass, digits));
-    let together = match (told(all(|set| set.mass_kg), 3), told(all(|set| set.whole_kg), 2)) {
-        (Some(gears), Some(whole)) => format!(" Together: gears {gears}, whole about {whole}."),
+    let of_sets = all(|set| Some(set.mass_kg? + set.structure_kg?));
+    let together = match (told(all(|set| set.mass_kg), 3), told(of_sets, 3)) {
+        (Some(gears), Some(of_sets)) => {
+            format!(" Together: gears {gears}, with carriers and housing about {of_sets}.")
+        }
         (Some(gears), None) => format!(" Together: gears {gears}."),
         _ => String::new(),
     };
-    let whole = if sets.iter().any(|set| set.whole_kg.is_some()) {
-        " Whole: with carrier and housing by a rule, cheeks of 0.12 and a wall of 0.04 ring diameters; without shafts and seals."
+    let whole = if sets.iter().any(|set| set.structure_kg.is_some()) {
+        " Carrier and housing by a rule, cheeks of 0.12 and a wall of 0.04 ring diameters. Shafts, flanges, brakes and clutches come on top; the answer of design has them in its whole."
     } else {
         ""
     };

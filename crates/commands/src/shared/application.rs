@@ -3,6 +3,7 @@
 use crate::shared::basis::Basis;
 use crate::shared::bearing_type::BearingType;
 use epicyclic_formats::yaml::{Mapping, Value};
+use epicyclic_strength::masses::{CAR_DISCS, INDUSTRIAL_DISCS};
 use epicyclic_units::Physical;
 use std::ops::RangeInclusive;
 use uom::si::f64::Length;
@@ -125,6 +126,17 @@ impl Application {
     /// Whether the slow shaft is part of the gearbox. A rotor's shaft is clamped in the carrier.
     pub(crate) fn has_slow_shaft(self) -> bool {
         self != Self::Wind
+    }
+
+    /// Whether the gearbox has flanges for motor and driven machine, and the bearings of the output between
+    /// them, as servo gearboxes.
+    pub(crate) fn has_flanges(self) -> bool {
+        self == Self::Robot
+    }
+
+    /// Static torque of brakes and clutches over their mass, in N·m/kg.
+    pub(crate) fn torque_of_discs(of: Option<Self>) -> f64 {
+        if of == Some(Self::Automatic) { CAR_DISCS } else { INDUSTRIAL_DISCS }
     }
 
     /// Teeth of suns in series: those of servo drives are small.

@@ -18,7 +18,6 @@ use crate::shared::gearbox::{Choice, Gearbox, one};
 use crate::shared::judgement::answer::Judgement;
 use crate::shared::tooth_checks::answer::ToothChecks;
 use crate::size::options::Request;
-use crate::strength::answer::Asked;
 use crate::strength::answer::duty::{WorkedStep, steps};
 use crate::strength::answer::load::felt;
 use crate::strength::answer::missing::{MissingKeys, Purpose};
@@ -26,6 +25,7 @@ use crate::strength::answer::overload::{Peak, peaks};
 use crate::strength::answer::place::Fault;
 use crate::strength::answer::prepared::{SetToSize, sets_to_size};
 use crate::strength::answer::records::{NotRated, Reason, Required};
+use crate::strength::answer::{Asked, reversed_bending};
 use crate::tolerance::SAME;
 use epicyclic_formats::Document;
 use epicyclic_formats::gearbox::{GearboxFile, PlanetData};
@@ -79,6 +79,7 @@ pub struct Size {
     /// Mass of the best designs of all sets, in kg; null if a set has none.
     pub mass_kg: Option<f64>,
     /// Mass of the best designs with carriers and housing, by a rule, in kg; null if a set has none.
+    #[serde(rename = "with_structure_kg")]
     pub whole_kg: Option<f64>,
     /// Sets with their best designs.
     pub sets: Vec<SizedSet>,
@@ -210,7 +211,8 @@ pub(crate) fn answer(
     let unfitted = to_size.iter().filter_map(|set| unfitted(set, &bearings));
     let warnings = no_size.into_iter().chain(tilting(&helical)).chain(spanned).chain(unfitted);
     let judged = judgement.warnings(&[]);
-    let warnings = warnings.chain(tooth_checks.warnings()).chain(judged).collect();
+    let reversed = reversed_bending(&sized)?;
+    let warnings = warnings.chain(tooth_checks.warnings()).chain(judged).chain(reversed).collect();
     Ok(Size {
         gearbox: subject.train.name().to_owned(),
         basis,

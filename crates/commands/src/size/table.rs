@@ -197,7 +197,7 @@ pub(crate) fn designs<'s>(
         format!("{title}: what governs, least safeties, bearing life"),
         "set place governing flank_safety root_safety bearing_hours usual",
     )
-    .note("Usual: gears, widths, speeds and bearings miss no rule of practice; of others each miss counts as a quarter more.")
+    .note("Governs: what has the least reserve of torque; flanks have that of S_H². Usual: gears, widths, speeds and bearings miss no rule of practice; of others each miss counts as a quarter more.")
     .the_answer_if(name == "designs")
     .records()
 }
@@ -254,7 +254,7 @@ pub(crate) fn left_out(sets: &[SizedSet]) -> Records {
             "Designs left out by strength and life",
             "set held not_calculable flank root overload bearing_life not_reached",
         )
-        .note("spacing: planets not at equal angles. shifts: none without fault. practice: refused by usual practice. b/d: wider than allowed. ring: larger than allowed. outside: beyond the standard. A design that misses several of S_H, S_F, overload and life counts where it misses most. not reached: no better than the last one found.")
+        .note("spacing: planets not at equal angles. shifts: none without fault. practice: refused by usual practice. b/d: wider than allowed. ring: larger than allowed. outside: beyond the standard. A design that misses several of S_H, S_F, overload and life counts where it misses most. not reached: not checked, no better than the last one found.")
         .records()
 }
 

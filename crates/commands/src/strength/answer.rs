@@ -36,6 +36,7 @@ pub(crate) mod materials;
 pub(crate) mod missing;
 pub(crate) mod names;
 mod not_rated;
+pub mod on_shafts;
 pub(crate) mod overload;
 mod partly;
 pub(crate) mod place;
@@ -211,6 +212,24 @@ fn is_stated(file: &GearboxFile) -> bool {
     let has_strength = file.sets.iter().any(|set| set.strength.is_some())
         || file.compound_sets.iter().any(|set| set.strength.is_some());
     file.oil.is_some() && file.life.is_some() && has_strength
+}
+
+/// Warnings of gears that the duty of a file loads on both flanks, while their roots are rated as bent one
+/// way; empty if the file has no duty, or lacks oil, life or the `strength` of a set.
+///
+/// # Errors
+/// [`Error::Document`] for invalid data in the file, with the place.
+pub(crate) fn reversed_bending(subject: &Gearbox) -> Result<Vec<Warning>, Error> {
+    if subject.document.value().get("transmissions").is_some() {
+        return Ok(vec![]);
+    }
+    let file: GearboxFile = subject.document.read()?;
+    if file.duty.is_empty() || !is_stated(&file) {
+        return Ok(vec![]);
+    }
+    let (sets, _) = rated_set::sets(subject, &file)?;
+    let steps = duty::steps(subject, &file.duty)?;
+    Ok(sets.iter().filter_map(|set| together::reversed(set, &steps)).collect())
 }
 
 /// Strength of a gearbox for a report, with the factors: at an operating point with load and speed, then over

@@ -2,6 +2,7 @@
 
 use crate::page::sheet::{Arrangement, Block, Section};
 use crate::strength::answer::Strength;
+use crate::strength::answer::records::LOW_SAFETY;
 use crate::strength::table::for_page;
 
 /// Sections for each answer: at the operating point, over the duty.
@@ -41,7 +42,8 @@ pub(crate) fn objections(all: &[Strength]) -> Vec<String> {
             told.push("the strength of no set can be rated: see its chapter".to_owned());
         }
         if let Some(governing) = one.governing.as_ref().filter(|_| is_short(one)) {
-            let others = match one.warnings.len().saturating_sub(1) {
+            let low = one.warnings.iter().filter(|warning| warning.name == LOW_SAFETY).count();
+            let others = match low.saturating_sub(1) {
                 0 => String::new(),
                 1 => "; one more safety is too small".to_owned(),
                 others => format!("; {others} more safeties are too small"),

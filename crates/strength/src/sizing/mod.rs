@@ -178,6 +178,17 @@ impl Requirement {
     pub const fn is_against_overload(self) -> bool {
         matches!(self, Self::OverloadFlank | Self::OverloadRoot)
     }
+
+    /// Reserve of torque of a value over the required one: by its square for flanks, whose stress grows with
+    /// the root of the torque.
+    #[must_use]
+    pub fn reserve(self, value: f64, required: f64) -> f64 {
+        let ratio = value / required;
+        match self {
+            Self::Flank | Self::OverloadFlank => ratio * ratio,
+            Self::Root | Self::OverloadRoot | Self::BearingLife => ratio,
+        }
+    }
 }
 
 /// Numbers of designs that each requirement left out. A design that fails several of the last four counts

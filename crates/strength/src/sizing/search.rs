@@ -85,8 +85,8 @@ pub fn search(
             Requirement::OverloadFlank | Requirement::OverloadRoot => search.left_out.overload += 1,
             Requirement::BearingLife => search.left_out.bearing_life += 1,
         }
-        let ratio = |design: &Design| design.governing.ratio();
-        if found.is_empty() && nearest.as_ref().is_none_or(|one| ratio(&design) > ratio(one)) {
+        let reserve = |design: &Design| design.governing.reserve();
+        if found.is_empty() && nearest.as_ref().is_none_or(|one| reserve(&design) > reserve(one)) {
             nearest = Some(design);
         }
     }

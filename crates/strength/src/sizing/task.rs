@@ -248,7 +248,7 @@ impl Layout {
     }
 }
 
-/// The requirement that is met least.
+/// The requirement with the least reserve of torque.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Governing {
     /// The requirement.
@@ -270,9 +270,15 @@ impl Governing {
         self.value / self.required
     }
 
-    /// The requirement that is met least; of equal ones the first.
+    /// Reserve of torque: 1 and more is enough.
+    #[must_use]
+    pub fn reserve(&self) -> f64 {
+        self.requirement.reserve(self.value, self.required)
+    }
+
+    /// The requirement with the least reserve of torque; of equal ones the first.
     pub(super) fn least(all: impl IntoIterator<Item = Self>) -> Option<Self> {
-        all.into_iter().reduce(|least, one| if one.ratio() < least.ratio() { one } else { least })
+        all.into_iter().reduce(|least, one| if one.reserve() < least.reserve() { one } else { least })
     }
 }
 

@@ -12,6 +12,7 @@ use crate::error::Error;
 use crate::shared::gearbox::Gearbox;
 use crate::shared::judgement::answer::Judgement;
 use crate::shared::tooth_checks::answer::ToothChecks;
+use crate::strength::answer::reversed_bending;
 use epicyclic_train::{self as train, Analysis};
 use epicyclic_units::Physical as _;
 use schemars::JsonSchema;
@@ -111,6 +112,8 @@ pub fn answer(subject: &Gearbox, input: Input, progression_factor: Option<f64>) 
     all.extend(warnings::contradictions(gearbox, &analyses));
     all.extend(warnings::released(gearbox, &worked.iter().collect::<Vec<_>>()));
     all.extend(warnings::self_locking(&analyses));
+    // Faults of the data for the strength are refused by the commands that calculate it.
+    all.extend(reversed_bending(subject).unwrap_or_default());
     let shifts = if worked.len() > MOST_GEARS {
         let message = format!("shifts are told of at most {MOST_GEARS} gears; these are {}", worked.len());
         all.push(Warning { name: "shifts", message });

@@ -169,10 +169,11 @@ pub struct SizesStep {
     /// Mass of the best designs of all sets, in kg; null if a set has none.
     pub mass_kg: Option<f64>,
     /// Mass of the best designs with carriers and housing, by a rule, in kg; null if a set has none.
-    pub whole_kg: Option<f64>,
+    pub with_structure_kg: Option<f64>,
     /// Sets with the safeties of their teeth over the duty.
     pub sets: Vec<SizedSet>,
-    /// Set with the least margin over a requirement, and this requirement; null if a set has no size.
+    /// Set with the least reserve of torque over a requirement, and this requirement; null if a set has no
+    /// size.
     pub governing: Option<GoverningSet>,
     /// Judgement of the gearbox with these sizes by rules of practice.
     pub judgement: Judgement,
@@ -199,11 +200,11 @@ impl SizesStep {
                 Some(GoverningSet { set: set.set.clone(), requirement })
             })
             .collect();
-        // Safeties and load ratios have different required values; only the quotient compares them.
-        let ratio = |one: &GoverningSet| one.requirement.value / one.requirement.required;
+        // Safeties of flanks, of roots and loads of bearings compare by the torque that they leave.
+        let reserve = |one: &GoverningSet| one.requirement.reserve();
         let governing =
-            best.and_then(|all| all.into_iter().min_by(|one, other| ratio(one).total_cmp(&ratio(other))));
-        let Size { designs, mass_kg, whole_kg, sets, judgement, .. } = size;
-        Self { designs, mass_kg, whole_kg, sets, governing, judgement }
+            best.and_then(|all| all.into_iter().min_by(|one, other| reserve(one).total_cmp(&reserve(other))));
+        let Size { designs, mass_kg, whole_kg: with_structure_kg, sets, judgement, .. } = size;
+        Self { designs, mass_kg, with_structure_kg, sets, governing, judgement }
     }
 }

@@ -1,8 +1,11 @@
 //! Stages in series for one ratio: splits, tooth numbers and sizes chosen together.
 
+use super::assumed::{AssumedLoad, assumed};
 use super::attempt::CLASSES;
 use super::making::{Load, MAKING, mapping, warnings, with_load};
+use super::masses::Masses;
 use super::records::SizesStep;
+use crate::analyze::answer::{analysis, moving};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::application::FULL_LOAD;
@@ -14,7 +17,7 @@ use crate::tolerance::ROUNDED;
 use epicyclic_formats::Document;
 use epicyclic_formats::yaml::{Value, to_string};
 use epicyclic_gears::ToothCount;
-use epicyclic_strength::series::{Found, InputStep, Order, Teeth, Train, Trains, search, slow_shaft};
+use epicyclic_strength::series::{Found, InputStep, Order, Teeth, Train, Trains, search};
 use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -31,8 +34,6 @@ pub struct WantedStages {
     pub ratio: f64,
     /// Whether the output is the fast shaft.
     pub steps_up: bool,
-    /// Whether the slow shaft with its bearings is part of the gearbox.
-    pub has_slow_shaft: bool,
     /// Allowed relative deviation of the ratio.
     pub tolerance: f64,
     /// Numbers of stages.
@@ -41,8 +42,10 @@ pub struct WantedStages {
     pub teeth: Teeth,
     /// Speed of the input.
     pub speed: AngularVelocity,
-    /// Torque on the input.
+    /// Torque on the input; where the output's is asked for, this one over the ratio.
     pub torque: Torque,
+    /// Whether the torque of the output is asked for, so that the input gives the losses as well.
+    pub is_of_output: bool,
     /// Greatest torque during the life over the nominal torque.
     pub overload: Option<f64>,
     /// Efficiency of each set with its carrier fixed, which the file states.
@@ -71,19 +74,28 @@ pub struct Stages {
     pub asked_output_speed_rad_s: f64,
     /// Reached speed of the output in rad/s; null if no train holds.
     pub output_speed_rad_s: Option<f64>,
-    /// Torque on the output without losses, in N·m; null if no train holds.
+    /// Required torque on the output in N·m; null where the load of the input is given.
+    pub asked_output_torque_n_m: Option<f64>,
+    /// Torque on the output, with the losses of the meshes, in N·m; null if no train holds.
     pub output_torque_n_m: Option<f64>,
+    /// Torque on the input in N·m; null if no train holds and that of the output is given.
+    pub input_torque_n_m: Option<f64>,
+    /// Power into the input in W; null if no train holds and the torque of the output is given.
+    pub input_power_w: Option<f64>,
+    /// Efficiency of the meshes of all stages; null if no train holds.
+    pub efficiency: Option<f64>,
+    /// Efficiency of the meshes when the output drives; null if no train holds, or if the losses hold it.
+    pub back_driving_efficiency: Option<f64>,
     /// Sets of tooth numbers that stages were chosen from.
     pub sets: usize,
     /// Best trains of each number of stages.
     pub trains: Vec<TrainsOf>,
     /// Assumed values by key.
     pub basis: Vec<BasisKey>,
-    /// Mass of gears, carriers and housing by a rule, and of the slow shaft, in kg; null if no train holds.
-    pub whole_kg: Option<f64>,
-    /// Mass of the slow shaft with its bearings and seals by a rule, in kg; null if no train holds, or where
-    /// the shaft is part of the machine.
-    pub slow_shaft_kg: Option<f64>,
+    /// Assumptions that are no keys of the file.
+    pub assumed: Vec<BasisKey>,
+    /// Masses of the whole and of its parts; null if no train holds.
+    pub masses: Option<Masses>,
     /// Sizes of the train taken, with their strength over the duty; null if no train holds.
     pub sizes: Option<SizesStep>,
     /// Gearbox file with sizes; null if no train holds.
@@ -142,14 +154,41 @@ impl WantedStages {
         if self.steps_up { 1.0 / quotient } else { quotient }
     }
 
-    /// The duty of the fast shaft. Where the output is fast, its torque is the largest that a train within a
-    /// tolerance gives it.
-    fn fast(&self, tolerance: f64) -> InputStep {
+    /// The duty of the fast shaft, by the largest torque that a train of at most these stages within a
+    /// tolerance has there.
+    fn fast(&self, tolerance: f64, stages: usize) -> InputStep {
+        let torque = match self.is_of_output {
+            true => self.torque / self.least_efficiency(tolerance, stages),
+            false => self.torque,
+        };
         let (torque, speed) = match self.steps_up {
-            true => (self.torque / (self.ratio * (1.0 - tolerance)), self.speed * self.ratio),
-            false => (self.torque, self.speed),
+            true => (torque / (self.ratio * (1.0 - tolerance)), self.speed * self.ratio),
+            false if self.is_of_output => (torque / (1.0 - tolerance), self.speed),
+            false => (torque, self.speed),
         };
         InputStep { share: 1.0, torque, speed }
+    }
+
+    /// Least efficiency of trains of a number of stages within a tolerance: that of equal stages with the
+    /// greatest ratio, since the logarithm of the efficiency of a stage is convex over that of its ratio.
+    fn least_efficiency(&self, tolerance: f64, stages: usize) -> f64 {
+        let stages = stages as f64;
+        let ratio = libm::pow(self.ratio * (1.0 + tolerance), 1.0 / stages);
+        let k = ratio - 1.0;
+        let of_stage = match self.steps_up {
+            true => ratio / (1.0 + k / self.efficiency),
+            false => (1.0 + k * self.efficiency) / ratio,
+        };
+        libm::pow(of_stage, stages)
+    }
+
+    /// Torque on the input of a train with this ratio of input over output and this efficiency.
+    fn input_torque(&self, ratio: f64, efficiency: Option<f64>) -> Torque {
+        match (self.is_of_output, efficiency) {
+            (true, Some(efficiency)) => self.torque * self.over_output(self.ratio) / (ratio * efficiency),
+            (true, None) => self.torque * self.over_output(self.ratio) / ratio,
+            (false, _) => self.torque,
+        }
     }
 }
 
@@ -197,7 +236,7 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
     // practice.
     let (mut within, mut found) = (0.0, None);
     for part in CLASSES {
-        let of_class = search(&order(wanted, part * wanted.tolerance)?, MOST, goes_on)?;
+        let of_class = searched(wanted, part * wanted.tolerance, goes_on)?;
         let misses = misses(&of_class);
         if found.as_ref().and_then(self::misses).is_none_or(|before| misses.is_some_and(|own| own < before)) {
             (within, found) = (part * wanted.tolerance, Some(of_class));
@@ -221,23 +260,25 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
     }
     let train = taken.and_then(|place| trains[place].best.clone());
     let (mut sizes, mut file, mut all_warnings) = (None, None, vec![]);
+    let (mut efficiency, mut back_driving_efficiency, mut masses) = (None, None, None);
+    let mut torque = Some(wanted.torque).filter(|_| !wanted.is_of_output);
     if let Some(train) = &train {
-        let making = text(wanted, &train.teeth)?;
+        [efficiency, back_driving_efficiency] = efficiencies(wanted, train)?;
+        let of_input = wanted.input_torque(train.ratio, efficiency);
+        torque = Some(of_input);
+        let making = text(wanted, &train.teeth, of_input)?;
         let document = Document::parse_one(MAKING, making.as_bytes())?;
         let size = size::answer(&one(&document, &Choice::default())?, &wanted.size, goes_on)?;
         let saved = size::saved(&document, &size)?;
         all_warnings = warnings(&size, Some(&saved))?;
+        let step = SizesStep::of(size);
+        masses = Masses::of(&saved, &step, (wanted.size.application, wanted.overload))?;
         file = Some(saved);
-        sizes = Some(SizesStep::of(size));
+        sizes = Some(step);
     }
-    let efficiency = BasisKey { key: "efficiency".to_owned(), value: wanted.efficiency.to_string() };
+    let of_set = BasisKey { key: "efficiency".to_owned(), value: wanted.efficiency.to_string() };
+    let load = AssumedLoad { spectrum: &FULL_LOAD, gears: 1, shares: &[], overload: wanted.overload };
     let ratio = train.as_ref().map(|train| train.ratio);
-    let slow_shaft_kg = train.as_ref().filter(|_| wanted.has_slow_shaft).map(|train| {
-        let of_input = if wanted.steps_up { 1.0 } else { train.ratio };
-        let torque = wanted.torque.abs() * of_input;
-        slow_shaft(torque, wanted.overload).si()
-    });
-    let structures = sizes.as_ref().and_then(|sizes: &SizesStep| sizes.whole_kg);
     let speed = wanted.speed.si();
     Ok(Stages {
         asked_ratio: wanted.over_output(wanted.ratio),
@@ -247,12 +288,19 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
         input_speed_rad_s: speed,
         asked_output_speed_rad_s: speed / wanted.over_output(wanted.ratio),
         output_speed_rad_s: ratio.map(|ratio| speed / ratio),
-        output_torque_n_m: ratio.map(|ratio| wanted.torque.si() * ratio),
+        asked_output_torque_n_m: wanted
+            .is_of_output
+            .then(|| wanted.torque.si() * wanted.over_output(wanted.ratio)),
+        output_torque_n_m: ratio.zip(torque).map(|(ratio, of)| of.si() * ratio * efficiency.unwrap_or(1.0)),
+        input_torque_n_m: torque.map(Physical::si),
+        input_power_w: torque.map(|of| (of * wanted.speed).si()),
+        efficiency,
+        back_driving_efficiency,
         sets: found.sets,
-        whole_kg: structures.map(|mass| mass + slow_shaft_kg.unwrap_or_default()),
-        slow_shaft_kg,
+        masses,
         trains,
-        basis: wanted.basis.told().into_iter().chain([efficiency]).collect(),
+        basis: wanted.basis.told().into_iter().chain([of_set]).collect(),
+        assumed: assumed(&wanted.basis, &wanted.size, &load)?,
         sizes,
         file,
         warnings: all_warnings,
@@ -265,28 +313,58 @@ fn misses(found: &Found) -> Option<[u32; 2]> {
     best.map(|train| [train.unusual_stages, train.rules_missed]).min()
 }
 
+/// Efficiencies of the meshes of a train, driven from the input and from the output; `None` if their losses
+/// hold it.
+fn efficiencies(wanted: &WantedStages, train: &TrainOfStages) -> Result<[Option<f64>; 2], Error> {
+    let making = text(wanted, &train.teeth, wanted.torque)?;
+    let document = Document::parse_one(MAKING, making.as_bytes())?;
+    let subject = one(&document, &Choice::default())?;
+    let analysis = analysis(&subject.train, GEAR)?;
+    Ok([analysis.efficiency(), analysis.back_driving_efficiency()].map(moving))
+}
+
+/// Searches the best trains of each number of stages within a tolerance.
+fn searched(
+    wanted: &WantedStages,
+    tolerance: f64,
+    goes_on: &dyn Fn() -> ControlFlow<()>,
+) -> Result<Found, Error> {
+    if !wanted.is_of_output {
+        return Ok(search(&order(wanted, tolerance, wanted.stages.clone())?, MOST, goes_on)?);
+    }
+    // More stages lose more, so each number of them has its own torque on the input.
+    let mut found = Found { sets: 0, all: vec![] };
+    for stages in wanted.stages.clone() {
+        let of_number = search(&order(wanted, tolerance, stages..=stages)?, MOST, goes_on)?;
+        found.sets = found.sets.max(of_number.sets);
+        found.all.extend(of_number.all);
+    }
+    Ok(found)
+}
+
 /// The order as the search takes it.
-fn order(wanted: &WantedStages, tolerance: f64) -> Result<Order, Error> {
+fn order(wanted: &WantedStages, tolerance: f64, stages: RangeInclusive<usize>) -> Result<Order, Error> {
+    let fast = wanted.fast(tolerance, *stages.end());
     // Materials, factors and tools are read from a file, as those of the gearbox will be.
-    let making = text(wanted, &[[24, 30, 84]])?;
+    let making = text(wanted, &[[24, 30, 84]], wanted.torque)?;
     let document = Document::parse_one(MAKING, making.as_bytes())?;
     let mut of_stage = sizing_of(&one(&document, &Choice::default())?, &wanted.size)?;
     for overload in &mut of_stage.overloads {
-        overload.sun_torque = wanted.fast(tolerance).torque * wanted.overload.unwrap_or(1.0);
+        overload.sun_torque = fast.torque * wanted.overload.unwrap_or(1.0);
     }
     // Products of ratios are rounded.
     let [less, more] = [1.0 - tolerance - ROUNDED, 1.0 + tolerance + ROUNDED];
     Ok(Order {
-        stages: wanted.stages.clone(),
+        stages,
         ratio: wanted.ratio * less..=wanted.ratio * more,
         teeth: wanted.teeth.clone(),
-        duty: vec![wanted.fast(tolerance)],
+        duty: vec![fast],
         of_stage,
     })
 }
 
-/// File of stages without sizes.
-fn text(wanted: &WantedStages, teeth: &[[u32; 3]]) -> Result<String, Error> {
+/// File of stages without sizes, with a torque on the input.
+fn text(wanted: &WantedStages, teeth: &[[u32; 3]], torque: Torque) -> Result<String, Error> {
     let shaft = |place: usize| match place {
         0 => "input".to_owned(),
         _ if place == teeth.len() => "output".to_owned(),
@@ -312,11 +390,66 @@ fn text(wanted: &WantedStages, teeth: &[[u32; 3]]) -> Result<String, Error> {
         ("sets", Value::Sequence(teeth.iter().enumerate().map(set).collect())),
         ("gears", Value::Sequence(vec![mapping(vec![("name", GEAR.into())])])),
     ]);
-    let load =
-        Load { torque: wanted.torque, speed: wanted.speed, overload: wanted.overload, spectrum: &FULL_LOAD };
+    let load = Load { torque, speed: wanted.speed, overload: wanted.overload, spectrum: &FULL_LOAD };
     with_load(&mut file, &wanted.basis, &[(GEAR, 1.0)], load);
     to_string(&file).map_err(|error| Error::Json(error.to_string()))
 }
 
 /// Name of the only gear.
 const GEAR: &str = "only";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::words::request;
+    use std::iter;
+
+    fn wanted(steps_up: bool) -> WantedStages {
+        WantedStages {
+            ratio: 20.0,
+            steps_up,
+            tolerance: 0.03,
+            stages: 1..=3,
+            teeth: Teeth {
+                suns: 17..=30,
+                planets: 17..=80,
+                rings: 50..=160,
+                ring_offsets: 0..=0,
+                ring_to_sun_ratio: 1.2..=12.0,
+                is_hunting: false,
+            },
+            speed: AngularVelocity::from_si(100.0),
+            torque: Torque::from_si(45.0),
+            is_of_output: true,
+            overload: None,
+            efficiency: 0.9,
+            basis: Basis::default(),
+            size: request(iter::empty::<&str>()).unwrap(),
+        }
+    }
+
+    /// No split of a ratio loses more than equal stages.
+    #[test]
+    fn the_least_efficiency_is_below_that_of_every_split() {
+        for steps_up in [false, true] {
+            let wanted = wanted(steps_up);
+            let of_stage = |ratio: f64| match steps_up {
+                true => ratio / (1.0 + (ratio - 1.0) / 0.9),
+                false => (1.0 + (ratio - 1.0) * 0.9) / ratio,
+            };
+            for first in [1.5, 2.5, 3.0, 4.0, 4.472, 5.0, 8.0, 12.0] {
+                for second in [1.5, 2.0, 2.7144, 3.0] {
+                    let two = of_stage(first) * of_stage(20.0 / first);
+                    let three = of_stage(first) * of_stage(second) * of_stage(20.0 / (first * second));
+                    assert!(wanted.least_efficiency(0.0, 2) <= two + 1e-12, "{first}");
+                    let is_reduction = 20.0 / (first * second) >= 1.0;
+                    assert!(
+                        !is_reduction || wanted.least_efficiency(0.0, 3) <= three + 1e-12,
+                        "{first} {second}"
+                    );
+                }
+            }
+            assert!(wanted.least_efficiency(0.03, 2) < wanted.least_efficiency(0.0, 2));
+        }
+    }
+}

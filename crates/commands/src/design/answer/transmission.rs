@@ -5,8 +5,10 @@
 //! structures of the first families get tooth numbers: of simple sets the lightest, chosen together with the
 //! sizes by [`lightest`]; the gears get sizes that hold over the duty. Of the gearboxes with sizes that with the fewest warnings is taken, then the lightest.
 
+use super::assumed::{AssumedLoad, assumed};
 use super::loaded;
 use super::making::{Load, MAKING, for_each_set, shared, warnings, with_duty};
+use super::masses::Masses;
 use super::records::SizesStep;
 use super::ways_out::WayOut;
 use crate::answer::{Answer, Warning};
@@ -29,7 +31,6 @@ use epicyclic_gears::ToothCount;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_strength::lightest::{Gearbox, lightest};
-use epicyclic_strength::series::slow_shaft;
 use epicyclic_synthesis::Kind;
 use epicyclic_synthesis::limits::Limits;
 use epicyclic_synthesis::rank::Objective;
@@ -39,7 +40,6 @@ use epicyclic_synthesis::teeth::{Aim, Alike};
 use epicyclic_synthesis::usable::Usable;
 use epicyclic_train::Gear;
 use epicyclic_units::Physical;
-use epicyclic_units::format::trimmed;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
@@ -53,9 +53,6 @@ const TEETH: usize = 2;
 
 /// Tooth numbers of a structure that these are taken from, those nearest to the ratios.
 const NEAREST: usize = 60;
-
-/// Digits of assumed values.
-const DIGITS: usize = 4;
 
 /// Teeth of planets that leave room for their bearings at a usual module.
 const PLANET: f64 = 32.0;
@@ -110,8 +107,10 @@ pub struct Transmission {
     pub gearboxes: Vec<GearboxWithTeeth>,
     /// Assumed values by key.
     pub basis: Vec<BasisKey>,
-    /// Mass of gears, carriers, housing and output shaft, by rules, in kg; null if a set has no size.
-    pub whole_kg: Option<f64>,
+    /// Assumptions that are no keys of the file.
+    pub assumed: Vec<BasisKey>,
+    /// Masses of the whole and of its parts; null if a set has no size.
+    pub masses: Option<Masses>,
     /// Sizes of the gearbox taken, with their strength over the duty; null if no structure was found.
     pub sizes: Option<SizesStep>,
     /// Limits to relax for a scheme of the catalogue, each with the gearbox that is then found; empty for a
@@ -223,14 +222,21 @@ pub fn answer(
     }
     all.sort_by(|one, other| one.rank().partial_cmp(&other.rank()).expect("masses are numbers"));
     let gearboxes = all.iter().map(|sized| sized.of.clone()).collect();
+    let load = AssumedLoad {
+        spectrum: wanted.spectrum,
+        gears: gears.len(),
+        shares: &wanted.shares,
+        overload: wanted.overload,
+    };
     let mut transmission = Transmission {
         gears: asked(wanted),
         tolerance: wanted.tolerance,
         input_speed_rad_s: wanted.speed.si(),
         structures,
         gearboxes,
-        basis: wanted.assumed(),
-        whole_kg: None,
+        basis: wanted.basis.told(),
+        assumed: assumed(&wanted.basis, &wanted.size, &load)?,
+        masses: None,
         sizes: None,
         ways_out: vec![],
         file: None,
@@ -241,13 +247,12 @@ pub fn answer(
             transmission.file = Some(size::saved(&taken.document, &taken.size)?);
         }
         transmission.warnings = warnings(&taken.size, transmission.file.as_deref())?;
-        let ratios = taken.gears.iter().filter_map(|gear| gear.ratio).map(f64::abs);
-        let torque = wanted.torque.abs() * ratios.fold(1.0, f64::max);
-        let shaft = slow_shaft(torque, wanted.overload);
-        let of_sets = taken.size.whole_kg.filter(|_| transmission.file.is_some());
-        transmission.whole_kg = of_sets.map(|mass| mass + shaft.si());
+        let sizes = SizesStep::of(taken.size);
+        if let Some(file) = &transmission.file {
+            transmission.masses = Masses::of(file, &sizes, (wanted.size.application, wanted.overload))?;
+        }
         transmission.gears = taken.gears;
-        transmission.sizes = Some(SizesStep::of(taken.size));
+        transmission.sizes = Some(sizes);
     }
     Ok(transmission)
 }
@@ -257,25 +262,6 @@ impl WantedTransmission {
     fn load(&self) -> Load {
         let Self { torque, speed, overload, spectrum, .. } = *self;
         Load { torque, speed, overload, spectrum }
-    }
-
-    /// Assumed values, with the duty where it is not the stated load alone.
-    fn assumed(&self) -> Vec<BasisKey> {
-        let mut all = self.basis.told();
-        if let [_, _, ..] = self.spectrum {
-            let step = |[share, torque, speed]: &[f64; 3]| {
-                let percent = |part: &f64| trimmed(100.0 * part, DIGITS);
-                format!(
-                    "{} % of the time {} % of torque, {} % of speed",
-                    percent(share),
-                    percent(torque),
-                    percent(speed)
-                )
-            };
-            let steps: Vec<String> = self.spectrum.iter().map(step).collect();
-            all.push(BasisKey { key: "duty".to_owned(), value: steps.join("; ") });
-        }
-        all
     }
 }
 

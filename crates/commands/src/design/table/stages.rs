@@ -1,7 +1,7 @@
 //! Stages in series, asked and reached, with what came next.
 
 use crate::design::answer::stages::{Stages, TrainOfStages, TrainsOf};
-use crate::design::table::{ASSUMED, DIGITS, of_sizes, parts_of_sizes};
+use crate::design::table::{ASSUMED, DIGITS, assumed, masses, of_sizes, parts_of_sizes};
 use crate::select::table::percent;
 use crate::size::table::basis;
 use crate::table::columns::Table;
@@ -21,12 +21,15 @@ impl AsReport for Stages {
 
 /// Ratio and speeds asked and reached, the trains, and assumed values.
 pub(crate) fn parts_of_stages(stages: &Stages) -> Vec<Part> {
-    vec![
+    let mut parts = vec![
         Part::Facts(asked(stages)),
         Part::Records(trains(&stages.trains)),
         Part::Records(searched(stages)),
-        Part::Records(basis(&stages.basis, &format!("{ASSUMED}, --efficiency"))),
-    ]
+    ];
+    parts.extend(stages.masses.as_ref().map(|of| Part::Facts(masses(of))));
+    parts.push(Part::Records(basis(&stages.basis, &format!("{ASSUMED}, --efficiency"))));
+    parts.push(Part::Records(assumed(&stages.assumed)));
+    parts
 }
 
 /// The train with its ratio, ring, mass, least safeties and life.
@@ -40,7 +43,8 @@ pub(crate) fn in_short(stages: &Stages) -> String {
         stages => format!("{stages} stages"),
     };
     let mut all = vec![format!("{count}, i = {} (asked {asked})", of_ratio(ratio))];
-    all.extend(of_sizes(sizes, stages.whole_kg));
+    all.extend(stages.efficiency.map(|of| format!("η = {}", trimmed(of, 3))));
+    all.extend(of_sizes(sizes, stages.masses.as_ref()));
     format!("{}.", all.join(", "))
 }
 
@@ -51,6 +55,12 @@ fn of_ratio(ratio: f64) -> String {
 
 fn asked(stages: &Stages) -> Section {
     let of = |dimension, value: Option<f64>| value.map_or(Figure::None, |value| quantity(dimension, value));
+    // The load is asked for at one of both shafts.
+    let is_of_input = stages.asked_output_torque_n_m.is_none();
+    let of_input = |name, label, symbol, dimension, value: Option<f64>| {
+        let asked = of(dimension, value.filter(|_| is_of_input));
+        Row::new(name, label, symbol, [asked, of(dimension, value), Figure::None])
+    };
     let deviation = stages.ratio.map(|ratio| percent(ratio / stages.asked_ratio - 1.0));
     let rows = vec![
         Row::new(
@@ -75,10 +85,28 @@ fn asked(stages: &Stages) -> Section {
         ),
         Row::new(
             "output_torque",
-            "torque on the output, without losses",
+            "torque on the output, with losses",
             "T",
-            [Figure::None, of(Dimension::Torque, stages.output_torque_n_m), Figure::None],
+            [
+                of(Dimension::Torque, stages.asked_output_torque_n_m),
+                of(Dimension::Torque, stages.output_torque_n_m),
+                Figure::None,
+            ],
         ),
+        Row::new(
+            "efficiency",
+            "efficiency of all meshes",
+            "η",
+            [Figure::None, stages.efficiency.map_or(Figure::None, Figure::Number), Figure::None],
+        ),
+        Row::new(
+            "back_driving_efficiency",
+            "efficiency, driven by the output",
+            "η back",
+            [Figure::None, stages.back_driving_efficiency.map_or(Figure::None, Figure::Number), Figure::None],
+        ),
+        of_input("input_torque", "torque on the input", "T_in", Dimension::Torque, stages.input_torque_n_m),
+        of_input("input_power", "power into the input", "P", Dimension::Power, stages.input_power_w),
     ];
     const COLUMNS: &[(&str, &str)] =
         &[("asked", "asked"), ("reached", "reached"), ("deviation", "deviation")];
@@ -110,8 +138,8 @@ fn trains(all: &[TrainsOf]) -> Records {
         .view("The best trains of each number of stages", "stages taken teeth ratio mass rules_missed")
         .note(
             "Trains that keep to usual practice come first, then less mass, of which each rule missed counts a quarter: \
-             of gears, carriers and housing by a rule, or what --minimise says. The slow shaft, which the whole counts as \
-             well, is alike for all. --stages decides otherwise.",
+             of gears, carriers and housing by a rule, or what --minimise says. Slow shaft and flanges are not in this \
+             mass. --stages decides otherwise.",
         )
         .the_answer()
         .records()

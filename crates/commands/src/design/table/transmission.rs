@@ -1,7 +1,7 @@
 //! A gearbox for a list of gears, asked and reached, with what came next.
 
 use crate::design::answer::transmission::{GearboxWithTeeth, Transmission};
-use crate::design::table::{ASSUMED, of_sizes, parts_of_sizes, ways_out};
+use crate::design::table::{ASSUMED, assumed, masses, of_sizes, parts_of_sizes, ways_out};
 use crate::select::table::percent;
 use crate::size::table::basis;
 use crate::synthesize::answer::teeth::TeethOfSet;
@@ -27,7 +27,9 @@ pub(crate) fn parts_of_transmission(transmission: &Transmission) -> Vec<Part> {
     if !transmission.ways_out.is_empty() {
         parts.push(Part::Records(ways_out(&transmission.ways_out)));
     }
+    parts.extend(transmission.masses.as_ref().map(|of| Part::Facts(masses(of))));
     parts.push(Part::Records(basis(&transmission.basis, ASSUMED)));
+    parts.push(Part::Records(assumed(&transmission.assumed)));
     parts
 }
 
@@ -51,7 +53,7 @@ pub(crate) fn in_short(transmission: &Transmission) -> String {
     if transmission.file.is_none() {
         all.push("no sizes that hold".to_owned());
     }
-    all.extend(of_sizes(sizes, transmission.whole_kg));
+    all.extend(of_sizes(sizes, transmission.masses.as_ref()));
     format!("{}.", all.join(", "))
 }
 

@@ -14,6 +14,7 @@ use crate::shared::judgement::answer::Judgement;
 use crate::shared::load::Load;
 use crate::shared::number::plain;
 use crate::sheet::answer::{self as sheet, DataSheets};
+use crate::strength::answer::on_shafts::AskedDuty;
 use crate::strength::answer::{self as strength, Strength};
 use crate::vibrate::answer::{self as vibration, Vibration};
 use epicyclic_layout::{self as layout, Layout, Verdict};
@@ -42,6 +43,8 @@ const OVER_OWN_K: [f64; 2] = [0.6, 1.6];
 pub struct GearboxReport {
     /// Names of the planetary sets.
     pub sets: Vec<String>,
+    /// Duty of the file on input and output; null without one.
+    pub duty: Option<AskedDuty>,
     /// Overview of all gears.
     pub overview: Overview,
     /// Full analysis of each gear, in the order of the gears.
@@ -128,6 +131,7 @@ pub(crate) fn answer<'g>(
     let strength = judged(subject, strength::chapters(subject, load)?);
     let report = GearboxReport {
         sets: gearbox.sets().iter().map(|set| set.id().to_owned()).collect(),
+        duty: AskedDuty::of(subject)?,
         overview: Overview {
             judgement: Judgement::of(subject, None, None, None),
             ..overview::answer(subject, input, None)?

@@ -37,8 +37,8 @@ pub struct SetSizes {
     pub ring_diameter_m: Option<f64>,
     /// Mass of the gears in kg; null if a face width, the number of planets or the rim of a ring is missing.
     pub mass_kg: Option<f64>,
-    /// Mass of gears, carrier and housing, by a rule, in kg; null without a ring or with several face widths.
-    pub whole_kg: Option<f64>,
+    /// Mass of carrier and housing, by a rule, in kg; null without a ring or with several face widths.
+    pub structure_kg: Option<f64>,
     /// Bearings of the planets; empty without load ratings.
     pub bearings: Vec<SizedBearing>,
     /// Least safety of the flanks; null if none is rated.
@@ -109,8 +109,8 @@ impl SetSizes {
         let mass_kg = masses.sum::<Option<f64>>().filter(|_| !widths.is_empty());
         let ring_diameter_m = gears.iter().filter_map(|gear| gear.ring_diameter_m).reduce(f64::max);
         let face_widths_m = each_once(widths.iter().copied());
-        let whole_kg = match (mass_kg, ring_diameter_m, &face_widths_m[..]) {
-            (Some(mass), Some(ring), [width]) => Some(mass + structure(ring, *width)),
+        let structure_kg = match (ring_diameter_m, &face_widths_m[..]) {
+            (Some(ring), [width]) => Some(structure(ring, *width)),
             _ => None,
         };
         let least = |place: Place| {
@@ -136,7 +136,7 @@ impl SetSizes {
             face_widths_m,
             ring_diameter_m,
             mass_kg,
-            whole_kg,
+            structure_kg,
             bearings: data.planets.iter().enumerate().filter_map(bearing).collect(),
             flank: least(Place::Flank),
             root: least(Place::Root),

@@ -139,7 +139,7 @@ pub struct LeftOut {
     pub bearing_life: u64,
 }
 
-/// Requirement with the least margin in a design.
+/// Requirement with the least reserve of torque in a design.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Governing {
@@ -156,6 +156,12 @@ pub struct Governing {
 }
 
 impl Governing {
+    /// Reserve of torque over the requirement: 1 and more is enough.
+    #[must_use]
+    pub fn reserve(&self) -> f64 {
+        self.requirement.reserve(self.value, self.required)
+    }
+
     fn of((set, families): Of<'_>, governing: &sizing::Governing) -> Self {
         Self {
             requirement: governing.requirement,
@@ -472,8 +478,14 @@ impl SizedSet {
                             _ => ("S_F", "root"),
                         };
                         let against = if teeth.is_against_overload() { " against the overload" } else { "" };
+                        // Larger modules would be beyond a bound of the ring.
+                        let larger = if self.left_out.ring > 0 {
+                            "wider faces, more planets, a larger --max-ring"
+                        } else {
+                            "larger modules, wider faces"
+                        };
                         format!(
-                            "the nearest misses {symbol} = {value:.3} of the {toothed_gear}'s {place}{against}, {required} required; larger modules, wider faces or a stronger material would help"
+                            "the nearest misses {symbol} = {value:.3} of the {toothed_gear}'s {place}{against}, {required} required; {larger} or a stronger material would help"
                         )
                     }
                 }

@@ -18,6 +18,9 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt;
 
+/// Name of the warnings about safeties below the required ones.
+pub(crate) const LOW_SAFETY: &str = "low-safety";
+
 /// Required safeties.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
@@ -417,7 +420,7 @@ impl Safeties {
         self.all(required)
             .filter(|one| one.safety < one.required)
             .map(|one| Warning {
-                name: "low-safety",
+                name: LOW_SAFETY,
                 message: format!("{one} is below the {} required", one.required),
             })
             .collect()

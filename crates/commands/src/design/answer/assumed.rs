@@ -1,0 +1,132 @@
+//! What designs assume beside the keys of the basis: sharing of the load, duty, space of the sizes, standards.
+
+use crate::error::Error;
+use crate::shared::application::Application;
+use crate::shared::basis::{Basis, BasisKey, flow};
+use crate::size::options::Request as SizeRequest;
+use clap::ValueEnum;
+use epicyclic_formats::yaml::Value;
+use epicyclic_strength::factor::{Edition, Symbol};
+use epicyclic_strength::load::{Floating, MOST_SHARING, load_sharing};
+use epicyclic_units::Physical;
+use epicyclic_units::format::trimmed;
+
+/// Digits of assumed values.
+const DIGITS: usize = 4;
+
+/// Load that a design assumes where it is not asked for.
+pub(super) struct AssumedLoad<'a> {
+    /// Steps in each gear: share of its time, torque and speed over those of the load.
+    pub(super) spectrum: &'a [[f64; 3]],
+    /// Number of gears.
+    pub(super) gears: usize,
+    /// Shares of the time of the gears; empty for equal shares.
+    pub(super) shares: &'a [f64],
+    /// Greatest torque during the life over the nominal torque.
+    pub(super) overload: Option<f64>,
+}
+
+/// Assumed values that are no keys of the basis.
+///
+/// # Errors
+/// Those of [`load_sharing`].
+pub(super) fn assumed(
+    basis: &Basis,
+    size: &SizeRequest,
+    load: &AssumedLoad<'_>,
+) -> Result<Vec<BasisKey>, Error> {
+    let mut all = vec![];
+    let mut assume = |key: &str, value: String| all.push(BasisKey { key: key.to_owned(), value });
+    if let Some(named) = size.application.as_ref().and_then(ValueEnum::to_possible_value) {
+        let brings = "usual K_A, life, safeties, planets, bearings where nothing else is asked for";
+        assume("application", format!("{}: {brings}", named.get_name()));
+    }
+    if !has_factor(basis, Symbol::LoadSharing) {
+        assume("K_γ", sharing(size)?);
+    }
+    assume("duty", duty(load.spectrum));
+    if !has_factor(basis, Symbol::MeanStress) {
+        let both = "of one sign in each gear; where it reverses, Y_M is 0.7 of sun and ring as of planets";
+        assume("torque", both.to_owned());
+    }
+    if load.gears > 1 {
+        let percent = |share: &f64| format!("{} %", trimmed(100.0 * share, DIGITS));
+        let shares = match load.shares {
+            [] => "equal parts of the time".to_owned(),
+            shares => shares.iter().map(percent).collect::<Vec<_>>().join(", "),
+        };
+        assume("shares of the gears", shares);
+    }
+    if load.overload.is_none() {
+        assume("overload", "none: the torque is the greatest of the life".to_owned());
+    }
+    of_application(size, &mut assume);
+    assume("standards", format!("{}, method B; bearings ISO 281 and ISO 76", Edition::default()));
+    Ok(all)
+}
+
+/// Values that the application brings where the space of sizes leaves them open.
+fn of_application(size: &SizeRequest, assume: &mut impl FnMut(&str, String)) {
+    let usual = size.application;
+    if size.planets.is_none() {
+        let counts = size.planet_counts();
+        let ends = [counts.start(), counts.end()].map(u32::to_string);
+        assume("planets", if ends[0] == ends[1] { ends[0].clone() } else { ends.join("..") });
+    }
+    if !size.no_bearings {
+        if size.bearings.is_none() {
+            let kinds = size.bearing_type.as_deref().or(usual.map(Application::bearings));
+            let kinds = kinds.unwrap_or(&crate::shared::bearing_type::BearingType::USUAL);
+            let named = kinds.iter().filter_map(ValueEnum::to_possible_value);
+            let named: Vec<String> = named.map(|kind| kind.get_name().to_owned()).collect();
+            assume("bearings of the planets", named.join(", "));
+        }
+        assume("load of the bearings", "the torques of the duty with K_γ, without K_A".to_owned());
+    }
+    if let Some(modules) = usual.and_then(Application::modules).filter(|_| size.modules.is_none()) {
+        let all: Vec<String> = modules.iter().map(|module| trimmed(module.mm(), DIGITS)).collect();
+        assume("modules", format!("{} mm", all.join(", ")));
+    }
+    if let Some(widths) = usual.and_then(Application::face_widths).filter(|_| size.face_widths.is_none()) {
+        let ends = [widths.first(), widths.last()].map(|of| of.map_or(0.0, |width| width.mm()));
+        assume("face widths", format!("{}..{} mm", ends[0], ends[1]));
+    }
+}
+
+/// Whether a factor of all meshes is given.
+fn has_factor(basis: &Basis, symbol: Symbol) -> bool {
+    let factors =
+        ["factors", "sun_mesh_factors", "sun_factors"].into_iter().filter_map(|key| basis.strength.get(key));
+    let mut names = factors.filter_map(Value::as_mapping).flat_map(|of| of.keys());
+    names.any(|name| Symbol::named(&flow(name)) == Some(symbol))
+}
+
+/// `K_γ` of the numbers of planets that are allowed.
+fn sharing(size: &SizeRequest) -> Result<String, Error> {
+    let mut all = vec![];
+    for planets in size.planet_counts().filter(|planets| (2..=MOST_SHARING).contains(planets)) {
+        let factor = load_sharing(planets, Floating::Assumed)?;
+        all.push(format!("{} with {planets} planets", trimmed(factor, DIGITS)));
+    }
+    Ok(match &all[..] {
+        [] => "1 with one planet".to_owned(),
+        all => format!("{}: one member of each set floats", all.join(", ")),
+    })
+}
+
+/// Steps of the duty in words.
+fn duty(spectrum: &[[f64; 3]]) -> String {
+    let step = |[share, torque, speed]: &[f64; 3]| {
+        let percent = |part: &f64| trimmed(100.0 * part, DIGITS);
+        format!(
+            "{} % of the time {} % of torque, {} % of speed",
+            percent(share),
+            percent(torque),
+            percent(speed)
+        )
+    };
+    match spectrum {
+        [_] => "full torque and speed for the whole life".to_owned(),
+        steps => steps.iter().map(step).collect::<Vec<_>>().join("; "),
+    }
+}
