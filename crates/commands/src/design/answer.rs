@@ -3,7 +3,8 @@
 //! - [`records`]: steps, each with its choice and the next best.
 //! - [`stages`]: stages in series for one ratio.
 //! - [`transmission`]: a list of gears.
-//! - [`ways_out`]: limits to relax if no gearbox is found, each with the gearbox that is then found.
+//! - [`ways_out`], [`stages_ways_out`]: limits to relax if no gearbox is found, each with the gearbox that is
+//!   then found.
 //!
 //! Each step keeps only the best result of the previous step, so that a person can follow it and choose
 //! otherwise; combinations are not searched. If no tooth numbers of a scheme have sizes, the next scheme is
@@ -13,6 +14,7 @@ mod attempt;
 mod making;
 pub mod records;
 pub mod stages;
+pub mod stages_ways_out;
 pub mod transmission;
 pub mod ways_out;
 

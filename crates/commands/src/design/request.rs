@@ -4,6 +4,7 @@ use crate::design::Factor;
 use crate::design::answer::stages::{self, Stages, WantedStages};
 use crate::design::answer::transmission::Transmission;
 use crate::design::answer::{Design, Wanted, answer};
+use crate::design::table::stages::why_no_stages;
 use crate::design::table::way_out;
 use crate::desk::Call;
 use crate::error::Error;
@@ -255,8 +256,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     if request.is_of_stages() {
         let stages = request.answer_stages(&|| call.goes_on())?;
         let sheet = |own| crate::design::page::sheet_of_stages(&stages, own, &imprint::command(call));
-        let why_none = "no stages that hold were found; a larger --max-ring or --tolerance, other --planets, --sun or --stages may give some";
-        return deliver(call, args, &stages, stages.file.as_deref(), sheet, why_none.to_owned());
+        return deliver(call, args, &stages, stages.file.as_deref(), sheet, why_no_stages(&stages));
     }
     if request.is_of_gears() {
         let of_gears = request.answer_gears(&|| call.goes_on())?;
@@ -392,12 +392,15 @@ impl Request {
         let speed = self.input.0.abs();
         let ratio = match (self.ratio, self.output_speed) {
             (Some(ratio), _) => ratio.get(),
-            (None, Some(output)) => (speed / output.0).si(),
+            (None, Some(output)) => (self.input.0 / output.0).si(),
             (None, None) => return Err(due()),
         };
-        // A quotient of the fast speed over the slow one; the direction is that of the input.
-        let steps_up = ratio.abs() < 1.0;
-        let quotient = if steps_up { 1.0 / ratio } else { ratio }.abs();
+        if ratio < 0.0 {
+            return Err(self.reversal(ratio));
+        }
+        // A quotient of the fast speed over the slow one.
+        let steps_up = ratio < 1.0;
+        let quotient = if steps_up { 1.0 / ratio } else { ratio };
         if !(quotient.is_finite() && quotient > 1.0) {
             let message = format!("{}: stages in series have a ratio other than 0 and 1", trimmed(ratio, 6));
             let option = if self.ratio.is_some() { "--ratio" } else { "--output-speed" };
@@ -405,10 +408,11 @@ impl Request {
         }
         let load = match (self.torque, self.output_torque, self.power) {
             (Some(torque), ..) => Some(Load::Torque(torque.0)),
-            (_, Some(torque), _) => Some(Load::Torque(torque.0 / ratio.abs())),
+            (_, Some(torque), _) => Some(Load::Torque(torque.0 / ratio)),
             (.., power) => power.map(|power| Load::Power(power.0)),
         };
-        let duty = Duty { input_speed: Some(self.input.0), load };
+        // Power enters in either direction.
+        let duty = Duty { input_speed: Some(speed), load };
         let tolerance = self.tolerance.0.si();
         if !(0.0..1.0).contains(&tolerance) {
             return Err(Failure::invalid(
@@ -438,12 +442,40 @@ impl Request {
                 is_hunting: self.hunting_teeth || self.sizes.application == Some(Application::Wind),
             },
             speed,
+            is_backward: self.input.0.si() < 0.0,
+            is_hunting_asked: self.hunting_teeth && self.sizes.application != Some(Application::Wind),
             torque: duty.torque().map_err(refuse_of)?.ok_or(Error::NoLoad).map_err(refuse_of)?,
             overload: self.overload()?,
             efficiency: self.criteria.set_efficiency()?.get(),
             basis: self.basis()?,
             size: self.sized(),
         })
+    }
+
+    /// Refuses an output that turns against the input, with what to type for one that does.
+    fn reversal(&self, ratio: f64) -> Failure {
+        let asked = trimmed(ratio.abs(), 6);
+        let (option, value, forward) = match (&self.ratio, &self.output_speed) {
+            (None, Some(output)) => {
+                let forward =
+                    Quantity(if self.input.0.si() < 0.0 { -output.0.abs() } else { output.0.abs() });
+                let value = format!("{output} with --input {}", self.input);
+                ("--output-speed", value, format!("--output-speed '{forward}'"))
+            }
+            _ => ("--ratio", trimmed(ratio, 6), format!("--ratio {asked}")),
+        };
+        let load = if self.output_torque.is_some() {
+            ", with --power or --torque in place of --output-torque"
+        } else {
+            ""
+        };
+        Failure::invalid(
+            option,
+            format!(
+                "{value}: stages in series hold their rings and do not reverse; write {forward}, or for a \
+                 gear that reverses, beside direct drive, --ratios '-{asked}'{load}"
+            ),
+        )
     }
 
     /// Speed and load of the input in every gear.

@@ -3,6 +3,7 @@
 pub(crate) mod stages;
 pub(crate) mod transmission;
 
+use crate::answer::Warning;
 use crate::design::answer::Design;
 use crate::design::answer::records::{SchemeStep, SizesStep, TeethStep, TeethTaken};
 use crate::design::answer::ways_out::{Limit, RelaxedLimit, WayOut};
@@ -52,8 +53,13 @@ impl AsReport for Design {
     fn report(&self) -> Report {
         let mut parts = parts_of_choice(self);
         parts.extend(self.sizes.iter().flat_map(parts_of_sizes));
-        Report { title: Some(in_short(self)), parts, warnings: warned(&self.warnings) }
+        Report { title: Some(in_short(self)), parts, warnings: of_found(&self.warnings, self.file.is_some()) }
     }
+}
+
+/// Warnings of a design; without a gearbox there is nothing that could be without warnings.
+pub(super) fn of_found(warnings: &[Warning], is_found: bool) -> Option<Vec<(&'static str, String)>> {
+    warned(warnings).filter(|_| is_found || !warnings.is_empty())
 }
 
 /// The speeds asked for and reached, the steps, ways out, and assumed values.
@@ -177,15 +183,21 @@ pub fn way_out(way: &WayOut) -> String {
     format!("{} gives {}{}", options(way), way.scheme, mass.unwrap_or_default())
 }
 
-/// The options that relax the limits, as they are typed.
 fn options(way: &WayOut) -> String {
-    let all: Vec<String> = way.limits.iter().map(option).collect();
+    options_of(&way.limits)
+}
+
+/// The options that relax the limits, as they are typed.
+pub(super) fn options_of(limits: &[RelaxedLimit]) -> String {
+    let all: Vec<String> = limits.iter().map(option).collect();
     all.join(" ")
 }
 
 fn option(one: &RelaxedLimit) -> String {
     let number = |value: Option<f64>| trimmed(value.unwrap_or_default(), 6);
     let (least, greatest) = (number(one.least), number(one.greatest));
+    let end = |value: Option<f64>| value.map(|value| trimmed(value, 6)).unwrap_or_default();
+    let range = || format!("{}..{}", end(one.least), end(one.greatest));
     match one.limit {
         Limit::Tolerance => format!("--tolerance {}%", trimmed(100.0 * one.greatest.unwrap_or_default(), 6)),
         Limit::RingToSunRatio => format!("--k {least}..{greatest}"),
@@ -197,15 +209,20 @@ fn option(one: &RelaxedLimit) -> String {
         Limit::SameDirection => "--may-reverse".to_owned(),
         Limit::Drawable => "--allow-crossing".to_owned(),
         Limit::Structures => "--all-structures".to_owned(),
-        Limit::SunTeeth => format!("--sun {least}.."),
-        Limit::PlanetTeeth => format!("--planet {least}.."),
-        Limit::RingTeeth => format!("--ring ..{greatest}"),
+        Limit::SunTeeth => format!("--sun {}", range()),
+        Limit::PlanetTeeth => format!("--planet {}", range()),
+        Limit::RingTeeth => format!("--ring {}", range()),
         Limit::RingOffset => format!("--ring-offset {least}..{greatest}"),
         Limit::WidthRatio => format!("--width-ratio {greatest}"),
         Limit::Modules => "without --modules".to_owned(),
         Limit::FaceWidths => "without --face-widths".to_owned(),
-        Limit::LargestRing => "without --max-ring".to_owned(),
+        Limit::LargestRing => match one.greatest {
+            Some(ring) => format!("--max-ring {}mm", trimmed(1e3 * ring, 6)),
+            None => "without --max-ring".to_owned(),
+        },
         Limit::Planets => format!("--planets ..{greatest}"),
+        Limit::Stages => format!("--stages {}", range()),
+        Limit::HuntingTeeth => "without --hunting-teeth".to_owned(),
     }
 }
 

@@ -3,6 +3,7 @@
 use super::attempt::CLASSES;
 use super::making::{Load, MAKING, mapping, warnings, with_load};
 use super::records::SizesStep;
+use super::stages_ways_out::{self, WayOutOfStages};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::application::FULL_LOAD;
@@ -41,6 +42,10 @@ pub struct WantedStages {
     pub teeth: Teeth,
     /// Speed of the input.
     pub speed: AngularVelocity,
+    /// Whether input and output turn backward.
+    pub is_backward: bool,
+    /// Whether the request itself asks for gears without common divisors.
+    pub is_hunting_asked: bool,
     /// Torque on the input.
     pub torque: Torque,
     /// Greatest torque during the life over the nominal torque.
@@ -75,6 +80,8 @@ pub struct Stages {
     pub output_torque_n_m: Option<f64>,
     /// Sets of tooth numbers that stages were chosen from.
     pub sets: usize,
+    /// Tooth numbers allowed.
+    pub teeth: TeethRanges,
     /// Best trains of each number of stages.
     pub trains: Vec<TrainsOf>,
     /// Assumed values by key.
@@ -88,8 +95,22 @@ pub struct Stages {
     pub sizes: Option<SizesStep>,
     /// Gearbox file with sizes; null if no train holds.
     pub file: Option<String>,
+    /// Limits to relax if no train holds, each with the train that is then found. Null if there is a file.
+    pub ways_out: Option<Vec<WayOutOfStages>>,
     /// Warnings about the gearbox.
     pub warnings: Vec<Warning>,
+}
+
+/// Least and greatest tooth numbers allowed.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct TeethRanges {
+    /// Tooth numbers of the suns.
+    pub sun: [u32; 2],
+    /// Tooth numbers of the planets.
+    pub planet: [u32; 2],
+    /// Tooth numbers of the rings.
+    pub ring: [u32; 2],
 }
 
 /// Trains of one number of stages.
@@ -98,6 +119,9 @@ pub struct Stages {
 pub struct TrainsOf {
     /// Number of stages.
     pub stages: usize,
+    /// Least and greatest ratio of so many stages with the tooth numbers allowed, the nearer to 1 first; null
+    /// if these leave no set.
+    pub reachable: Option<[f64; 2]>,
     /// Trains of tooth numbers within the tolerance.
     pub compared: u64,
     /// Stages that were sized.
@@ -176,8 +200,12 @@ impl TrainOfStages {
 impl TrainsOf {
     fn of(wanted: &WantedStages, trains: &Trains) -> Self {
         let mut found = trains.found.iter().map(|train| TrainOfStages::of(wanted, train));
+        let of_one = wanted.teeth.ratios();
+        let reachable =
+            of_one.map(|ends| ends.map(|end| wanted.over_output(libm::pow(end, trains.stages as f64))));
         Self {
             stages: trains.stages,
+            reachable,
             compared: trains.trains,
             sized: trains.sized,
             complete: trains.is_complete,
@@ -188,16 +216,30 @@ impl TrainsOf {
     }
 }
 
-/// Designs stages in series. `goes_on` is called now and then, and may end the search.
+/// Designs stages in series. `goes_on` is called now and then, and may end the search. If no stages hold, the
+/// search is repeated with each obstructing limit relaxed.
 ///
 /// # Errors
 /// As of [`size`](SizeRequest::answer), which refer to the unfinished gearbox.
 pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Stages, Error> {
+    let mut stages = attempted(wanted, MOST, goes_on)?;
+    if stages.file.is_none() {
+        stages.ways_out = Some(stages_ways_out::of(wanted, goes_on)?);
+    }
+    Ok(stages)
+}
+
+/// Designs stages in series without ways out; `most` trains of each number of stages are listed.
+pub(super) fn attempted(
+    wanted: &WantedStages,
+    most: usize,
+    goes_on: &dyn Fn() -> ControlFlow<()>,
+) -> Result<Stages, Error> {
     // As for several speeds, accuracy is not traded for mass beyond a tenth of the tolerance.
     let (mut within, mut found) = (0.0, None);
     for part in CLASSES {
         within = part * wanted.tolerance;
-        let of_class = search(&order(wanted, within)?, MOST, goes_on)?;
+        let of_class = search(&order(wanted, within)?, most, goes_on)?;
         let is_found = of_class.all.iter().any(|trains| !trains.found.is_empty());
         found = Some(of_class);
         if is_found || wanted.tolerance == 0.0 {
@@ -236,7 +278,9 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
         slow_shaft(torque, wanted.overload).si()
     });
     let structures = sizes.as_ref().and_then(|sizes: &SizesStep| sizes.whole_kg);
-    let speed = wanted.speed.si();
+    let speed = if wanted.is_backward { -wanted.speed.si() } else { wanted.speed.si() };
+    let ends = |range: &RangeInclusive<u32>| [*range.start(), *range.end()];
+    let teeth = &wanted.teeth;
     Ok(Stages {
         asked_ratio: wanted.over_output(wanted.ratio),
         tolerance: wanted.tolerance,
@@ -247,12 +291,14 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
         output_speed_rad_s: ratio.map(|ratio| speed / ratio),
         output_torque_n_m: ratio.map(|ratio| wanted.torque.si() * ratio),
         sets: found.sets,
+        teeth: TeethRanges { sun: ends(&teeth.suns), planet: ends(&teeth.planets), ring: ends(&teeth.rings) },
         whole_kg: structures.map(|mass| mass + slow_shaft_kg.unwrap_or_default()),
         slow_shaft_kg,
         trains,
         basis: wanted.basis.told().into_iter().chain([efficiency]).collect(),
         sizes,
         file,
+        ways_out: None,
         warnings: all_warnings,
     })
 }

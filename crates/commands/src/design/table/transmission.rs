@@ -1,12 +1,12 @@
 //! A gearbox for a list of gears, asked and reached, with what came next.
 
 use crate::design::answer::transmission::{GearboxWithTeeth, Transmission};
-use crate::design::table::{ASSUMED, of_sizes, parts_of_sizes, ways_out};
+use crate::design::table::{ASSUMED, of_found, of_sizes, parts_of_sizes, ways_out};
 use crate::select::table::percent;
 use crate::size::table::basis;
 use crate::synthesize::answer::teeth::TeethOfSet;
 use crate::table::columns::Table;
-use crate::table::report::{AsReport, Part, Records, Report, warned};
+use crate::table::report::{AsReport, Part, Records, Report};
 use epicyclic_units::Dimension;
 use epicyclic_units::format::trimmed;
 
@@ -14,7 +14,7 @@ impl AsReport for Transmission {
     fn report(&self) -> Report {
         let mut parts = parts_of_transmission(self);
         parts.extend(self.sizes.iter().flat_map(parts_of_sizes));
-        Report { title: Some(in_short(self)), parts, warnings: warned(&self.warnings) }
+        Report { title: Some(in_short(self)), parts, warnings: of_found(&self.warnings, self.file.is_some()) }
     }
 }
 
