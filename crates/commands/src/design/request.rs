@@ -1,5 +1,6 @@
 //! The command `design`: from speeds and power to a gearbox whose sizes hold.
 
+use crate::answer::Warning;
 use crate::design::Factor;
 use crate::design::answer::stages::{self, Stages, WantedStages};
 use crate::design::answer::transmission::Transmission;
@@ -29,6 +30,7 @@ use crate::shared::selection::{Criteria, RatioOptions, Speeds, refuse_selection,
 use crate::size::Request as SizeRequest;
 use crate::size::request::{self as sizing, BearingsFile};
 use crate::strength::answer::factors::twice;
+use crate::tolerance::SHARES;
 use epicyclic_formats::{Document, RangeError, Span};
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_selection::{Mechanism, Objective, Order, Rating, Signs};
@@ -36,7 +38,7 @@ use epicyclic_strength::load::{Floating, load_sharing};
 use epicyclic_strength::series::Teeth;
 use epicyclic_strength::sizing::Objective as MinimisedSize;
 use epicyclic_units::format::trimmed;
-use epicyclic_units::{Number, Physical, Quantity};
+use epicyclic_units::{Number, Physical, Quantity, QuantityError};
 use std::ops::{ControlFlow, RangeInclusive};
 use std::path::PathBuf;
 use uom::si::f64::{AngularVelocity, Power, Ratio, Time, Torque};
@@ -173,7 +175,7 @@ pub struct Request {
     pub factors: Option<List<Factor>>,
 
     /// Required life.
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    #[arg(long, value_name = "TIME", value_parser = life, allow_hyphen_values = true)]
     pub life: Option<Quantity<Time>>,
 
     /// Greatest deviation of a ratio, and of a speed, from the one asked for: 3%, or 0.03.
@@ -343,7 +345,9 @@ impl Request {
     /// [`Failure::Option`] and [`Failure::Range`] for an option that cannot be, [`Failure::Answer`] if the
     /// basis lacks what the strength needs. That no gearbox was found is an answer.
     pub fn answer(&self, watch: &Watch) -> Result<Design, Failure> {
-        answer(&self.wanted()?, watch).map_err(refuse_of)
+        let mut design = answer(&self.wanted()?, watch).map_err(refuse_of)?;
+        design.warnings.extend(self.unused());
+        Ok(design)
     }
 
     fn wanted(&self) -> Result<Wanted, Failure> {
@@ -353,6 +357,7 @@ impl Request {
         // A ratio with a minus asks for a reversing output, which is otherwise refused by default.
         let is_reverse_asked = self.ratios.signs(&self.speeds) == Signs::AsGiven;
         let same_direction = self.same_direction || (!self.may_reverse && !is_reverse_asked);
+        self.tolerance()?;
         let (tolerance, speeds) = (self.tolerance, &self.speeds);
         let requirements =
             requirements(speeds, tolerance, &self.ratios, &self.criteria, same_direction, rating)?;
@@ -372,7 +377,7 @@ impl Request {
             ring_offsets: self.ring_offset.clone(),
             tries: self.tries.max(1),
             tooth_design: self.tooth_design,
-            shares: self.shares(),
+            shares: self.shares()?,
             overload: self.overload()?,
             basis: self.basis()?,
             size: self.sized(),
@@ -384,7 +389,9 @@ impl Request {
     /// # Errors
     /// As of [`Self::answer`].
     pub fn answer_stages(&self, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Stages, Failure> {
-        stages::answer(&self.wanted_stages()?, goes_on).map_err(refuse_of)
+        let mut stages = stages::answer(&self.wanted_stages()?, goes_on).map_err(refuse_of)?;
+        stages.warnings.extend(self.unused());
+        Ok(stages)
     }
 
     fn wanted_stages(&self) -> Result<WantedStages, Failure> {
@@ -413,13 +420,7 @@ impl Request {
         };
         // Power enters in either direction.
         let duty = Duty { input_speed: Some(speed), load };
-        let tolerance = self.tolerance.0.si();
-        if !(0.0..1.0).contains(&tolerance) {
-            return Err(Failure::invalid(
-                "--tolerance",
-                format!("{}: 0 to below 1, or 100 %, is due", self.tolerance),
-            ));
-        }
+        let tolerance = self.tolerance()?;
         if self.sizes.minimise == Some(MinimisedSize::Ring) {
             let message =
                 "stages in series are chosen by a mass, mass or whole; --max-ring bounds their rings";
@@ -490,9 +491,40 @@ impl Request {
         SizeRequest { minimise: self.sizes.minimise.or(Some(MinimisedSize::Whole)), ..self.sizes.clone() }
     }
 
-    /// Shares of the time of the gears.
-    pub(super) fn shares(&self) -> Vec<f64> {
-        self.shares.iter().flat_map(|shares| &shares.0).map(|share| share.0.si()).collect()
+    /// Shares of the time of the gears, which are together all of it.
+    pub(super) fn shares(&self) -> Result<Vec<f64>, Failure> {
+        let shares: Vec<f64> =
+            self.shares.iter().flat_map(|shares| &shares.0).map(|share| share.0.si()).collect();
+        let in_percent = |share: f64| format!("{} %", trimmed(100.0 * share, 6));
+        if let Some(wrong) = shares.iter().find(|share| !(**share >= 0.0)) {
+            let message = format!("{}: a share of the time is not below 0", in_percent(*wrong));
+            return Err(Failure::invalid("--shares", message));
+        }
+        let sum: f64 = shares.iter().sum();
+        if !shares.is_empty() && (sum - 1.0).abs() > SHARES {
+            let whole: Vec<String> = whole(&shares, sum).into_iter().map(in_percent).collect();
+            let message = format!(
+                "the shares are {} together; they must be 100 %, as '{}'",
+                in_percent(sum),
+                whole.join(", ")
+            );
+            return Err(Failure::invalid("--shares", message));
+        }
+        Ok(shares)
+    }
+
+    /// Allowed deviation of ratios.
+    pub(super) fn tolerance(&self) -> Result<f64, Failure> {
+        let tolerance = self.tolerance.0.si();
+        if (0.0..1.0).contains(&tolerance) {
+            return Ok(tolerance);
+        }
+        let percent = trimmed(tolerance, 6);
+        // A number from 1 on is most likely meant in percent.
+        let meant =
+            if (1.0..100.0).contains(&tolerance) { format!("; write '{percent} %'") } else { String::new() };
+        let message = format!("{}: allowed is 0 to below 100 %{meant}", self.tolerance);
+        Err(Failure::invalid("--tolerance", message))
     }
 
     /// Bounds of tooth numbers and numbers of planets, with the teeth that are usual where none are given.
@@ -520,12 +552,21 @@ impl Request {
     pub(super) fn overload(&self) -> Result<Option<f64>, Failure> {
         let factor = self.overload.map(|factor| factor.0.si());
         match factor {
-            Some(factor) if !(factor.is_finite() && factor > 0.0) => {
-                let message = format!("{factor} is no factor of a torque; it must be above 0");
+            Some(factor) if !(factor.is_finite() && factor >= 1.0) => {
+                let message = format!(
+                    "{}: the greatest torque is not below that of the load; write 1 or more, such as 1.5",
+                    trimmed(factor, 6)
+                );
                 Err(Failure::invalid("--overload", message))
             }
             _ => Ok(factor),
         }
+    }
+
+    /// A remark on values of the application that the file of the basis states otherwise.
+    pub(super) fn unused(&self) -> Option<Warning> {
+        let basis = self.basis.as_ref()?;
+        self.sizes.application?.not_used(&basis.file(), "the file of --basis")
     }
 
     /// The basis with the factors and the life of the request.
@@ -550,6 +591,31 @@ impl Request {
             basis = basis.with("life", life.to_string().into());
         }
         Ok(basis)
+    }
+}
+
+/// Shares in proportion to these, in hundredths of a percent, that are together 1; of none, equal ones.
+fn whole(shares: &[f64], sum: f64) -> Vec<f64> {
+    let of = |share: &f64| if sum > 0.0 { share / sum } else { 1.0 / shares.len() as f64 };
+    let mut all: Vec<f64> = shares.iter().map(|share| (of(share) * 1e4).round() / 1e4).collect();
+    let others: f64 = all.iter().skip(1).sum();
+    all[0] = 1.0 - others;
+    all
+}
+
+/// Required life; a number alone is most likely meant in hours.
+fn life(text: &str) -> Result<Quantity<Time>, String> {
+    if let Ok(number) = text.parse::<Number>() {
+        return Err(format!(
+            "{text}: no unit; write '{} h', or another unit of time (s, min, h)",
+            trimmed(number.get(), 12)
+        ));
+    }
+    let life: Quantity<Time> = text.parse().map_err(|error: QuantityError| error.to_string())?;
+    if life.0.si() > 0.0 {
+        Ok(life)
+    } else {
+        Err(format!("{text}: a life is above 0; write such as '20000 h'"))
     }
 }
 

@@ -4,6 +4,7 @@ use super::{DescriptionError, GearboxFile};
 use crate::faults::Faults;
 use crate::{Path, Problem, Span};
 use epicyclic_judge::{Limits, Range, Rule};
+use std::collections::BTreeMap;
 
 impl GearboxFile {
     /// The limits to judge the gearbox by: the usual ones, and those that the file states in their place.
@@ -18,12 +19,41 @@ impl GearboxFile {
         limits
     }
 
-    /// Finds names that are no rule with a limit to state.
+    /// Finds limits that cannot be stated.
     pub(super) fn check_limits(&self, faults: &mut Faults) {
-        for name in self.limits.keys() {
-            faults.keep(Path::root().key("limits").key(name), statable(name));
-        }
+        check_limits(&self.limits, faults);
     }
+}
+
+/// Finds limits of the key `limits` that cannot be stated: names that are no rule with a limit to state, and
+/// ranges that no value can meet or that allow one value alone.
+pub fn check_limits(limits: &BTreeMap<String, Span<f64>>, faults: &mut Faults) {
+    for (name, span) in limits {
+        let of = statable(name).and_then(|rule| possible(rule, *span));
+        faults.keep(Path::root().key("limits").key(name), of);
+    }
+}
+
+/// Refuses a range that values of a rule cannot meet, and a single number.
+fn possible(rule: Rule, span: Span<f64>) -> Result<(), Problem> {
+    let (range, stated) = (range(span), span.to_string());
+    if let Some(value) = span.single() {
+        return Err(DescriptionError::LimitOfOneValue { rule: rule.name(), value }.into());
+    }
+    let values = rule.values();
+    let is_within = |end: f64| !end.is_finite() || (values.least <= end && end <= values.most);
+    if is_within(range.least) && is_within(range.most) && rule.leaves_values(range) {
+        return Ok(());
+    }
+    let within = match [values.least, values.most].map(f64::is_finite) {
+        [true, true] => format!("from {} to {}", values.least, values.most),
+        [_, false] => {
+            format!("{} {}", if rule.is_above_least() { "above" } else { "at least" }, values.least)
+        }
+        [false, true] => format!("at most {}", values.most),
+    };
+    let unit = if rule.unit().is_empty() { String::new() } else { format!(" {}", rule.unit()) };
+    Err(DescriptionError::ImpossibleLimit { stated, what: rule.what(), within: within + &unit }.into())
 }
 
 fn range(span: Span<f64>) -> Range {

@@ -224,7 +224,7 @@ impl TrainsOf {
 pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Stages, Error> {
     let mut stages = attempted(wanted, MOST, goes_on)?;
     if stages.file.is_none() {
-        stages.ways_out = Some(stages_ways_out::of(wanted, goes_on)?);
+        stages.ways_out = Some(stages_ways_out::of((wanted, &stages), goes_on)?);
     }
     Ok(stages)
 }

@@ -37,18 +37,22 @@ const RING_TO_SUN_RATIOS: RangeInclusive<f64> = 1.1..=15.0;
 /// Numbers of stages that are tried.
 pub(crate) const STAGES: RangeInclusive<usize> = 1..=4;
 
+/// Trains with the ratio above which a wider tolerance is not tried: where so many have no sizes, more do not
+/// help.
+const MANY: u64 = 1000;
+
 /// Relative width of the interval in which the least sufficient ring is found.
 const RING_STEP: f64 = 0.05;
 
 /// Finds the ways out for an order without stages that hold: each limit relaxed alone, those of tooth numbers
 /// only if no other suffices; or else as few as possible of all together.
 pub(super) fn of(
-    wanted: &WantedStages,
+    (wanted, found): (&WantedStages, &Stages),
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<Vec<WayOutOfStages>, Error> {
     let search = Search { wanted, goes_on };
-    let (of_teeth, others): (Vec<_>, Vec<_>) =
-        candidates(wanted).into_iter().partition(|one| is_of_teeth(one.limit));
+    let all = candidates(wanted, found.trains.iter().any(|trains| trains.compared > MANY));
+    let (of_teeth, others): (Vec<_>, Vec<_>) = all.into_iter().partition(|one| is_of_teeth(one.limit));
     let mut ways = vec![];
     // More tooth numbers make the search many times longer.
     for group in [&others, &of_teeth] {
@@ -63,8 +67,8 @@ pub(super) fn of(
     Ok(ways)
 }
 
-/// Limits that can be relaxed, as far as possible.
-fn candidates(wanted: &WantedStages) -> Vec<RelaxedLimit> {
+/// Limits that can be relaxed, as far as possible; the tolerance only without many trains.
+fn candidates(wanted: &WantedStages, has_many_trains: bool) -> Vec<RelaxedLimit> {
     let lifted = RelaxedLimit::lifted;
     let between = |limit, least: f64, greatest: f64| RelaxedLimit {
         limit,
@@ -86,7 +90,7 @@ fn candidates(wanted: &WantedStages) -> Vec<RelaxedLimit> {
         (lifted(Limit::LargestRing), size.max_ring.is_some()),
         (
             RelaxedLimit { greatest: Some(GREATEST_TOLERANCE), ..lifted(Limit::Tolerance) },
-            wanted.tolerance < GREATEST_TOLERANCE,
+            wanted.tolerance < GREATEST_TOLERANCE && !has_many_trains,
         ),
         (between(Limit::Stages, fewest, most), wanted.stages != STAGES),
         of_teeth(Limit::SunTeeth, &teeth.suns, SUNS),
