@@ -112,17 +112,18 @@ fn safeties(set: &SizedSet) -> impl Iterator<Item = Worn<'_>> {
     })
 }
 
-/// The scheme with the mass of its gears.
+/// The scheme with the speeds that it reaches, ring, masses, least safeties and life.
 pub(crate) fn in_short(design: &Design) -> String {
-    let name = design.scheme.taken.as_deref().unwrap_or("no scheme");
+    let name = design.scheme.taken.as_deref();
+    let (Some(name), Some(sizes), Some(_)) = (name, &design.sizes, &design.file) else {
+        let best = name.map(|name| format!("; the best scheme is {name}")).unwrap_or_default();
+        return format!("No gearbox with these speeds that holds was found{best}.");
+    };
     let off = percent(largest_deviation(&design.speeds)).replace('+', "");
-    match design.sizes.as_ref().and_then(|sizes| sizes.mass_kg).filter(|_| design.file.is_some()) {
-        Some(mass) => {
-            let mass = words(Dimension::Mass, mass, DIGITS);
-            format!("{name}: speeds within {off} of those asked for; gears of {mass} hold over the duty.")
-        }
-        None => format!("{name}: no gearbox that holds was found."),
-    }
+    let asked = trimmed(100.0 * design.scheme.criteria.tolerance, 3);
+    let mut all = vec![name.to_owned(), format!("speeds within {off} (asked {asked} %)")];
+    all.extend(of_sizes(sizes, sizes.whole_kg));
+    format!("{}.", all.join(", "))
 }
 
 /// Why a design ends before its last step.

@@ -112,7 +112,18 @@ mod tests {
             ("{ face-width: 1.4..0.4 }", ["limits.face-width", "write the smaller number first: 0.4..1.4"]),
             ("{ face-width: .. }", ["limits.face-width", "is no range; write one such as 1.5..4"]),
             ("{ face-width: wide }", ["limits.face-width", "wide"]),
-            ("{ face-width: 1.2 mm }", ["limits.face-width", "1.2 mm"]),
+            ("{ face-width: 0.4..1.2 mm }", ["limits.face-width", "have no unit; write 0.4..1.2"]),
+            ("{ orbit-acceleration: ..100 g }", ["limits.orbit-acceleration", "have no unit; write ..100"]),
+            ("{ oil-temperature: ..80 °C }", ["limits.oil-temperature", "have no unit; write ..80"]),
+            ("{ face-width: 0.4 }", ["limits.face-width", "write `..0.4` for at most 0.4, or `0.4..`"]),
+            (
+                "{ face-width: -1..1.4 }",
+                ["limits.face-width", "-1..1.4: face width over the diameter of the smaller gear is above 0"],
+            ),
+            ("{ face-width: ..0 }", ["limits.face-width", "is above 0"]),
+            ("{ hunting-tooth: ..0.5 }", ["limits.hunting-tooth", "is at least 1"]),
+            ("{ stage-efficiency: 0.9..1.2 }", ["limits.stage-efficiency", "is from 0 to 1"]),
+            ("{ dynamic-factor: ..0.9 }", ["limits.dynamic-factor", "is at least 1"]),
             (
                 "{ bearing-life: 3000.. }",
                 [

@@ -128,7 +128,7 @@ fn ways_out(ways: &[WayOutOfStages]) -> Records {
 pub(crate) fn in_short(stages: &Stages) -> String {
     let asked = format!("{} ± {} %", of_ratio(stages.asked_ratio), trimmed(100.0 * stages.tolerance, DIGITS));
     let (Some(ratio), Some(sizes)) = (stages.ratio, &stages.sizes) else {
-        return format!("No stages with i = {asked} that hold were found.");
+        return format!("No stages in series with i = {asked} that hold were found.");
     };
     let count = count(sizes.sets.len());
     let mut all = vec![format!("{count}, i = {} (asked {asked})", of_ratio(ratio))];

@@ -36,7 +36,7 @@ pub(crate) fn in_short(transmission: &Transmission) -> String {
     let count = |count: usize, one: &str| format!("{count} {one}{}", if count == 1 { "" } else { "s" });
     let gears = count(transmission.gears.len(), "gear");
     let (Some(taken), Some(sizes)) = (transmission.gearboxes.first(), &transmission.sizes) else {
-        return format!("No gearbox with these {gears} was found.");
+        return format!("No gearbox with these {gears} that holds was found.");
     };
     let mut all = vec![
         gears,
