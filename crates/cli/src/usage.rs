@@ -73,7 +73,29 @@ pub(crate) fn shown(mut error: clap::Error) -> clap::Error {
         };
         error.insert(kind, value);
     }
+    if let Some(tip) = of_conflict(&error) {
+        error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip.into()]));
+    }
     error
+}
+
+/// What to do about options that exclude one another; `None` of other refusals.
+fn of_conflict(error: &clap::Error) -> Option<String> {
+    if error.kind() != ErrorKind::ArgumentConflict {
+        return None;
+    }
+    let name = |argument: &str| argument.split([' ', '=']).next().unwrap_or_default().to_owned();
+    let Some(ContextValue::String(one)) = error.get(ContextKind::InvalidArg) else { return None };
+    let others = match error.get(ContextKind::PriorArg) {
+        Some(ContextValue::String(other)) => vec![name(other)],
+        Some(ContextValue::Strings(others)) => others.iter().map(|other| name(other)).collect(),
+        _ => vec![],
+    };
+    let one = name(one);
+    if others.is_empty() || others.contains(&one) {
+        return Some(format!("write '{one}' once"));
+    }
+    Some(format!("leave out '{one}', or '{}'", others.join("' and '")))
 }
 
 /// Message about a loose unit, in the place of an option, command or file: the shell separated it from its

@@ -83,6 +83,7 @@ pub use data_sheet::DataSheetEntry;
 pub use drag::{BeyondEntry, DragCurveEntry, DragEntry};
 pub use error::{DescriptionError, ToolMisfit};
 pub use kind::{KindEntry, RollingEntry};
+pub use limits::check_limits;
 use losses::losses;
 pub use per_gear::{Gears, PerGear};
 pub use place::{gear_place, keys_of, part_place};

@@ -93,6 +93,14 @@ pub enum RangeError {
         /// Text to write instead.
         example: &'static str,
     },
+    /// Numbers with a unit.
+    #[error("{text}: the numbers of this range have no unit; write {corrected}", text = one_line(text))]
+    Unit {
+        /// The text.
+        text: String,
+        /// The range without the unit.
+        corrected: String,
+    },
     /// A share at the second end alone.
     #[error("{text}: the first end has no unit; write {corrected}", text = one_line(text))]
     Share {
@@ -201,6 +209,25 @@ impl<T: End> FromStr for Span<T> {
                 text: text.to_owned(),
                 corrected: format!("{from} {sign}..{to}"),
             });
+        }
+        // Of `..100 g` only the numbers belong to the range.
+        let number = |end: &str| {
+            let end = end.trim();
+            let number =
+                end.find(|sign: char| sign.is_alphabetic() || sign == '°').map_or(end, |at| end[..at].trim());
+            (number.is_empty() == end.is_empty() && (number.is_empty() || T::read(number).is_ok()))
+                .then(|| number.to_owned())
+        };
+        let has_unit = |end: &str| !end.trim().is_empty() && T::read(end.trim()).is_err();
+        let corrected = match ends {
+            Some((from, to)) if has_unit(from) || has_unit(to) => {
+                number(from).zip(number(to)).map(|(from, to)| format!("{from}..{to}"))
+            }
+            None if has_unit(text) => number(text),
+            _ => None,
+        };
+        if let Some(corrected) = corrected.filter(|corrected| !corrected.is_empty()) {
+            return Err(RangeError::Unit { text: text.to_owned(), corrected });
         }
         let span = match ends {
             Some((from, to)) => Self { from: read(from)?, to: read(to)? },

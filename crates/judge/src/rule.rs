@@ -113,6 +113,9 @@ pub enum Rule {
     ChamberArea,
 }
 
+/// Absolute zero in °C.
+const ABSOLUTE_ZERO_C: f64 = -273.15;
+
 const PRACTICE: &str = "usual practice";
 
 /// Source of a limit that is stated in place of the usual one.
@@ -304,6 +307,47 @@ impl Rule {
                 | Self::ChamberArea
         );
         self.own_limit().is_none() && !is_other
+    }
+
+    /// Values that the quantity can have.
+    #[must_use]
+    pub const fn values(self) -> Range {
+        match self {
+            Self::SunShift
+            | Self::PlanetShift
+            | Self::RingShift
+            | Self::GearShift
+            | Self::ShiftSum
+            | Self::Overlap => Range::OPEN,
+            Self::OilTemperature => Range::at_least(ABSOLUTE_ZERO_C),
+            Self::ExternalAngle | Self::InternalAngle => Range::between(0.0, 90.0),
+            Self::StageEfficiency | Self::VolumetricEfficiency => Range::between(0.0, 1.0),
+            Self::HuntingTooth | Self::DynamicFactor => Range::at_least(1.0),
+            Self::Direction => Range::between(-1.0, 1.0),
+            _ => Range::at_least(0.0),
+        }
+    }
+
+    /// Whether every value lies above the least of [`values`](Self::values).
+    #[must_use]
+    pub const fn is_above_least(self) -> bool {
+        matches!(
+            self,
+            Self::FaceWidth
+                | Self::SpurContact
+                | Self::HelicalContact
+                | Self::ExternalAngle
+                | Self::InternalAngle
+                | Self::OilTemperature
+                | Self::StageEfficiency
+        )
+    }
+
+    /// Whether a range leaves any of the [`values`](Self::values).
+    #[must_use]
+    pub fn leaves_values(self, range: Range) -> bool {
+        let values = self.values();
+        range.least <= range.most && if self.is_above_least() { range.most > values.least } else { true }
     }
 
     /// Whether the ratio of value and limit says how much is left.

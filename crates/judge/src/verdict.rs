@@ -102,6 +102,11 @@ impl Limits {
         self.stated.push((rule, range));
     }
 
+    /// Rules with a stated range.
+    pub fn stated_rules(&self) -> impl Iterator<Item = Rule> {
+        self.stated.iter().map(|(rule, _)| *rule)
+    }
+
     /// The bounds of a rule.
     #[must_use]
     pub fn bounds(&self, rule: Rule) -> Bounds {

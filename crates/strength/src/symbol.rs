@@ -54,13 +54,13 @@ impl Symbol {
         Self::ALL.iter().find(of).copied()
     }
 
-    /// Whether its factor is at least 1, as all load factors are but `K_A`: that may be lower where the
-    /// nominal torque is the greatest.
+    /// Whether its factor is at least 1, as all load factors are.
     #[must_use]
     pub const fn is_at_least_one(self) -> bool {
         matches!(
             self,
-            Self::LoadSharing
+            Self::Application
+                | Self::LoadSharing
                 | Self::Dynamic
                 | Self::FaceContact
                 | Self::TransverseContact

@@ -1,6 +1,10 @@
 //! The command design: speeds first, directions of rotation, limits to relax, factors.
 
-#![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests, which clippy does not know for such"
+)]
 
 use crate::common;
 
@@ -218,5 +222,206 @@ fn a_factor_that_a_file_gives_twice_is_refused() {
         let said = text(&done.stderr);
         let both = said.contains("`K_A` and `KA` are the same factor, K_A; give it once");
         assert!(done.status.code() == Some(2) && both && said.contains("twice.yaml:"), "{line:?}: {said}");
+    }
+}
+
+/// Few sizes of stages in series.
+const STAGES: &[&str] = &[
+    "design",
+    "--format=json",
+    "--power=10kW",
+    "--input=1450rpm",
+    "--no-bearings",
+    "--modules=1.5 mm, 2 mm, 3 mm",
+    "--face-widths=20 mm, 40 mm",
+    "--planets=3..4",
+];
+
+/// Stages in series: exit code, answer, and what is said.
+fn stages(options: &[&str]) -> (i32, Value, String) {
+    let done = output(here().path(), &[STAGES, options].concat());
+    let answer = serde_json::from_slice(&done.stdout).unwrap_or(Value::Null);
+    (done.status.code().unwrap(), answer, text(&done.stderr))
+}
+
+/// The error of a command line that is refused.
+fn refusal(folder: &std::path::Path, line: &[&str]) -> String {
+    let done = output(folder, line);
+    assert_eq!(done.status.code(), Some(2), "{line:?}: {}", text(&done.stdout));
+    text(&done.stderr)
+}
+
+/// A minus between input and output is refused with the command that reverses; none between them is none.
+#[test]
+fn stages_in_series_do_not_reverse() {
+    let folder = here();
+    let of = |input: &'static str, output: &'static str| ["design", "--power=10kW", input, output];
+    for (input, output, write) in [
+        ("--input=1450rpm", "--ratio=-5", "write --ratio 5, or "),
+        ("--input=-1450rpm", "--ratio=-5", "write --ratio 5, or "),
+        ("--input=1450rpm", "--output-speed=-290rpm", "write --output-speed '290 rpm', or "),
+        ("--input=-1450rpm", "--output-speed=290rpm", "write --output-speed '-290 rpm', or "),
+    ] {
+        let said = refusal(folder.path(), &of(input, output));
+        let is_told = said.contains(write) && said.contains("--ratios '-5'");
+        assert!(is_told, "{input} {output}: {said}");
+    }
+    let (_, forward, _) = stages(&["--output-speed=290rpm"]);
+    let line: Vec<&str> = STAGES.iter().copied().filter(|word| !word.starts_with("--input")).collect();
+    let line = [&line[..], &["--input=-1450rpm", "--output-speed=-290rpm"]].concat();
+    let done = output(folder.path(), &line);
+    let backward: Value = serde_json::from_slice(&done.stdout).unwrap();
+    assert_eq!((&forward["ratio"], &forward["sizes"]), (&backward["ratio"], &backward["sizes"]));
+    let speed = |of: &Value| of["output_speed_rad_s"].as_f64().unwrap();
+    assert!(speed(&forward) > 0.0 && speed(&forward) == -speed(&backward));
+}
+
+/// Without stages that hold, each way out is what the same command finds with its option typed.
+#[test]
+fn stages_that_are_not_found_name_the_limits_in_the_way() {
+    let typed = |limit: &Value| {
+        let number = |key: &str| limit[key].as_f64().unwrap();
+        let range = || format!("{}..{}", number("least"), number("greatest"));
+        Some(match limit["limit"].as_str().unwrap() {
+            "largest_ring" => format!("--max-ring={}m", number("greatest")),
+            "tolerance" => format!("--tolerance={}", number("greatest")),
+            "stages" => format!("--stages={}", range()),
+            "sun_teeth" => format!("--sun={}", range()),
+            "planet_teeth" => format!("--planet={}", range()),
+            "ring_teeth" => format!("--ring={}", range()),
+            "ring_to_sun_ratio" => format!("--k={}", range()),
+            "ring_offset" => format!("--ring-offset={}", range()),
+            // Options that are left out.
+            _ => return None,
+        })
+    };
+    let orders: &[(&[&str], &str)] = &[
+        (&["--ratio=5", "--max-ring=100mm"], "largest_ring"),
+        (&["--ratio=20", "--stages=1"], "stages"),
+        (&["--ratio=3.2", "--stages=1", "--tolerance=0", "--sun=30", "--planet=17..80"], "tolerance"),
+        (&["--ratio=11", "--stages=1..1", "--sun=29..30", "--planet=40..45"], "stages"),
+    ];
+    for (order, limit) in orders {
+        let (code, answer, said) = stages(order);
+        assert_eq!((code, answer["file"].is_null()), (1, true), "{order:?}: {said}");
+        let ways = answer["ways_out"].as_array().unwrap();
+        let of = |way: &Value| way["limits"].as_array().unwrap().clone();
+        assert!(
+            ways.iter().any(|way| of(way).iter().any(|one| one["limit"] == *limit)),
+            "{order:?}: {ways:?}"
+        );
+        assert!(said.starts_with("error: no stages in series that hold were found; --"), "{said}");
+        for way in ways {
+            let Some(options) = of(way).iter().map(typed).collect::<Option<Vec<_>>>() else { continue };
+            let is_kept = |word: &&&str| {
+                !options.iter().any(|option| option.split('=').next() == word.split('=').next())
+            };
+            let mut line: Vec<&str> = order.iter().filter(is_kept).copied().collect();
+            line.extend(options.iter().map(String::as_str));
+            let (code, found, said) = stages(&line);
+            assert_eq!(code, 0, "{line:?}: {said}");
+            let taken = found["trains"].as_array().unwrap().iter().find(|of| of["taken"] == true).unwrap();
+            assert_eq!(taken["best"]["teeth"], way["teeth"], "{line:?}");
+        }
+        let shown: Vec<&str> = STAGES.iter().copied().filter(|word| *word != "--format=json").collect();
+        let shown = text(&output(here().path(), &[&shown[..], order].concat()).stdout);
+        assert!(!shown.contains("No warnings"), "{shown}");
+    }
+    let (code, answer, said) = stages(&["--ratio=1.5"]);
+    assert!(code == 1 && answer["ways_out"].as_array().is_some(), "{said}");
+    assert!(said.contains("--ratios 1.5"), "{said}");
+}
+
+/// Limits of a basis judge the design, and what a basis lacks is that of the application.
+#[test]
+fn a_basis_gives_its_limits_and_takes_what_it_lacks_of_the_application() {
+    let folder = here();
+    let write = |text: &str| fs::write(folder.path().join("basis.yaml"), text).unwrap();
+    let designed = |more: &[&str]| {
+        let line = [STAGES, &["--ratio=5", "--basis=basis.yaml", "--save=box.yaml"], more].concat();
+        let done = output(folder.path(), &line);
+        assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+        let answer: Value = serde_json::from_slice(&done.stdout).unwrap();
+        (answer, fs::read_to_string(folder.path().join("box.yaml")).unwrap())
+    };
+    write("life: 4000 h\nlimits: { face-width: ..0.3, oil-temperature: ..80 }\n");
+    let (answer, file) = designed(&["--application=mixer"]);
+    assert!(file.contains("face-width: ..0.3") && file.contains("K_A: 1.5"), "{file}");
+    assert!(file.contains("life: 4000 h") && file.contains("flank: 1.2"), "{file}");
+    let checks = answer["sizes"]["judgement"]["checks"].as_array().unwrap();
+    let of_width: Vec<&Value> = checks.iter().filter(|check| check["name"] == "face-width").collect();
+    assert!(!of_width.is_empty() && of_width.iter().all(|check| check["source"] == "what is stated"));
+    // A stated limit that nothing judges is listed as not judged.
+    let not_judged = answer["sizes"]["judgement"]["not_judged"].to_string();
+    assert!(not_judged.contains("oil-temperature"), "{not_judged}");
+    let warned = answer["warnings"].to_string();
+    assert!(warned.contains("application-not-used") && warned.contains("life 20000 h"), "{warned}");
+    write("strength: { factors: { K_A: 2 } }\n");
+    let (answer, file) = designed(&[]);
+    assert!(file.contains("K_A: 2") && file.contains("K_v: 1.1"), "{file}");
+    assert!(!answer["warnings"].to_string().contains("application-not-used"));
+}
+
+/// Values of the application that a file to size states otherwise are told.
+#[test]
+fn values_of_an_application_that_are_not_used_are_told() {
+    let folder = here();
+    let line = [STAGES, &["--ratio=5", "--application=conveyor", "--save=box.yaml"]].concat();
+    assert_eq!(output(folder.path(), &line).status.code(), Some(0));
+    let size = |application: &str| {
+        let line = ["size", "box.yaml", "--no-bearings", "--application", application];
+        text(&output(folder.path(), &line).stdout)
+    };
+    assert!(!size("conveyor").contains("not used"));
+    let said = size("robot").split_whitespace().collect::<Vec<_>>().join(" ");
+    let told = "--application: life 20000 h, required.flank 1, required.root 1.4, K_A 1.1 are not used: the file states other values";
+    assert!(said.contains(told), "{said}");
+}
+
+/// Each refusal names the option or key, what is wrong, and what to type.
+#[test]
+fn values_that_make_no_sense_are_refused_with_what_to_type() {
+    let folder = here();
+    let cases: &[(&[&str], &[&str])] = &[
+        (&["--ratio=5", "--factors=K_A=0.01"], &["--factors", "K_A is given as 0.01", "not below 1"]),
+        (&["--ratio=5", "--factors=K_v 0.5"], &["--factors", "K_v is given as 0.5"]),
+        (&["--ratio=5", "--factors=Y_S -1"], &["--factors", "above 0"]),
+        (&["--ratio=5", "--overload=0.5"], &["--overload: 0.5", "write 1 or more"]),
+        (&["--ratios=4 4 1"], &["--ratios: 4 is given twice", "write it once"]),
+        (&["--ratio=5", "--life=10000"], &["--life", "write '10000 h'"]),
+        (&["--ratio=5", "--life=-5h"], &["--life", "a life is above 0"]),
+        (&["--ratio=5", "--tolerance=3"], &["--tolerance: 3", "write '3 %'"]),
+        (&["--ratios=3", "--tolerance=3"], &["--tolerance: 3", "write '3 %'"]),
+        (&["--ratios=3; 2; 1", "--tolerance=3"], &["--tolerance: 3", "write '3 %'"]),
+        (&["--speeds=1m/s, 2m/s", "--shares=0.5, 0.6"], &["--shares", "110 %", "'45.45 %, 54.55 %'"]),
+        (&["--speeds=1m/s, 2m/s", "--shares=-50%, 150%"], &["--shares: -50 %"]),
+        (&["--ratios=3; 2; 1", "--shares=50%, 10%, 10%"], &["--shares", "70 %"]),
+        (&["--ratio=5", "--tries=3"], &["tip: leave out '--ratio', or '--tries'"]),
+    ];
+    for (options, parts) in cases {
+        let line = [&["design", "--power=10kW", "--input=1450rpm"], *options].concat();
+        let said = refusal(folder.path(), &line);
+        assert!(parts.iter().all(|part| said.contains(part)), "{options:?}: {said}");
+        assert!(!said.contains("in the making"), "{said}");
+    }
+}
+
+/// The file with the pasted lines is complete.
+#[test]
+fn keys_that_sheet_and_vibrate_lack_are_given_to_paste() {
+    let folder = here();
+    let set = |more: &str| {
+        format!(
+            "gearbox: P\ninput: s\noutput: c\nsets:\n  - {{ id: P, sun: s, ring: ground, carrier: c, teeth: [20, 70], planets: 3{more} }}\ngears: [{{ name: only }}]\n"
+        )
+    };
+    for command in ["sheet", "vibrate"] {
+        fs::write(folder.path().join("box.yaml"), set("")).unwrap();
+        let said = refusal(folder.path(), &[command, "box.yaml"]);
+        assert!(said.contains("missing: `module`"), "{said}");
+        let pasted = said.lines().find(|line| line.starts_with(", ")).unwrap();
+        fs::write(folder.path().join("box.yaml"), set(pasted)).unwrap();
+        let done = output(folder.path(), &[command, "box.yaml"]);
+        assert_eq!(done.status.code(), Some(0), "{command}: {}", text(&done.stderr));
     }
 }

@@ -4,7 +4,8 @@
 //! - [`records`]: steps, each with its choice and the next best.
 //! - [`stages`]: stages in series for one ratio.
 //! - [`transmission`]: a list of gears.
-//! - [`ways_out`]: limits to relax if no gearbox is found, each with the gearbox that is then found.
+//! - [`ways_out`], [`stages_ways_out`]: limits to relax if no gearbox is found, each with the gearbox that is
+//!   then found.
 //!
 //! Scheme, tooth numbers and sizes are chosen together by [`lightest`](epicyclic_strength::lightest), among all
 //! schemes that meet the criteria and all their tooth numbers.
@@ -16,6 +17,7 @@ mod making;
 pub mod masses;
 pub mod records;
 pub mod stages;
+pub mod stages_ways_out;
 pub mod transmission;
 pub mod ways_out;
 

@@ -27,6 +27,7 @@ impl FromStr for Factor {
             let all: Vec<String> = Symbol::ALL.iter().map(Symbol::to_string).collect();
             format!("{text}: no factor is called `{name}`; there are {}", all.join(", "))
         })?;
-        Ok(Self { name: name.to_owned(), symbol, value: value.get() })
+        let value = symbol.checked(value.get()).map_err(|error| format!("{text}: {error}"))?;
+        Ok(Self { name: name.to_owned(), symbol, value })
     }
 }

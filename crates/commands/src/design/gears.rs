@@ -54,6 +54,11 @@ impl Request {
         if let Some(wrong) = ratios.iter().find(|ratio| !(ratio.is_finite() && **ratio != 0.0)) {
             return Err(Failure::invalid("--ratios", format!("{wrong} is no ratio; it must not be 0")));
         }
+        let is_repeated = |(place, ratio): &(usize, &f64)| ratios[..*place].contains(ratio);
+        if let Some((_, twice)) = ratios.iter().enumerate().find(is_repeated) {
+            let message = format!("{twice} is given twice: every gear has a ratio of its own; write it once");
+            return Err(Failure::invalid("--ratios", message));
+        }
         if let Some(speeds) = &self.speeds.speeds {
             let speeds: Vec<f64> = speeds.values().into_iter().map(Physical::si).collect();
             let fastest = speeds.iter().copied().fold(0.0, f64::max);
@@ -65,13 +70,13 @@ impl Request {
         let all_k = Bounds::default().ring_to_sun_ratio;
         let asked_k = self.criteria.k(all_k.clone())?;
         let k = if asked_k == all_k { K } else { asked_k };
-        let mut shares = self.shares();
+        let mut shares = self.shares()?;
         if shares.is_empty() {
             shares = self.sizes.application.map(|of| of.shares(&ratios)).unwrap_or_default();
         }
         let wanted = WantedTransmission {
             ratios,
-            tolerance: self.tolerance.0.si(),
+            tolerance: self.tolerance()?,
             bounds: self.bounds([17..=60, 17..=80, 50..=140])?,
             k,
             limits: Limits {
@@ -93,7 +98,9 @@ impl Request {
             basis: self.basis()?,
             size: self.sized(),
         };
-        transmission::answer(&wanted, goes_on).map_err(refuse_of)
+        let mut transmission = transmission::answer(&wanted, goes_on).map_err(refuse_of)?;
+        transmission.warnings.extend(self.unused());
+        Ok(transmission)
     }
 
     /// The ratios of the request.

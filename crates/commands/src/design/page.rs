@@ -32,10 +32,10 @@ pub fn sheet_of_transmission(of: &Transmission, gearbox: Option<Sheet>, command:
 fn empty(about: String, report: Report, command: &str) -> Sheet {
     Sheet {
         title: "Design of a gearbox".to_owned(),
+        objections: vec!["No gearbox was found.".to_owned()],
         about,
         answer: vec![Block::Answer(report)],
         arrangement: Arrangement::Rows,
-        objections: vec![],
         sections: vec![],
         input: command.to_owned(),
     }

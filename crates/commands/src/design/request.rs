@@ -1,9 +1,11 @@
 //! The command `design`: from speeds and power to a gearbox whose sizes hold.
 
+use crate::answer::Warning;
 use crate::design::Factor;
 use crate::design::answer::stages::{self, Stages, WantedStages};
 use crate::design::answer::transmission::Transmission;
 use crate::design::answer::{Design, Wanted, answer};
+use crate::design::table::stages::why_no_stages;
 use crate::design::table::way_out;
 use crate::desk::Call;
 use crate::error::Error;
@@ -28,6 +30,7 @@ use crate::shared::selection::{Criteria, RatioOptions, Speeds, refuse_selection,
 use crate::size::Request as SizeRequest;
 use crate::size::request::{self as sizing, BearingsFile};
 use crate::strength::answer::factors::twice;
+use crate::tolerance::SHARES;
 use epicyclic_formats::{Document, RangeError, Span};
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_selection::{Mechanism, Order, Rating, Signs};
@@ -35,7 +38,7 @@ use epicyclic_strength::load::{Floating, load_sharing};
 use epicyclic_strength::series::Teeth;
 use epicyclic_strength::sizing::Objective as MinimisedSize;
 use epicyclic_units::format::trimmed;
-use epicyclic_units::{Number, Physical, Quantity};
+use epicyclic_units::{Number, Physical, Quantity, QuantityError};
 use std::ops::{ControlFlow, RangeInclusive};
 use std::path::PathBuf;
 use uom::si::f64::{AngularVelocity, Power, Ratio, Time, Torque};
@@ -164,7 +167,7 @@ pub struct Request {
     pub factors: Option<List<Factor>>,
 
     /// Required life.
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    #[arg(long, value_name = "TIME", value_parser = life, allow_hyphen_values = true)]
     pub life: Option<Quantity<Time>>,
 
     /// Greatest deviation of a ratio, and of a speed, from the one asked for: 3%, or 0.03.
@@ -245,8 +248,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     if request.is_of_stages() {
         let stages = request.answer_stages(&|| call.goes_on())?;
         let sheet = |own| crate::design::page::sheet_of_stages(&stages, own, &imprint::command(call));
-        let why_none = "no stages that hold were found; a larger --max-ring or --tolerance, other --planets, --sun or --stages may give some";
-        return deliver(call, args, &stages, stages.file.as_deref(), sheet, why_none.to_owned());
+        return deliver(call, args, &stages, stages.file.as_deref(), sheet, why_no_stages(&stages));
     }
     if request.is_of_gears() {
         let of_gears = request.answer_gears(&|| call.goes_on())?;
@@ -333,7 +335,9 @@ impl Request {
     /// [`Failure::Option`] and [`Failure::Range`] for an option that cannot be, [`Failure::Answer`] if the
     /// basis lacks what the strength needs. That no gearbox was found is an answer.
     pub fn answer(&self, watch: &Watch) -> Result<Design, Failure> {
-        answer(&self.wanted()?, watch).map_err(refuse_of)
+        let mut design = answer(&self.wanted()?, watch).map_err(refuse_of)?;
+        design.warnings.extend(self.unused());
+        Ok(design)
     }
 
     /// Rings of several sets do not add up: they are no objective of a gearbox.
@@ -354,6 +358,7 @@ impl Request {
         // A ratio with a minus asks for a reversing output, which is otherwise refused by default.
         let is_reverse_asked = self.ratios.signs(&self.speeds) == Signs::AsGiven;
         let same_direction = self.same_direction || (!self.may_reverse && !is_reverse_asked);
+        self.tolerance()?;
         let (tolerance, speeds) = (self.tolerance, &self.speeds);
         let requirements =
             requirements(speeds, tolerance, &self.ratios, &self.criteria, same_direction, rating)?;
@@ -372,7 +377,7 @@ impl Request {
             bounds,
             ring_offsets: self.ring_offset.clone(),
             tooth_design: self.tooth_design.map(|number| usize::try_from(number).unwrap_or(usize::MAX)),
-            shares: self.shares(),
+            shares: self.shares()?,
             overload: self.overload()?,
             basis: self.basis()?,
             size: self.sized(),
@@ -384,7 +389,9 @@ impl Request {
     /// # Errors
     /// As of [`Self::answer`].
     pub fn answer_stages(&self, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Stages, Failure> {
-        stages::answer(&self.wanted_stages()?, goes_on).map_err(refuse_of)
+        let mut stages = stages::answer(&self.wanted_stages()?, goes_on).map_err(refuse_of)?;
+        stages.warnings.extend(self.unused());
+        Ok(stages)
     }
 
     fn wanted_stages(&self) -> Result<WantedStages, Failure> {
@@ -392,12 +399,15 @@ impl Request {
         let speed = self.input.0.abs();
         let ratio = match (self.ratio, self.output_speed) {
             (Some(ratio), _) => ratio.get(),
-            (None, Some(output)) => (speed / output.0).si(),
+            (None, Some(output)) => (self.input.0 / output.0).si(),
             (None, None) => return Err(due()),
         };
-        // A quotient of the fast speed over the slow one; the direction is that of the input.
-        let steps_up = ratio.abs() < 1.0;
-        let quotient = if steps_up { 1.0 / ratio } else { ratio }.abs();
+        if ratio < 0.0 {
+            return Err(self.reversal(ratio));
+        }
+        // A quotient of the fast speed over the slow one.
+        let steps_up = ratio < 1.0;
+        let quotient = if steps_up { 1.0 / ratio } else { ratio };
         if !(quotient.is_finite() && quotient > 1.0) {
             let message = format!("{}: stages in series have a ratio other than 0 and 1", trimmed(ratio, 6));
             let option = if self.ratio.is_some() { "--ratio" } else { "--output-speed" };
@@ -405,17 +415,12 @@ impl Request {
         }
         let load = match (self.torque, self.output_torque, self.power) {
             (Some(torque), ..) => Some(Load::Torque(torque.0)),
-            (_, Some(torque), _) => Some(Load::Torque(torque.0 / ratio.abs())),
+            (_, Some(torque), _) => Some(Load::Torque(torque.0 / ratio)),
             (.., power) => power.map(|power| Load::Power(power.0)),
         };
-        let duty = Duty { input_speed: Some(self.input.0), load };
-        let tolerance = self.tolerance.0.si();
-        if !(0.0..1.0).contains(&tolerance) {
-            return Err(Failure::invalid(
-                "--tolerance",
-                format!("{}: 0 to below 1, or 100 %, is due", self.tolerance),
-            ));
-        }
+        // Power enters in either direction.
+        let duty = Duty { input_speed: Some(speed), load };
+        let tolerance = self.tolerance()?;
         self.refuse_ring()?;
         let bounds = self.teeth([Application::suns(self.sizes.application), 17..=80, 50..=160])?;
         let stages = self.stages.clone().unwrap_or(1..=MOST_STAGES);
@@ -433,6 +438,8 @@ impl Request {
                 is_hunting: self.hunting_teeth || self.sizes.application == Some(Application::Wind),
             },
             speed,
+            is_backward: self.input.0.si() < 0.0,
+            is_hunting_asked: self.hunting_teeth && self.sizes.application != Some(Application::Wind),
             torque: duty.torque().map_err(refuse_of)?.ok_or(Error::NoLoad).map_err(refuse_of)?,
             is_of_output: self.output_torque.is_some(),
             overload: self.overload()?,
@@ -440,6 +447,32 @@ impl Request {
             basis: self.basis()?,
             size: self.sized(),
         })
+    }
+
+    /// Refuses an output that turns against the input, with what to type for one that does.
+    fn reversal(&self, ratio: f64) -> Failure {
+        let asked = trimmed(ratio.abs(), 6);
+        let (option, value, forward) = match (&self.ratio, &self.output_speed) {
+            (None, Some(output)) => {
+                let forward =
+                    Quantity(if self.input.0.si() < 0.0 { -output.0.abs() } else { output.0.abs() });
+                let value = format!("{output} with --input {}", self.input);
+                ("--output-speed", value, format!("--output-speed '{forward}'"))
+            }
+            _ => ("--ratio", trimmed(ratio, 6), format!("--ratio {asked}")),
+        };
+        let load = if self.output_torque.is_some() {
+            ", with --power or --torque in place of --output-torque"
+        } else {
+            ""
+        };
+        Failure::invalid(
+            option,
+            format!(
+                "{value}: stages in series hold their rings and do not reverse; write {forward}, or for a \
+                 gear that reverses, beside direct drive, --ratios '-{asked}'{load}"
+            ),
+        )
     }
 
     /// Speed and load of the input in every gear.
@@ -454,9 +487,40 @@ impl Request {
         SizeRequest { minimise: self.sizes.minimise.or(Some(MinimisedSize::Whole)), ..self.sizes.clone() }
     }
 
-    /// Shares of the time of the gears.
-    pub(super) fn shares(&self) -> Vec<f64> {
-        self.shares.iter().flat_map(|shares| &shares.0).map(|share| share.0.si()).collect()
+    /// Shares of the time of the gears, which are together all of it.
+    pub(super) fn shares(&self) -> Result<Vec<f64>, Failure> {
+        let shares: Vec<f64> =
+            self.shares.iter().flat_map(|shares| &shares.0).map(|share| share.0.si()).collect();
+        let in_percent = |share: f64| format!("{} %", trimmed(100.0 * share, 6));
+        if let Some(wrong) = shares.iter().find(|share| !(**share >= 0.0)) {
+            let message = format!("{}: a share of the time is not below 0", in_percent(*wrong));
+            return Err(Failure::invalid("--shares", message));
+        }
+        let sum: f64 = shares.iter().sum();
+        if !shares.is_empty() && (sum - 1.0).abs() > SHARES {
+            let whole: Vec<String> = whole(&shares, sum).into_iter().map(in_percent).collect();
+            let message = format!(
+                "the shares are {} together; they must be 100 %, as '{}'",
+                in_percent(sum),
+                whole.join(", ")
+            );
+            return Err(Failure::invalid("--shares", message));
+        }
+        Ok(shares)
+    }
+
+    /// Allowed deviation of ratios.
+    pub(super) fn tolerance(&self) -> Result<f64, Failure> {
+        let tolerance = self.tolerance.0.si();
+        if (0.0..1.0).contains(&tolerance) {
+            return Ok(tolerance);
+        }
+        let percent = trimmed(tolerance, 6);
+        // A number from 1 on is most likely meant in percent.
+        let meant =
+            if (1.0..100.0).contains(&tolerance) { format!("; write '{percent} %'") } else { String::new() };
+        let message = format!("{}: allowed is 0 to below 100 %{meant}", self.tolerance);
+        Err(Failure::invalid("--tolerance", message))
     }
 
     /// Bounds of tooth numbers and numbers of planets, with the teeth that are usual where none are given.
@@ -484,12 +548,21 @@ impl Request {
     pub(super) fn overload(&self) -> Result<Option<f64>, Failure> {
         let factor = self.overload.map(|factor| factor.0.si());
         match factor {
-            Some(factor) if !(factor.is_finite() && factor > 0.0) => {
-                let message = format!("{factor} is no factor of a torque; it must be above 0");
+            Some(factor) if !(factor.is_finite() && factor >= 1.0) => {
+                let message = format!(
+                    "{}: the greatest torque is not below that of the load; write 1 or more, such as 1.5",
+                    trimmed(factor, 6)
+                );
                 Err(Failure::invalid("--overload", message))
             }
             _ => Ok(factor),
         }
+    }
+
+    /// A remark on values of the application that the file of the basis states otherwise.
+    pub(super) fn unused(&self) -> Option<Warning> {
+        let basis = self.basis.as_ref()?;
+        self.sizes.application?.not_used(&basis.file(), "the file of --basis")
     }
 
     /// The basis with the factors and the life of the request.
@@ -514,6 +587,31 @@ impl Request {
             basis = basis.with("life", life.to_string().into());
         }
         Ok(basis)
+    }
+}
+
+/// Shares in proportion to these, in hundredths of a percent, that are together 1; of none, equal ones.
+fn whole(shares: &[f64], sum: f64) -> Vec<f64> {
+    let of = |share: &f64| if sum > 0.0 { share / sum } else { 1.0 / shares.len() as f64 };
+    let mut all: Vec<f64> = shares.iter().map(|share| (of(share) * 1e4).round() / 1e4).collect();
+    let others: f64 = all.iter().skip(1).sum();
+    all[0] = 1.0 - others;
+    all
+}
+
+/// Required life; a number alone is most likely meant in hours.
+fn life(text: &str) -> Result<Quantity<Time>, String> {
+    if let Ok(number) = text.parse::<Number>() {
+        return Err(format!(
+            "{text}: no unit; write '{} h', or another unit of time (s, min, h)",
+            trimmed(number.get(), 12)
+        ));
+    }
+    let life: Quantity<Time> = text.parse().map_err(|error: QuantityError| error.to_string())?;
+    if life.0.si() > 0.0 {
+        Ok(life)
+    } else {
+        Err(format!("{text}: a life is above 0; write such as '20000 h'"))
     }
 }
 

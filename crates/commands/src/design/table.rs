@@ -3,6 +3,7 @@
 pub(crate) mod stages;
 pub(crate) mod transmission;
 
+use crate::answer::Warning;
 use crate::design::answer::Design;
 use crate::design::answer::masses::Masses;
 use crate::design::answer::records::{OtherScheme, SchemeStep, SizesStep, TeethStep, TeethTaken};
@@ -65,8 +66,13 @@ impl AsReport for Design {
     fn report(&self) -> Report {
         let mut parts = parts_of_choice(self);
         parts.extend(self.sizes.iter().flat_map(parts_of_sizes));
-        Report { title: Some(in_short(self)), parts, warnings: warned(&self.warnings) }
+        Report { title: Some(in_short(self)), parts, warnings: of_found(&self.warnings, self.file.is_some()) }
     }
+}
+
+/// Warnings of a design; without a gearbox there is nothing that could be without warnings.
+pub(super) fn of_found(warnings: &[Warning], is_found: bool) -> Option<Vec<(&'static str, String)>> {
+    warned(warnings).filter(|_| is_found || !warnings.is_empty())
 }
 
 /// The speeds asked for and reached, the steps, ways out, and assumed values.
@@ -147,22 +153,18 @@ fn safeties(set: &SizedSet) -> impl Iterator<Item = Worn<'_>> {
     })
 }
 
-/// The scheme with the mass of its gears.
+/// The scheme with the speeds that it reaches, ring, masses, least safeties and life.
 pub(crate) fn in_short(design: &Design) -> String {
-    let name = design.scheme.taken.as_deref().unwrap_or("no scheme");
+    let name = design.scheme.taken.as_deref();
+    let (Some(name), Some(sizes), Some(_)) = (name, &design.sizes, &design.file) else {
+        let best = name.map(|name| format!("; the best scheme is {name}")).unwrap_or_default();
+        return format!("No gearbox with these speeds that holds was found{best}.");
+    };
     let off = percent(largest_deviation(&design.speeds)).replace('+', "");
-    match design.sizes.as_ref().and_then(|sizes| sizes.mass_kg).filter(|_| design.file.is_some()) {
-        Some(mass) => {
-            let mass = words(Dimension::Mass, mass, DIGITS);
-            let whole = design.masses.map_or_else(String::new, |of| {
-                format!(", whole about {},", words(Dimension::Mass, of.whole_kg, 2))
-            });
-            format!(
-                "{name}: speeds within {off} of those asked for; gears of {mass}{whole} hold over the duty."
-            )
-        }
-        None => format!("{name}: no gearbox that holds was found."),
-    }
+    let asked = trimmed(100.0 * design.scheme.criteria.tolerance, 3);
+    let mut all = vec![name.to_owned(), format!("speeds within {off} (asked {asked} %)")];
+    all.extend(of_sizes(sizes, design.masses.as_ref()));
+    format!("{}.", all.join(", "))
 }
 
 /// Why a design ends before its last step.
@@ -222,15 +224,21 @@ pub fn way_out(way: &WayOut) -> String {
     format!("{} gives {}{}", options(way), way.scheme, mass(&way.teeth))
 }
 
-/// The options that relax the limits, as they are typed.
 fn options(way: &WayOut) -> String {
-    let all: Vec<String> = way.limits.iter().map(option).collect();
+    options_of(&way.limits)
+}
+
+/// The options that relax the limits, as they are typed.
+pub(super) fn options_of(limits: &[RelaxedLimit]) -> String {
+    let all: Vec<String> = limits.iter().map(option).collect();
     all.join(" ")
 }
 
 fn option(one: &RelaxedLimit) -> String {
     let number = |value: Option<f64>| trimmed(value.unwrap_or_default(), 6);
     let (least, greatest) = (number(one.least), number(one.greatest));
+    let end = |value: Option<f64>| value.map(|value| trimmed(value, 6)).unwrap_or_default();
+    let range = || format!("{}..{}", end(one.least), end(one.greatest));
     match one.limit {
         Limit::Tolerance => format!("--tolerance {}%", trimmed(100.0 * one.greatest.unwrap_or_default(), 6)),
         Limit::RingToSunRatio => format!("--k {least}..{greatest}"),
@@ -242,15 +250,20 @@ fn option(one: &RelaxedLimit) -> String {
         Limit::SameDirection => "--may-reverse".to_owned(),
         Limit::Drawable => "--allow-crossing".to_owned(),
         Limit::Structures => "--all-structures".to_owned(),
-        Limit::SunTeeth => format!("--sun {least}.."),
-        Limit::PlanetTeeth => format!("--planet {least}.."),
-        Limit::RingTeeth => format!("--ring ..{greatest}"),
+        Limit::SunTeeth => format!("--sun {}", range()),
+        Limit::PlanetTeeth => format!("--planet {}", range()),
+        Limit::RingTeeth => format!("--ring {}", range()),
         Limit::RingOffset => format!("--ring-offset {least}..{greatest}"),
         Limit::WidthRatio => format!("--width-ratio {greatest}"),
         Limit::Modules => "without --modules".to_owned(),
         Limit::FaceWidths => "without --face-widths".to_owned(),
-        Limit::LargestRing => "without --max-ring".to_owned(),
+        Limit::LargestRing => match one.greatest {
+            Some(ring) => format!("--max-ring {}mm", trimmed(1e3 * ring, 6)),
+            None => "without --max-ring".to_owned(),
+        },
         Limit::Planets => format!("--planets ..{greatest}"),
+        Limit::Stages => format!("--stages {}", range()),
+        Limit::HuntingTeeth => "without --hunting-teeth".to_owned(),
     }
 }
 

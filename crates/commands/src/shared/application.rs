@@ -1,12 +1,17 @@
 //! Usual values of what a gearbox is for.
 
+use crate::answer::Warning;
 use crate::shared::basis::Basis;
 use crate::shared::bearing_type::BearingType;
+use crate::strength::answer::factors::KEYS;
+use crate::table::figure::hours;
+use crate::tolerance::SAME;
 use epicyclic_formats::yaml::{Mapping, Value};
+use epicyclic_strength::factor::Symbol;
 use epicyclic_strength::masses::{CAR_DISCS, INDUSTRIAL_DISCS};
-use epicyclic_units::Physical;
+use epicyclic_units::{Physical, Quantity};
 use std::ops::RangeInclusive;
-use uom::si::f64::Length;
+use uom::si::f64::{Length, Time};
 
 /// Modules of servo drives in mm, of series I of DIN 780.
 const FINE_MODULES_MM: [f64; 9] = [0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.25, 1.5, 2.0];
@@ -49,6 +54,17 @@ struct Usual {
     life_h: u32,
     /// Required safeties of flank and root.
     safeties: [f64; 2],
+}
+
+/// Application factors that the sets of a file state.
+fn k_a_of(file: &Value) -> Vec<f64> {
+    let sets = ["sets", "compound_sets"].into_iter().filter_map(|key| file.get(key)?.as_sequence()).flatten();
+    let strengths = sets.chain([file]).filter_map(|set| set.get("strength"));
+    let factors =
+        strengths.flat_map(|strength| KEYS.into_iter().filter_map(|key| strength.get(key)?.as_mapping()));
+    let is_k_a =
+        |(name, _): &(&Value, &Value)| name.as_str().and_then(Symbol::named) == Some(Symbol::Application);
+    factors.flatten().filter(is_k_a).filter_map(|(_, value)| value.as_f64()).collect()
 }
 
 impl Application {
@@ -145,6 +161,35 @@ impl Application {
             Some(Self::Robot) => 12..=30,
             _ => 17..=30,
         }
+    }
+
+    /// A remark on values of the application that a file states otherwise; `None` without such values.
+    pub(crate) fn not_used(self, file: &Value, name: &str) -> Option<Warning> {
+        let Usual { k_a, life_h, safeties: [flank, root] } = self.usual();
+        let differs = |own: f64, usual: f64| (own - usual).abs() > SAME * usual;
+        let mut all = vec![];
+        let life =
+            file.get("life").and_then(Value::as_str).and_then(|life| life.parse::<Quantity<Time>>().ok());
+        if life.is_some_and(|life| differs(hours(life.0.si()), f64::from(life_h))) {
+            all.push(format!("life {life_h} h"));
+        }
+        for (key, usual) in [("flank", flank), ("root", root)] {
+            let own = file.get("required").and_then(|required| required.get(key)?.as_f64());
+            if own.is_some_and(|own| differs(own, usual)) {
+                all.push(format!("required.{key} {usual}"));
+            }
+        }
+        if k_a_of(file).into_iter().any(|own| differs(own, k_a)) {
+            all.push(format!("K_A {k_a}"));
+        }
+        (!all.is_empty()).then(|| Warning {
+            name: "application-not-used",
+            message: format!(
+                "--application: {} not used: {name} states {}; delete there what --application is to decide",
+                if all.len() == 1 { format!("{} is", all[0]) } else { format!("{} are", all.join(", ")) },
+                if all.len() == 1 { "another value" } else { "other values" },
+            ),
+        })
     }
 
     /// The default basis with the values of the application.

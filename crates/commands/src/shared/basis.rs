@@ -3,22 +3,23 @@
 use crate::error::Error;
 use crate::shared::fault::{Named, refused};
 use crate::strength::answer::factors;
-use epicyclic_formats::gearbox::Gears;
-use epicyclic_formats::yaml::Value;
-use epicyclic_formats::{Document, Faults, Path};
+use epicyclic_formats::gearbox::{Gears, check_limits};
+use epicyclic_formats::yaml::{Mapping, Value};
+use epicyclic_formats::{Document, Faults, Path, Span};
 use epicyclic_strength::factor::Symbol;
 use epicyclic_train::set::SetKind;
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// Assumed materials, factors, tools, oil, life and required safeties, as written in a gearbox file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Basis {
-    /// Value of the key `strength` of each set.
+    /// Value of the key `strength` of each set; null if a file lacks it.
     pub strength: Value,
     /// Value of the key `tools` of each set; if `None`, the usual tools are assumed.
     pub tools: Option<Value>,
-    /// Keys of the gearbox: life, oil, required, materials, density, pressure angle, addendum.
+    /// Keys of the gearbox: life, oil, required, limits, materials, density, pressure angle, addendum.
     pub keys: Vec<(String, Value)>,
 }
 
@@ -33,7 +34,8 @@ pub struct BasisKey {
 }
 
 /// Keys of a gearbox that belong to a basis.
-const KEYS: [&str; 7] = ["life", "oil", "required", "materials", "density", "pressure_angle", "addendum"];
+const KEYS: [&str; 8] =
+    ["life", "oil", "required", "limits", "materials", "density", "pressure_angle", "addendum"];
 
 /// Default basis.
 pub const USUAL: &str = include_str!("basis.yaml");
@@ -51,44 +53,66 @@ impl Default for Basis {
 
 impl Basis {
     /// Reads the basis from a file: `strength` and `tools`, at its top or of the first set with `strength`,
-    /// and keys such as `life`. Missing keys are taken from the [default](USUAL). A gearbox with calculated
-    /// strength can therefore serve as the basis of another.
+    /// and keys such as `life` and `limits`. [`completed_by`](Self::completed_by) adds what is missing. A
+    /// gearbox with calculated strength can therefore serve as the basis of another.
     ///
     /// # Errors
-    /// [`Error::Document`] for a file without `strength`.
+    /// [`Error::Document`] for a file without any of these keys, and for factors and limits that cannot be.
     pub fn of(document: &Document) -> Result<Self, Error> {
         let file = document.value();
         let sets = file.get("sets").and_then(Value::as_sequence).map_or(0, Vec::len);
         let of_sets = (0..sets).map(|place| Path::root().key("sets").index(place));
         let mut places = std::iter::once(Path::root()).chain(of_sets);
         let found = places.find_map(|of| Some((document.value_at(&of.clone().key("strength"))?, of)));
-        let (strength, of) = found.ok_or_else(|| {
-            let message = "a basis has the key `strength`, at its top or of a set: materials, roughness, shaper, factors";
-            refused(document, &Path::root(), &[], &Named("missing-key", message))
-        })?;
+        let own = |key: &&str| Some(((*key).to_owned(), file.get(*key)?.clone()));
+        let keys: Vec<(String, Value)> = KEYS.iter().filter_map(own).collect();
+        if found.is_none() && keys.is_empty() {
+            let message = format!(
+                "a basis has the key `strength`, at its top or of a set: materials, roughness, shaper, factors; or one of `{}`",
+                KEYS.join("`, `")
+            );
+            return Err(refused(document, &Path::root(), &[], &Named("missing-key", message)));
+        }
+        let mut faults = Faults::default();
+        let of_limits = Path::root().key("limits");
+        if document.has(&of_limits) {
+            check_limits(&document.read_at::<BTreeMap<String, Span<f64>>>(&of_limits)?, &mut faults);
+        }
+        let (strength, of) =
+            found.map_or((Value::Null, Path::root()), |(strength, of)| (strength.clone(), of));
         let gears = Gears::of_kind(SetKind::Simple).names;
         let meshes = [0, 1].map(|first: usize| [first, first + 1].map(|gear| gears[gear].clone()));
         let kinds = ["sun", "planet", "ring"];
         let named = factors::Named { set: "of a design", gears: &gears, meshes: &meshes, kinds: &kinds };
-        let mut faults = Faults::default();
         named.check(document, &of.clone().key("strength"), &mut faults);
         if !faults.is_empty() {
             return Err(faults.placed(document, &Path::root()).into());
         }
         let tools = document.value_at(&of.key("tools")).cloned();
-        let own = |key: &&str| Some(((*key).to_owned(), file.get(*key)?.clone()));
-        Ok(Self { strength: strength.clone(), tools, keys: KEYS.iter().filter_map(own).collect() })
+        Ok(Self { strength, tools, keys })
     }
 
-    /// Adds the values that another basis has of missing keys.
+    /// Adds the values that another basis has of missing keys, also of `strength`: materials with what depends
+    /// on them, roughness, shaper, and factors that no key states.
     #[must_use]
     pub fn completed_by(mut self, usual: Self) -> Self {
+        match self.strength.as_mapping_mut() {
+            Some(own) => complete(own, &usual.strength),
+            None => self.strength = usual.strength.clone(),
+        }
         for (key, value) in usual.keys {
             if !self.keys.iter().any(|(own, _)| *own == key) {
                 self.keys.push((key, value));
             }
         }
         self
+    }
+
+    /// The keys as a file, with `strength` at its top.
+    pub(crate) fn file(&self) -> Value {
+        let strength = ("strength".to_owned(), self.strength.clone());
+        let keys = self.keys.iter().cloned().chain([strength]);
+        Value::Mapping(keys.map(|(key, value)| (Value::from(key), value)).collect::<Mapping>())
     }
 
     /// Lists all keys with their values.
@@ -142,6 +166,35 @@ impl Basis {
     }
 }
 
+/// Adds the values of a usual `strength` that another one lacks.
+fn complete(own: &mut Mapping, usual: &Value) {
+    // The static factor of the ring depends on its material.
+    let with_materials = if own.contains_key("materials") { &[][..] } else { &["materials", "ring_factors"] };
+    for key in [with_materials, &["flank_roughness", "root_roughness", "shaper"]].concat() {
+        if let Some(usual) = usual.get(key).filter(|_| !own.contains_key(key)) {
+            own.insert(key.into(), usual.clone());
+        }
+    }
+    let symbols = |own: &Mapping, key: &str| -> Vec<Symbol> {
+        let names = own.get(key).and_then(Value::as_mapping).into_iter().flatten();
+        names.filter_map(|(name, _)| Symbol::named(name.as_str()?)).collect()
+    };
+    let stated = symbols(own, "factors");
+    let of_meshes = ["sun_mesh_factors", "ring_mesh_factors"].map(|key| symbols(own, key));
+    let lacks = |symbol: &Symbol| {
+        !stated.contains(symbol) && !of_meshes.iter().all(|factors| factors.contains(symbol))
+    };
+    let usual = usual.get("factors").and_then(Value::as_mapping).into_iter().flatten();
+    let missing: Vec<(Value, Value)> = usual
+        .filter(|(name, _)| name.as_str().and_then(Symbol::named).is_some_and(|symbol| lacks(&symbol)))
+        .map(|(name, value)| (name.clone(), value.clone()))
+        .collect();
+    if !missing.is_empty() {
+        let factors = own.entry("factors".into()).or_insert_with(|| Value::Mapping(Mapping::new()));
+        factors.as_mapping_mut().into_iter().for_each(|factors| factors.extend(missing.clone()));
+    }
+}
+
 /// Formats a value in one line: lists and mappings as in one line of YAML.
 pub(crate) fn flow(value: &Value) -> String {
     match value {
@@ -186,9 +239,26 @@ mod tests {
         let tools =
             of("sets: [{ id: a }, { strength: {}, tools: { sun: { profile: D } } }]\n").unwrap().tools;
         assert_eq!(tools.unwrap()["sun"]["profile"], Value::from("D"));
-        let refused = of("life: 5 h\n").unwrap_err().to_string();
+        let refused = of("gearbox: P\n").unwrap_err().to_string();
         assert!(refused.starts_with("basis.yaml:1:1") && refused.contains("`strength`"), "{refused}");
     }
+
+    #[test]
+    fn a_basis_without_strength_gets_that_of_another_and_keeps_its_limits() {
+        let own = of("life: 5 h\nlimits: { face-width: 0.4..1.4 }\n").unwrap();
+        let whole = own.completed_by(Basis::default());
+        assert_eq!(whole.strength, Basis::default().strength);
+        assert!(whole.keys.iter().any(|(key, value)| key == "limits" && value.get("face-width").is_some()));
+        let part = of("strength: { factors: { KA: 2 }, materials: [a, b, c] }\n").unwrap();
+        let whole = part.completed_by(Basis::default()).strength;
+        assert_eq!((whole["factors"]["KA"].as_i64(), whole["factors"].get("K_A")), (Some(2), None));
+        assert_eq!(whole["materials"][0].as_str(), Some("a"));
+        assert!(whole["factors"].get("K_v").is_some() && whole.get("shaper").is_some());
+        assert!(whole.get("ring_factors").is_none());
+        let refused = of("limits: { face-width: -1..1.4 }\n").unwrap_err().to_string();
+        assert!(refused.contains("limits.face-width") && refused.contains("above 0"), "{refused}");
+    }
+
     /// The key and the spelling of a factor do not matter.
     #[test]
     fn a_factor_given_by_option_acts_in_any_spelling() {

@@ -21,7 +21,9 @@ pub struct Speeds {
     #[arg(long, conflicts_with = "ratios", allow_hyphen_values = true)]
     pub speeds: Option<Quantities<Velocity>>,
 
-    /// Ratios of the braked gears, in place of speeds: one or two. 2.5,1.5 or 2,5; 1,5.
+    /// Ratios of the gears, input speed over output speed, in place of speeds: '2.5, 1.5' or '2,5; 1,5'. One or
+    /// two are gears beside direct drive, with a minus where the output reverses; design takes more, as a list
+    /// of all gears.
     #[arg(long, allow_hyphen_values = true)]
     pub ratios: Option<PlainRatios>,
 

@@ -13,11 +13,13 @@ pub mod records;
 
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
+use crate::shared::basis::Basis;
 use crate::shared::fault::{Fault, Named, refused};
 use crate::shared::gearbox::Gearbox;
 use crate::shared::judgement::answer::Judgement;
 use crate::shared::tooth_checks::answer::ToothChecks;
 use crate::shared::toothed::{lacking, toothed};
+use crate::strength::answer::missing::{MissingKeys, Purpose};
 use crate::strength::answer::names::MeshName;
 use epicyclic_formats::Document;
 use epicyclic_formats::gearbox::{GearboxFile, SetData};
@@ -58,11 +60,16 @@ impl Answer for DataSheets {
 /// Computes the data sheets of all sets, or of one.
 ///
 /// # Errors
-/// - [`Error::NoSet`]; [`Error::NothingDescribed`] if no set has enough data.
+/// - [`Error::NoSet`]; [`Error::MissingKeys`] or [`Error::NothingDescribed`] if no set has enough data.
 /// - [`Error::Document`] for invalid data in the file, with the place.
 pub(crate) fn answer(subject: &Gearbox, set: Option<&str>) -> Result<DataSheets, Error> {
     let sheets = described(subject, set)?;
     if sheets.sets.is_empty() {
+        let file: GearboxFile = subject.document.read()?;
+        let missing = MissingKeys::of(subject, &file, &Basis::default(), Purpose::Sheets)?;
+        if let Some(refused) = missing.refused_of(set) {
+            return Err(refused);
+        }
         let why = |one: &LeftOut| format!("set {}: {}", one.set, one.why());
         return Err(Error::NothingDescribed { sets: sheets.left_out.iter().map(why).collect() });
     }

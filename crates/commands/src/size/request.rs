@@ -82,7 +82,10 @@ impl Request {
     /// [`Failure::Option`] for an empty space and impossible limits, [`Failure::Answer`] if no set can be
     /// sized, or with the place of missing or invalid data in the file.
     pub fn answer(&self, gearbox: &Gearbox, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Size, Failure> {
-        answer(gearbox, self, goes_on).map_err(refuse)
+        let mut size = answer(gearbox, self, goes_on).map_err(refuse)?;
+        let not_used = self.application.and_then(|of| of.not_used(gearbox.document.value(), "the file"));
+        size.warnings.extend(not_used);
+        Ok(size)
     }
 }
 

@@ -176,7 +176,7 @@ pub(crate) fn designs<'s>(
     .list("module", "m", Dimension::Length, |(.., one)| lengths(one, |family| family.module_m))
     .list("face_width", "b", Dimension::Length, |(.., one)| lengths(one, |family| family.face_width_m))
     .printed("face_width_over_diameter", "b/d", 2, |(.., one)| width_ratio(one))
-    .number("planets", "p", |(.., one)| one.planets)
+    .number("planets", "planets", |(.., one)| one.planets)
     .quantity("centre_distance", "a", Dimension::Length, |(.., one)| one.centre_distance_m)
     .words("bearing", "bearing", |(.., one)| bearings(one))
     .quantity("ring_diameter", "ring", Dimension::Length, |(.., one)| one.ring_diameter_m)
@@ -190,12 +190,12 @@ pub(crate) fn designs<'s>(
     .for_people()
     .view(
         title,
-        "set place module face_width face_width_over_diameter planets centre_distance bearing ring_diameter mass",
+        "set place module face_width face_width_over_diameter planets centre_distance ring_diameter mass governing",
     )
-    .note("b/d: face width over the reference diameter of the smallest sun, of a pair of the smaller gear; --width-ratio bounds it. A list has a value for each family of gears in mesh.")
+    .note("b/d: face width over the reference diameter of the smallest sun, of a pair of the smaller gear; --width-ratio bounds it. A list has a value for each family of gears in mesh. governs: the requirement with the least reserve.")
     .view(
-        format!("{title}: what governs, least safeties, bearing life"),
-        "set place governing flank_safety root_safety bearing_hours usual",
+        format!("{title}: bearings and their life, least safeties"),
+        "set place bearing bearing_hours flank_safety root_safety usual",
     )
     .note("Governs: what has the least reserve of torque; flanks have that of S_H². Usual: gears, widths, speeds and bearings miss no rule of practice; of others each miss counts as a quarter more.")
     .the_answer_if(name == "designs")
@@ -239,7 +239,7 @@ pub(crate) fn left_out(sets: &[SizedSet]) -> Records {
         .number("width_ratio", "b/d", |set| set.left_out.width_ratio as f64)
         .number("ring", "ring", |set| set.left_out.ring as f64)
         .number("rim", "rim", |set| set.left_out.rim as f64)
-        .number("bearing_width", "B > b", |set| set.left_out.bearing_width as f64)
+        .number("bearing_width", "bearing", |set| set.left_out.bearing_width as f64)
         .number("not_calculable", "outside", |set| set.left_out.not_calculable as f64)
         .number("flank", "S_H", |set| set.left_out.flank as f64)
         .number("root", "S_F", |set| set.left_out.root as f64)
@@ -254,7 +254,7 @@ pub(crate) fn left_out(sets: &[SizedSet]) -> Records {
             "Designs left out by strength and life",
             "set held not_calculable flank root overload bearing_life not_reached",
         )
-        .note("spacing: planets not at equal angles. shifts: none without fault. practice: refused by usual practice. b/d: wider than allowed. ring: larger than allowed. outside: beyond the standard. A design that misses several of S_H, S_F, overload and life counts where it misses most. not reached: not checked, no better than the last one found.")
+        .note("spacing: planets not at equal angles. shifts: none without fault. practice: refused by usual practice or stated limits. b/d: wider than allowed. ring: larger than allowed. rim: thinner than allowed. bearing: wider than its planet. outside: beyond the standard. A design that misses several of S_H, S_F, overload and life counts where it misses most. not reached: not checked, no better than the last one found.")
         .records()
 }
 

@@ -42,10 +42,12 @@ pub mod train_records;
 use crate::analyze::answer::{analysis, warnings};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
+use crate::shared::basis::Basis;
 use crate::shared::exciting::Exciting;
 use crate::shared::fault::Named;
 use crate::shared::gearbox::Gearbox;
 use crate::shared::judgement::answer::Judgement;
+use crate::strength::answer::missing::{MissingKeys, Purpose};
 use crate::tolerance::{ROUNDED, rounded};
 use crate::vibrate::options::Request;
 use assembly::{Built, Case};
@@ -104,8 +106,8 @@ impl Answer for Vibration {
 /// the calculation.
 ///
 /// # Errors
-/// - [`Error::NoGear`]; [`Error::NoSet`]; [`Error::NothingVibrates`] if no set has enough data; errors of
-///   [`Settled::of`].
+/// - [`Error::NoGear`]; [`Error::NoSet`]; [`Error::MissingKeys`] or [`Error::NothingVibrates`] if no
+///   set has enough data; errors of [`Settled::of`].
 /// - [`Error::Document`] for invalid data in the file, with the place.
 pub(crate) fn answer(
     subject: &Gearbox,
@@ -114,6 +116,12 @@ pub(crate) fn answer(
 ) -> Result<Vibration, Error> {
     let found = vibrating(subject, request, goes_on)?;
     if found.sets.is_empty() && found.torsional.is_empty() {
+        let file: GearboxFile = subject.document.read()?;
+        let missing = MissingKeys::of(subject, &file, &Basis::default(), Purpose::Vibration)?;
+        let lacks_keys = found.not_calculated.iter().any(|one| one.reason == Reason::KeysMissing);
+        if let Some(refused) = missing.refused_of(request.set.as_deref()).filter(|_| lacks_keys) {
+            return Err(refused);
+        }
         let why = |one: &NotCalculated| {
             let gear = one.gear.as_ref().map_or_else(String::new, |gear| format!(" in gear {gear}"));
             format!("set {}{gear}: {}", one.set, one.why())

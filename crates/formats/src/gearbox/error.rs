@@ -326,6 +326,26 @@ pub enum DescriptionError {
         /// Limit of the rule in words.
         limit: &'static str,
     },
+    /// A stated limit that is one number.
+    #[error(
+        "{value} allows this value alone; write `..{value}` for at most {value}, or `{value}..` for at least {value}"
+    )]
+    LimitOfOneValue {
+        /// The rule.
+        rule: &'static str,
+        /// The number.
+        value: f64,
+    },
+    /// A stated limit that no value can meet, or whose end no value can have.
+    #[error("{stated}: {what} is {within}; write a range of such values, or leave an end open")]
+    ImpossibleLimit {
+        /// The range.
+        stated: String,
+        /// The quantity.
+        what: &'static str,
+        /// Values that it can have.
+        within: String,
+    },
     /// A spacing of planets that is stated twice.
     #[error(
         "set `{set}`: the spacing of the planets is stated twice; give one of `planet_angles` and `spacing` (`vibration.planet_angles` is read as `planet_angles`)"

@@ -4,6 +4,7 @@ use super::{DescriptionError, GearboxFile};
 use crate::faults::Faults;
 use crate::{Path, Problem, Span};
 use epicyclic_judge::{Limits, Range, Rule};
+use std::collections::BTreeMap;
 
 impl GearboxFile {
     /// The limits to judge the gearbox by: the usual ones, and those that the file states in their place.
@@ -18,12 +19,41 @@ impl GearboxFile {
         limits
     }
 
-    /// Finds names that are no rule with a limit to state.
+    /// Finds limits that cannot be stated.
     pub(super) fn check_limits(&self, faults: &mut Faults) {
-        for name in self.limits.keys() {
-            faults.keep(Path::root().key("limits").key(name), statable(name));
-        }
+        check_limits(&self.limits, faults);
     }
+}
+
+/// Finds limits of the key `limits` that cannot be stated: names that are no rule with a limit to state, and
+/// ranges that no value can meet or that allow one value alone.
+pub fn check_limits(limits: &BTreeMap<String, Span<f64>>, faults: &mut Faults) {
+    for (name, span) in limits {
+        let of = statable(name).and_then(|rule| possible(rule, *span));
+        faults.keep(Path::root().key("limits").key(name), of);
+    }
+}
+
+/// Refuses a range that values of a rule cannot meet, and a single number.
+fn possible(rule: Rule, span: Span<f64>) -> Result<(), Problem> {
+    let (range, stated) = (range(span), span.to_string());
+    if let Some(value) = span.single() {
+        return Err(DescriptionError::LimitOfOneValue { rule: rule.name(), value }.into());
+    }
+    let values = rule.values();
+    let is_within = |end: f64| !end.is_finite() || (values.least <= end && end <= values.most);
+    if is_within(range.least) && is_within(range.most) && rule.leaves_values(range) {
+        return Ok(());
+    }
+    let within = match [values.least, values.most].map(f64::is_finite) {
+        [true, true] => format!("from {} to {}", values.least, values.most),
+        [_, false] => {
+            format!("{} {}", if rule.is_above_least() { "above" } else { "at least" }, values.least)
+        }
+        [false, true] => format!("at most {}", values.most),
+    };
+    let unit = if rule.unit().is_empty() { String::new() } else { format!(" {}", rule.unit()) };
+    Err(DescriptionError::ImpossibleLimit { stated, what: rule.what(), within: within + &unit }.into())
 }
 
 fn range(span: Span<f64>) -> Range {
@@ -82,7 +112,18 @@ mod tests {
             ("{ face-width: 1.4..0.4 }", ["limits.face-width", "write the smaller number first: 0.4..1.4"]),
             ("{ face-width: .. }", ["limits.face-width", "is no range; write one such as 1.5..4"]),
             ("{ face-width: wide }", ["limits.face-width", "wide"]),
-            ("{ face-width: 1.2 mm }", ["limits.face-width", "1.2 mm"]),
+            ("{ face-width: 0.4..1.2 mm }", ["limits.face-width", "have no unit; write 0.4..1.2"]),
+            ("{ orbit-acceleration: ..100 g }", ["limits.orbit-acceleration", "have no unit; write ..100"]),
+            ("{ oil-temperature: ..80 °C }", ["limits.oil-temperature", "have no unit; write ..80"]),
+            ("{ face-width: 0.4 }", ["limits.face-width", "write `..0.4` for at most 0.4, or `0.4..`"]),
+            (
+                "{ face-width: -1..1.4 }",
+                ["limits.face-width", "-1..1.4: face width over the diameter of the smaller gear is above 0"],
+            ),
+            ("{ face-width: ..0 }", ["limits.face-width", "is above 0"]),
+            ("{ hunting-tooth: ..0.5 }", ["limits.hunting-tooth", "is at least 1"]),
+            ("{ stage-efficiency: 0.9..1.2 }", ["limits.stage-efficiency", "is from 0 to 1"]),
+            ("{ dynamic-factor: ..0.9 }", ["limits.dynamic-factor", "is at least 1"]),
             (
                 "{ bearing-life: 3000.. }",
                 [

@@ -69,8 +69,14 @@ pub fn search(order: &Order, most: usize, goes_on: &dyn Fn() -> ControlFlow<()>)
 }
 
 impl Teeth {
-    /// Sets whose ratio can be part of a train.
-    fn sets(&self, ratio: &RangeInclusive<f64>, stages: RangeInclusive<usize>) -> Vec<[ToothCount; 3]> {
+    /// Least and greatest ratio of one stage; `None` if the bounds leave no set.
+    #[must_use]
+    pub fn ratios(&self) -> Option<[f64; 2]> {
+        ends_of(&self.all())
+    }
+
+    /// All sets within the bounds.
+    fn all(&self) -> Vec<[ToothCount; 3]> {
         let mut all = vec![];
         for sun in self.suns.clone() {
             for planet in self.planets.clone() {
@@ -93,18 +99,31 @@ impl Teeth {
                 }
             }
         }
-        let of = |teeth: &[ToothCount; 3]| 1.0 + teeth[2].as_f64() / teeth[0].as_f64();
-        let ends = all
-            .iter()
-            .map(of)
-            .fold([f64::INFINITY, 0.0_f64], |[least, most], ratio| [least.min(ratio), most.max(ratio)]);
+        all
+    }
+
+    /// Sets whose ratio can be part of a train.
+    fn sets(&self, ratio: &RangeInclusive<f64>, stages: RangeInclusive<usize>) -> Vec<[ToothCount; 3]> {
+        let mut all = self.all();
+        let Some(ends) = ends_of(&all) else { return all };
         let is_part = |own: f64, stages: usize| {
             let [least, most] = ends.map(|end| own * libm::pow(end, stages as f64 - 1.0));
             least <= *ratio.end() && most >= *ratio.start()
         };
-        all.retain(|teeth| stages.clone().any(|stages| is_part(of(teeth), stages)));
+        all.retain(|teeth| stages.clone().any(|stages| is_part(ratio_of(teeth), stages)));
         all
     }
+}
+
+/// Ratio of a stage with its ring held.
+fn ratio_of(teeth: &[ToothCount; 3]) -> f64 {
+    1.0 + teeth[2].as_f64() / teeth[0].as_f64()
+}
+
+/// Least and greatest ratio of these sets; `None` without sets.
+fn ends_of(sets: &[[ToothCount; 3]]) -> Option<[f64; 2]> {
+    let ratios = sets.iter().map(ratio_of).map(|ratio| [ratio; 2]);
+    ratios.reduce(|[least, most], [ratio, _]| [least.min(ratio), most.max(ratio)])
 }
 
 /// Bounds of stages and of the rest of a train, by the range of the product of the ratios before them.

@@ -151,7 +151,7 @@ pub enum Objective {
     Mass,
     /// The outside diameter of each ring.
     Ring,
-    /// The mass of gears, carrier and housing, by a [rule](structure).
+    /// The mass of gears, carrier and housing, by a rule.
     Whole,
 }
 

@@ -17,21 +17,14 @@ use crate::answer::Warning;
 use crate::shared::gearbox::Gearbox;
 use crate::tolerance::rounded;
 use epicyclic_formats::gearbox::{GearboxFile, PlanetData};
-use epicyclic_gears::involute::practice::{orbit_acceleration, orbit_rule, pin_speed_rule};
-use epicyclic_gears::life::Rolling;
-use epicyclic_judge::Rule;
+use epicyclic_gears::involute::practice::{orbit_acceleration, orbit_rule, pin_speed, pin_speed_rule};
+use epicyclic_judge::{Rule, Severity};
 use epicyclic_units::Physical;
-use epicyclic_units::format::trimmed;
-use uom::si::f64::{AngularVelocity, Length};
-
-/// Digits of a figure in a warning.
-const DIGITS: usize = 4;
 
 /// The planet bearings that turn faster than is usual in these gears: all in one warning.
 pub(crate) fn warning(subject: &Gearbox, worked: &[&Worked<'_>]) -> Option<Warning> {
     // A list of transmissions has no diameters of bearings.
     let file: GearboxFile = subject.document.read().ok().filter(|_| subject.published.is_empty())?;
-    let most = |rule| subject.limits.bounds(rule).required().most;
     let mut beyond: Vec<String> = vec![];
     for bearing in subject.planet_bearings.iter().filter(|bearing| bearing.load_rating.is_some()) {
         let set = &subject.train.sets()[bearing.set];
@@ -49,11 +42,18 @@ pub(crate) fn warning(subject: &Gearbox, worked: &[&Worked<'_>]) -> Option<Warni
                 planet_name(set, bearing.planet),
                 analysis.gear().name()
             );
-            let most_on_pin = most(pin_speed_rule(rolling));
-            let on_pin = |(n, d_m)| on_pin(&of, rolling, most_on_pin, n, d_m);
-            beyond.extend(turning.zip(diameter).and_then(on_pin));
-            let in_orbit = |(omega, a)| in_orbit(&of, most(orbit_rule(rolling)), omega, a);
-            beyond.extend(carrier.zip(bearing.radius).and_then(in_orbit));
+            let on_pin = turning
+                .zip(diameter)
+                .map(|(speed, diameter)| (pin_speed_rule(rolling), pin_speed(speed.si(), diameter.si())));
+            let in_orbit = carrier.zip(bearing.radius).map(|(carrier, radius)| {
+                (orbit_rule(rolling), orbit_acceleration(radius.si(), carrier.si()))
+            });
+            let misses = on_pin.into_iter().chain(in_orbit).filter_map(|(rule, value)| {
+                let verdict = subject.limits.judge(rule, value);
+                verdict.severity.filter(|severity| *severity >= Severity::Warning)?;
+                Some(format!("{of}: {}: {}", verdict.miss()?, verdict.remedy()))
+            });
+            beyond.extend(misses);
         }
     }
     beyond.dedup();
@@ -66,22 +66,3 @@ pub(crate) fn warning(subject: &Gearbox, worked: &[&Worked<'_>]) -> Option<Warni
 /// Rules whose misses [`warning`] tells.
 pub(crate) const OF_PINS: [Rule; 4] =
     [Rule::PinSpeed, Rule::FullPinSpeed, Rule::OrbitAcceleration, Rule::NeedleAcceleration];
-
-fn on_pin(of: &str, rolling: Rolling, most: f64, speed: AngularVelocity, diameter: Length) -> Option<String> {
-    let (speed_rpm, diameter_mm) = (speed.rpm(), diameter.mm());
-    let kind = if rolling == Rolling::FullComplement { "full of rollers" } else { "with a cage" };
-    (speed_rpm * diameter_mm > most).then(|| {
-        format!(
-            "{of}: {} rpm on its pin, at most {} rpm for d_m {} mm {kind} (n·d_m {most} mm/min)",
-            trimmed(speed_rpm, DIGITS),
-            trimmed(most / diameter_mm, DIGITS),
-            trimmed(diameter_mm, DIGITS)
-        )
-    })
-}
-
-fn in_orbit(of: &str, most: f64, carrier: AngularVelocity, radius: Length) -> Option<String> {
-    let acceleration = orbit_acceleration(radius.si(), carrier.si());
-    (acceleration > most)
-        .then(|| format!("{of}: {} g in its orbit, at most {most} g", trimmed(acceleration, DIGITS)))
-}

@@ -5,6 +5,7 @@ use super::attempt::CLASSES;
 use super::making::{Load, MAKING, mapping, warnings, with_load};
 use super::masses::Masses;
 use super::records::SizesStep;
+use super::stages_ways_out::{self, WayOutOfStages};
 use crate::analyze::answer::{analysis, moving};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
@@ -42,6 +43,10 @@ pub struct WantedStages {
     pub teeth: Teeth,
     /// Speed of the input.
     pub speed: AngularVelocity,
+    /// Whether input and output turn backward.
+    pub is_backward: bool,
+    /// Whether the request itself asks for gears without common divisors.
+    pub is_hunting_asked: bool,
     /// Torque on the input; where the output's is asked for, this one over the ratio.
     pub torque: Torque,
     /// Whether the torque of the output is asked for, so that the input gives the losses as well.
@@ -88,6 +93,8 @@ pub struct Stages {
     pub back_driving_efficiency: Option<f64>,
     /// Sets of tooth numbers that stages were chosen from.
     pub sets: usize,
+    /// Tooth numbers allowed.
+    pub teeth: TeethRanges,
     /// Best trains of each number of stages.
     pub trains: Vec<TrainsOf>,
     /// Assumed values by key.
@@ -100,8 +107,22 @@ pub struct Stages {
     pub sizes: Option<SizesStep>,
     /// Gearbox file with sizes; null if no train holds.
     pub file: Option<String>,
+    /// Limits to relax if no train holds, each with the train that is then found. Null if there is a file.
+    pub ways_out: Option<Vec<WayOutOfStages>>,
     /// Warnings about the gearbox.
     pub warnings: Vec<Warning>,
+}
+
+/// Least and greatest tooth numbers allowed.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct TeethRanges {
+    /// Tooth numbers of the suns.
+    pub sun: [u32; 2],
+    /// Tooth numbers of the planets.
+    pub planet: [u32; 2],
+    /// Tooth numbers of the rings.
+    pub ring: [u32; 2],
 }
 
 /// Trains of one number of stages.
@@ -110,6 +131,9 @@ pub struct Stages {
 pub struct TrainsOf {
     /// Number of stages.
     pub stages: usize,
+    /// Least and greatest ratio of so many stages with the tooth numbers allowed, the nearer to 1 first; null
+    /// if these leave no set.
+    pub reachable: Option<[f64; 2]>,
     /// Trains of tooth numbers within the tolerance.
     pub compared: u64,
     /// Stages that were sized.
@@ -215,8 +239,12 @@ impl TrainOfStages {
 impl TrainsOf {
     fn of(wanted: &WantedStages, trains: &Trains) -> Self {
         let mut found = trains.found.iter().map(|train| TrainOfStages::of(wanted, train));
+        let of_one = wanted.teeth.ratios();
+        let reachable =
+            of_one.map(|ends| ends.map(|end| wanted.over_output(libm::pow(end, trains.stages as f64))));
         Self {
             stages: trains.stages,
+            reachable,
             compared: trains.trains,
             sized: trains.sized,
             complete: trains.is_complete,
@@ -227,16 +255,30 @@ impl TrainsOf {
     }
 }
 
-/// Designs stages in series. `goes_on` is called now and then, and may end the search.
+/// Designs stages in series. `goes_on` is called now and then, and may end the search. If no stages hold, the
+/// search is repeated with each obstructing limit relaxed.
 ///
 /// # Errors
 /// As of [`size`](SizeRequest::answer), which refer to the unfinished gearbox.
 pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Stages, Error> {
+    let mut stages = attempted(wanted, MOST, goes_on)?;
+    if stages.file.is_none() {
+        stages.ways_out = Some(stages_ways_out::of((wanted, &stages), goes_on)?);
+    }
+    Ok(stages)
+}
+
+/// Designs stages in series without ways out; `most` trains of each number of stages are listed.
+pub(super) fn attempted(
+    wanted: &WantedStages,
+    most: usize,
+    goes_on: &dyn Fn() -> ControlFlow<()>,
+) -> Result<Stages, Error> {
     // As for several speeds, accuracy is not traded for mass beyond a tenth of the tolerance, but for usual
     // practice.
     let (mut within, mut found) = (0.0, None);
     for part in CLASSES {
-        let of_class = searched(wanted, part * wanted.tolerance, goes_on)?;
+        let of_class = searched(wanted, part * wanted.tolerance, most, goes_on)?;
         let misses = misses(&of_class);
         if found.as_ref().and_then(self::misses).is_none_or(|before| misses.is_some_and(|own| own < before)) {
             (within, found) = (part * wanted.tolerance, Some(of_class));
@@ -279,7 +321,9 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
     let of_set = BasisKey { key: "efficiency".to_owned(), value: wanted.efficiency.to_string() };
     let load = AssumedLoad { spectrum: &FULL_LOAD, gears: 1, shares: &[], overload: wanted.overload };
     let ratio = train.as_ref().map(|train| train.ratio);
-    let speed = wanted.speed.si();
+    let speed = if wanted.is_backward { -wanted.speed.si() } else { wanted.speed.si() };
+    let ends = |range: &RangeInclusive<u32>| [*range.start(), *range.end()];
+    let teeth = &wanted.teeth;
     Ok(Stages {
         asked_ratio: wanted.over_output(wanted.ratio),
         tolerance: wanted.tolerance,
@@ -297,12 +341,14 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
         efficiency,
         back_driving_efficiency,
         sets: found.sets,
+        teeth: TeethRanges { sun: ends(&teeth.suns), planet: ends(&teeth.planets), ring: ends(&teeth.rings) },
         masses,
         trains,
         basis: wanted.basis.told().into_iter().chain([of_set]).collect(),
         assumed: assumed(&wanted.basis, &wanted.size, &load)?,
         sizes,
         file,
+        ways_out: None,
         warnings: all_warnings,
     })
 }
@@ -327,15 +373,16 @@ fn efficiencies(wanted: &WantedStages, train: &TrainOfStages) -> Result<[Option<
 fn searched(
     wanted: &WantedStages,
     tolerance: f64,
+    most: usize,
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<Found, Error> {
     if !wanted.is_of_output {
-        return Ok(search(&order(wanted, tolerance, wanted.stages.clone())?, MOST, goes_on)?);
+        return Ok(search(&order(wanted, tolerance, wanted.stages.clone())?, most, goes_on)?);
     }
     // More stages lose more, so each number of them has its own torque on the input.
     let mut found = Found { sets: 0, all: vec![] };
     for stages in wanted.stages.clone() {
-        let of_number = search(&order(wanted, tolerance, stages..=stages)?, MOST, goes_on)?;
+        let of_number = search(&order(wanted, tolerance, stages..=stages)?, most, goes_on)?;
         found.sets = found.sets.max(of_number.sets);
         found.all.extend(of_number.all);
     }

@@ -4,7 +4,7 @@
 //! finds the same gearbox.
 
 use super::records::TeethTaken;
-use super::{Design, Wanted, attempted};
+use super::{Design, SizeRequest, Wanted, attempted};
 use crate::error::Error;
 use crate::select::answer::candidate::Criterion;
 use crate::select::answer::reached::{ReachedSpeed, largest_deviation};
@@ -12,10 +12,11 @@ use crate::select::answer::teeth::Watch;
 use crate::select::answer::{self as select, Relaxation, RelaxedCriterion};
 use epicyclic_selection::Space;
 use epicyclic_strength::load::MOST_SHARING;
-use epicyclic_units::Number;
+use epicyclic_units::{Number, Physical, Quantity};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::RangeInclusive;
+use uom::si::f64::Length;
 
 /// Limits to relax, with the gearbox that is then found.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -81,10 +82,14 @@ pub enum Limit {
     Modules,
     /// Face widths; relaxed to the default ones.
     FaceWidths,
-    /// Greatest outside diameter of a ring.
+    /// Greatest outside diameter of a ring, in m.
     LargestRing,
     /// Number of planets.
     Planets,
+    /// Number of stages in series.
+    Stages,
+    /// Restriction to gears without common divisors; removed.
+    HuntingTeeth,
 }
 
 /// Factors on a limit that is just sufficient for exact ratios. Real tooth numbers only come close and may
@@ -92,14 +97,14 @@ pub enum Limit {
 const MARGINS: [f64; 3] = [1.0, 1.05, 1.15];
 
 /// Largest tolerance that is tried: that of the source.
-const GREATEST_TOLERANCE: f64 = 0.1;
+pub(super) const GREATEST_TOLERANCE: f64 = 0.1;
 
 /// Least tooth number of sun and planet, and largest of rings, that are tried if the given bounds yield
 /// nothing.
 const TEETH: RangeInclusive<u32> = 12..=200;
 
 /// Ring offsets that are tried if sets without an offset yield nothing.
-const OFFSETS: RangeInclusive<i32> = -3..=3;
+pub(super) const OFFSETS: RangeInclusive<i32> = -3..=3;
 
 /// Finds the ways out for a design without a gearbox.
 pub(super) fn of(
@@ -254,7 +259,7 @@ impl Search<'_> {
 
 impl RelaxedLimit {
     /// Limit that is removed, without a value.
-    const fn lifted(limit: Limit) -> Self {
+    pub(super) const fn lifted(limit: Limit) -> Self {
         Self { limit, least: None, greatest: None }
     }
 
@@ -308,23 +313,40 @@ impl RelaxedLimit {
             Limit::PlanetTeeth => wanted.bounds.planet = *TEETH.start()..=*wanted.bounds.planet.end(),
             Limit::RingTeeth => wanted.bounds.ring = *wanted.bounds.ring.start()..=*TEETH.end(),
             Limit::RingOffset => wanted.ring_offsets = Some(OFFSETS),
-            Limit::WidthRatio => {
-                wanted.size.width_ratio = self.greatest.and_then(|greatest| Number::new(greatest).ok());
-            }
-            Limit::Modules => wanted.size.modules = None,
-            Limit::FaceWidths => wanted.size.face_widths = None,
-            Limit::LargestRing => wanted.size.max_ring = None,
             Limit::Planets => {
-                let most = greatest as u32;
-                wanted.size.planets = Some(*wanted.size.planet_counts().start()..=most);
-                wanted.bounds.planets = *wanted.bounds.planets.start()..=most;
+                wanted.bounds.planets = *wanted.bounds.planets.start()..=greatest as u32;
+                self.relax_size(&mut wanted.size);
             }
+            Limit::WidthRatio | Limit::Modules | Limit::FaceWidths | Limit::LargestRing => {
+                self.relax_size(&mut wanted.size);
+            }
+            // Of stages in series.
+            Limit::Stages | Limit::HuntingTeeth => {}
+        }
+    }
+
+    /// Relaxes a limit of sizes.
+    pub(super) fn relax_size(self, size: &mut SizeRequest) {
+        match self.limit {
+            Limit::WidthRatio => {
+                size.width_ratio = self.greatest.and_then(|greatest| Number::new(greatest).ok());
+            }
+            Limit::Modules => size.modules = None,
+            Limit::FaceWidths => size.face_widths = None,
+            Limit::LargestRing => {
+                size.max_ring = self.greatest.map(|greatest| Quantity(Length::from_si(greatest)));
+            }
+            Limit::Planets => {
+                let most = self.greatest.map_or(MOST_SHARING, |greatest| greatest as u32);
+                size.planets = Some(*size.planet_counts().start()..=most);
+            }
+            _ => {}
         }
     }
 }
 
 /// Rounds to three significant digits; `round` acts on the last.
-fn rounded(value: f64, round: fn(f64) -> f64) -> f64 {
+pub(super) fn rounded(value: f64, round: fn(f64) -> f64) -> f64 {
     if value == 0.0 {
         return 0.0;
     }

@@ -1,13 +1,16 @@
 //! Stages in series, asked and reached, with what came next.
 
-use crate::design::answer::stages::{Stages, TrainOfStages, TrainsOf};
-use crate::design::table::{ASSUMED, DIGITS, assumed, masses, of_sizes, parts_of_sizes};
+use crate::design::answer::stages::{Stages, TrainsOf};
+use crate::design::answer::stages_ways_out::{STAGES, WayOutOfStages};
+use crate::design::table::{
+    ASSUMED, DIGITS, assumed, masses, of_found, of_sizes, options_of, parts_of_sizes,
+};
 use crate::select::table::percent;
 use crate::size::table::basis;
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, text};
-use crate::table::quantities::quantity;
-use crate::table::report::{AsReport, Part, Records, Report, Row, Section, warned};
+use crate::table::quantities::{quantity, words};
+use crate::table::report::{AsReport, Part, Records, Report, Row, Section, Text};
 use epicyclic_units::Dimension;
 use epicyclic_units::format::trimmed;
 
@@ -15,33 +18,123 @@ impl AsReport for Stages {
     fn report(&self) -> Report {
         let mut parts = parts_of_stages(self);
         parts.extend(self.sizes.iter().flat_map(parts_of_sizes));
-        Report { title: Some(in_short(self)), parts, warnings: warned(&self.warnings) }
+        Report { title: Some(in_short(self)), parts, warnings: of_found(&self.warnings, self.file.is_some()) }
     }
 }
 
 /// Ratio and speeds asked and reached, the trains, and assumed values.
 pub(crate) fn parts_of_stages(stages: &Stages) -> Vec<Part> {
-    let mut parts = vec![
-        Part::Facts(asked(stages)),
-        Part::Records(trains(&stages.trains)),
-        Part::Records(searched(stages)),
-    ];
+    let mut parts = vec![Part::Facts(asked(stages))];
+    parts.extend(in_the_way(stages).map(|why| Part::Text(Text::paragraph(why))));
+    let ways = stages.ways_out.as_deref().unwrap_or_default();
+    if !ways.is_empty() {
+        parts.push(Part::Records(ways_out(ways)));
+    }
+    parts.push(Part::Records(trains(stages)));
+    parts.push(Part::Records(searched(stages)));
     parts.extend(stages.masses.as_ref().map(|of| Part::Facts(masses(of))));
     parts.push(Part::Records(basis(&stages.basis, &format!("{ASSUMED}, --efficiency"))));
     parts.push(Part::Records(assumed(&stages.assumed)));
     parts
 }
 
+/// What keeps stages from being found; `None` if some are.
+fn in_the_way(stages: &Stages) -> Option<String> {
+    let ways = stages.ways_out.as_ref()?;
+    let of_teeth = stages.trains.iter().filter(|trains| trains.compared == 0).filter_map(reach);
+    let mut all: Vec<String> = of_teeth.collect();
+    let has_trains = |trains: &&TrainsOf| trains.compared > 0;
+    let of_strength = stages.trains.iter().filter(has_trains).map(|trains| count(trains.stages));
+    let of_strength: Vec<String> = of_strength.collect();
+    if !all.is_empty() {
+        all[0] = format!("With {} the ratios reach {}", ranges(stages), all[0]);
+    }
+    let mut text = all.join("; ");
+    if !text.is_empty() {
+        text.push('.');
+    }
+    if !of_strength.is_empty() {
+        text.push_str(&format!(
+            " No trains of {} with the ratio have sizes that hold within the limits of modules, face widths, planets, rings and bearings.",
+            of_strength.join(" or ")
+        ));
+    }
+    let quotient = stages.asked_ratio.max(1.0 / stages.asked_ratio);
+    if quotient <= LEAST_RATIO {
+        text.push_str(&format!(
+            " A stage with a held ring has a ratio above {LEAST_RATIO}; --ratios {} designs schemes with other members held.",
+            trimmed(stages.asked_ratio, 6)
+        ));
+    } else if ways.is_empty() {
+        text.push_str(&format!(
+            " No limit relaxed, and not all together, gives stages that hold: the tolerance up to 10 %, {} to {} stages, \
+             tooth numbers, ring offsets and sizes were tried.",
+            STAGES.start(),
+            STAGES.end()
+        ));
+    }
+    Some(text.trim_start().to_owned())
+}
+
+/// Ratio that a stage with a held ring always exceeds.
+const LEAST_RATIO: f64 = 2.0;
+
+/// Tooth numbers allowed, with their options.
+fn ranges(stages: &Stages) -> String {
+    let of = |option: &str, [least, most]: [u32; 2]| format!("--{option} {least}..{most}");
+    let teeth = &stages.teeth;
+    format!("{}, {} and {}", of("sun", teeth.sun), of("planet", teeth.planet), of("ring", teeth.ring))
+}
+
+/// Ratios that a number of stages reaches.
+fn reach(trains: &TrainsOf) -> Option<String> {
+    let [one, other] = trains.reachable?.map(of_ratio);
+    Some(format!("{one} to {other} with {}", count(trains.stages)))
+}
+
+/// Number of stages in words.
+fn count(stages: usize) -> String {
+    if stages == 1 { "1 stage".to_owned() } else { format!("{stages} stages") }
+}
+
+/// Message if no stages are found: the first way out, or what stands in the way.
+pub(crate) fn why_no_stages(stages: &Stages) -> String {
+    let ways = stages.ways_out.as_deref().unwrap_or_default();
+    let why = match ways.first() {
+        Some(way) => {
+            let mass = way.whole_kg.map(|mass| format!(", whole about {}", words(Dimension::Mass, mass, 2)));
+            let of = count(way.teeth.len());
+            let ratio = of_ratio(way.ratio);
+            format!("{} gives {of}, i = {ratio}{}", options_of(&way.limits), mass.unwrap_or_default())
+        }
+        None => in_the_way(stages).unwrap_or_default().trim_end_matches('.').to_owned(),
+    };
+    format!("no stages in series that hold were found; {why}")
+}
+
+/// Limits that would have to give, each with its stages.
+fn ways_out(ways: &[WayOutOfStages]) -> Records {
+    Table::new("ways_out", ways.iter())
+        .words("option", "option", |way| options_of(&way.limits))
+        .words("teeth", "sun, planet, ring", |way| teeth(&way.teeth))
+        .words("ratio", "i", |way| of_ratio(way.ratio))
+        .quantity("ring_diameter", "ring", Dimension::Length, |way| Some(way.ring_diameter_m))
+        .quantity("mass", "whole", Dimension::Mass, |way| way.whole_kg)
+        .view(
+            "Limits that would have to give, and the stages behind each",
+            "option teeth ratio ring_diameter mass",
+        )
+        .note("Each line is the result of the same search with this option.")
+        .records()
+}
+
 /// The train with its ratio, ring, mass, least safeties and life.
 pub(crate) fn in_short(stages: &Stages) -> String {
     let asked = format!("{} ± {} %", of_ratio(stages.asked_ratio), trimmed(100.0 * stages.tolerance, DIGITS));
     let (Some(ratio), Some(sizes)) = (stages.ratio, &stages.sizes) else {
-        return format!("No stages with i = {asked} that hold were found.");
+        return format!("No stages in series with i = {asked} that hold were found.");
     };
-    let count = match sizes.sets.len() {
-        1 => "1 stage".to_owned(),
-        stages => format!("{stages} stages"),
-    };
+    let count = count(sizes.sets.len());
     let mut all = vec![format!("{count}, i = {} (asked {asked})", of_ratio(ratio))];
     all.extend(stages.efficiency.map(|of| format!("η = {}", trimmed(of, 3))));
     all.extend(of_sizes(sizes, stages.masses.as_ref()));
@@ -114,34 +207,38 @@ fn asked(stages: &Stages) -> Section {
 }
 
 /// Teeth of sun, planet and ring of each stage.
-fn teeth(train: &TrainOfStages) -> String {
+fn teeth(stages: &[[u32; 3]]) -> String {
     let all: Vec<String> =
-        train.teeth.iter().map(|[sun, planet, ring]| format!("{sun} {planet} {ring}")).collect();
+        stages.iter().map(|[sun, planet, ring]| format!("{sun} {planet} {ring}")).collect();
     all.join(" + ")
 }
 
-fn trains(all: &[TrainsOf]) -> Records {
-    let rows = all.iter().flat_map(|of| [(of, of.best.as_ref(), true), (of, of.next.as_ref(), false)]);
+fn trains(stages: &Stages) -> Records {
+    let rows =
+        stages.trains.iter().flat_map(|of| [(of, of.best.as_ref(), true), (of, of.next.as_ref(), false)]);
     // A second line only where there is a second train.
     let rows: Vec<_> = rows.filter(|(_, train, is_best)| *is_best || train.is_some()).collect();
     Table::new("trains", rows)
         .number("stages", "stages", |(of, ..)| of.stages as f64)
         .words("taken", "", |(of, _, is_best)| (of.taken && *is_best).then_some("taken"))
         .words("teeth", "sun, planet, ring", |(of, train, _)| match train {
-            Some(train) => teeth(train),
-            None if of.compared == 0 => "no teeth give the ratio".to_owned(),
+            Some(train) => teeth(&train.teeth),
+            None if of.compared == 0 => match of.reachable.map(|ends| ends.map(of_ratio)) {
+                Some([one, other]) => format!("none: the teeth give {one} to {other}"),
+                None => "none: no teeth within the bounds".to_owned(),
+            },
             None => "none holds".to_owned(),
         })
         .number("ratio", "i", |(_, train, _)| train.map(|train| train.ratio))
         .quantity("mass", "mass", Dimension::Mass, |(_, train, _)| train.map(|train| train.mass_kg))
         .number("rules_missed", "rules missed", |(_, train, _)| train.map(|train| f64::from(train.rules_missed)))
         .view("The best trains of each number of stages", "stages taken teeth ratio mass rules_missed")
-        .note(
-            "Trains that keep to usual practice come first, then less mass, of which each rule missed counts a quarter: \
-             of gears, carriers and housing by a rule, or what --minimise says. Slow shaft and flanges are not in this \
-             mass. --stages decides otherwise.",
-        )
-        .the_answer()
+        .note(format!(
+            "The teeth are those of {}. Trains that keep to usual practice come first, then less mass, of which each rule missed counts a quarter: \
+             of gears, carriers and housing by a rule, or what --minimise says. Slow shaft and flanges are not in this mass. \
+             --stages decides otherwise.",
+            ranges(stages)
+        ))
         .records()
 }
 

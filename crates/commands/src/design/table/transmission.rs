@@ -1,12 +1,12 @@
 //! A gearbox for a list of gears, asked and reached, with what came next.
 
 use crate::design::answer::transmission::{GearboxWithTeeth, Transmission};
-use crate::design::table::{ASSUMED, assumed, masses, of_sizes, parts_of_sizes, ways_out};
+use crate::design::table::{ASSUMED, assumed, masses, of_found, of_sizes, parts_of_sizes, ways_out};
 use crate::select::table::percent;
 use crate::size::table::basis;
 use crate::synthesize::answer::teeth::TeethOfSet;
 use crate::table::columns::Table;
-use crate::table::report::{AsReport, Part, Records, Report, warned};
+use crate::table::report::{AsReport, Part, Records, Report};
 use epicyclic_units::Dimension;
 use epicyclic_units::format::trimmed;
 
@@ -14,7 +14,7 @@ impl AsReport for Transmission {
     fn report(&self) -> Report {
         let mut parts = parts_of_transmission(self);
         parts.extend(self.sizes.iter().flat_map(parts_of_sizes));
-        Report { title: Some(in_short(self)), parts, warnings: warned(&self.warnings) }
+        Report { title: Some(in_short(self)), parts, warnings: of_found(&self.warnings, self.file.is_some()) }
     }
 }
 
@@ -38,7 +38,7 @@ pub(crate) fn in_short(transmission: &Transmission) -> String {
     let count = |count: usize, one: &str| format!("{count} {one}{}", if count == 1 { "" } else { "s" });
     let gears = count(transmission.gears.len(), "gear");
     let (Some(taken), Some(sizes)) = (transmission.gearboxes.first(), &transmission.sizes) else {
-        return format!("No gearbox with these {gears} was found.");
+        return format!("No gearbox with these {gears} that holds was found.");
     };
     let mut all = vec![
         gears,

@@ -105,8 +105,26 @@ impl Judge {
         }
     }
 
+    /// Notes rules with a stated limit that no value was judged by.
+    fn note_unused_limits(&mut self) {
+        let is_judged = |rule: &Rule| {
+            self.checks.iter().any(|(check, _)| check.name == rule.name())
+                || self.not_judged.iter().any(|one| one.rules.contains(&rule.name()))
+        };
+        let unused: Vec<Rule> = self.limits.stated_rules().filter(|rule| !is_judged(rule)).collect();
+        for rule in unused {
+            let why = match rule {
+                Rule::OilTemperature => "losses --conductance judges it",
+                Rule::Resonance => "vibrate judges it",
+                _ => "has no value here",
+            };
+            self.lacks("the stated limits", &[rule], vec![why.to_owned()]);
+        }
+    }
+
     /// The judgement, with the worst misses first.
     pub(crate) fn judgement(mut self) -> Judgement {
+        self.note_unused_limits();
         // Errors first; among equals the order of the checks, which is that of the sets.
         self.checks.sort_by_key(|(check, _)| (check.holds, std::cmp::Reverse(check.severity)));
         let margins = self.checks.iter().filter_map(|(check, margin)| Some((check, (*margin)?)));

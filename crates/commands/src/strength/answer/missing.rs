@@ -14,6 +14,7 @@ use epicyclic_gears::geometry::GearKind;
 use epicyclic_strength::factor::{Side, Symbol};
 use epicyclic_strength::material::Class;
 use epicyclic_train::planet_set::GearOf;
+use epicyclic_train::set::SetKind;
 use epicyclic_train::{Gear, InputLoad, PlanetSet};
 use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Torque};
@@ -30,6 +31,30 @@ pub(crate) enum Purpose {
     OverDuty,
     /// Strength at one load.
     AtPoint,
+    /// Data sheets.
+    Sheets,
+    /// Vibration.
+    Vibration,
+}
+
+impl Purpose {
+    /// Whether materials, oil and life are needed.
+    const fn is_strength(self) -> bool {
+        matches!(self, Self::Sizes | Self::OverDuty | Self::AtPoint)
+    }
+}
+
+/// Example of what the vibration of a simple set needs beside its teeth and sizes.
+fn vibration() -> Value {
+    let inertia = |value: &str| {
+        Value::Mapping([(Value::from("inertia"), Value::from(value))].into_iter().collect::<Mapping>())
+    };
+    let all = [
+        ("planet_bearing", Value::from("300 N/µm")),
+        ("ring", inertia("0.05 kg·m²")),
+        ("carrier", inertia("0.02 kg·m²")),
+    ];
+    Value::Mapping(all.into_iter().map(|(key, value)| (Value::from(key), value)).collect())
 }
 
 /// Key that a file lacks.
@@ -85,14 +110,14 @@ impl<'d> MissingKeys<'d> {
         let root = Path::root();
         for (key, is_stated) in [("life", file.life.is_some()), ("oil", file.oil.is_some())] {
             let usual = basis.keys.iter().find(|(own, _)| own == key);
-            if let Some((_, usual)) = usual.filter(|_| !is_stated) {
+            if let Some((_, usual)) = usual.filter(|_| !is_stated && purpose.is_strength()) {
                 all.add(&root, None, key, usual.clone());
             }
         }
         let is_due = match purpose {
             Purpose::Sizes => true,
             Purpose::OverDuty => file.overload.is_empty(),
-            Purpose::AtPoint => false,
+            Purpose::AtPoint | Purpose::Sheets | Purpose::Vibration => false,
         };
         if is_due && file.duty.is_empty() {
             all.add(&root, None, "duty", example(subject));
@@ -129,9 +154,17 @@ impl<'d> MissingKeys<'d> {
                 ("module", data.modules.iter().any(Option::is_some), Value::from("4 mm")),
                 ("face_width", data.face_widths.iter().any(Option::is_some), Value::from("40 mm")),
             ];
-            for (key, _, example) in sizes.into_iter().filter(|size| !size.1) {
+            let is_due = |key: &str| self.purpose != Purpose::Sheets || key == "module";
+            let lacking: Vec<_> = sizes.into_iter().filter(|size| !size.1 && is_due(size.0)).collect();
+            for (key, _, example) in lacking {
                 self.add(&data.path, Some(set), key, example);
             }
+        }
+        if self.purpose == Purpose::Vibration && set.kind() == Some(SetKind::Simple) {
+            self.add(&data.path, Some(set), "vibration", vibration());
+        }
+        if !self.purpose.is_strength() {
+            return Ok(());
         }
         let strength = usual_strength(of, basis, self.purpose)?;
         if !strength.is_empty() {
@@ -157,6 +190,13 @@ impl<'d> MissingKeys<'d> {
                 usual: Some(usual),
             }),
         }
+    }
+
+    /// The refusal of a calculation of one set, or of all, that lacks keys; `None` if no key with a usual value
+    /// is missing.
+    pub(crate) fn refused_of(mut self, set: Option<&str>) -> Option<Error> {
+        self.keys.retain(|key| set.is_none() || key.set.as_deref() == set);
+        self.have_values().then(|| self.refused())
     }
 
     /// Whether a key of the gearbox is missing, without which no set has a result.

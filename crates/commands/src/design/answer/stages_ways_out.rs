@@ -1,0 +1,251 @@
+//! Limits to relax if no stages in series are found, each with the train that is then found.
+//!
+//! Every way out is the result of the same search with the limit relaxed. The same command with the option
+//! finds the same train.
+
+use super::stages::{Stages, WantedStages, attempted};
+use super::ways_out::{GREATEST_TOLERANCE, Limit, OFFSETS, RelaxedLimit, rounded};
+use crate::error::Error;
+use epicyclic_strength::load::MOST_SHARING;
+use epicyclic_units::Physical;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::ops::{ControlFlow, RangeInclusive};
+
+/// Limits to relax, with the stages in series that are then found.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct WayOutOfStages {
+    /// Limits that must be relaxed together.
+    pub limits: Vec<RelaxedLimit>,
+    /// Tooth numbers of sun, planet and ring of each stage, from the input on.
+    pub teeth: Vec<[u32; 3]>,
+    /// Ratio of the train.
+    pub ratio: f64,
+    /// Greatest outside diameter of a ring, in m.
+    pub ring_diameter_m: f64,
+    /// Mass of gears, carriers and housing by a rule, and of the slow shaft, in kg.
+    pub whole_kg: Option<f64>,
+}
+
+/// Tooth numbers of suns, planets and rings, and ring-to-sun ratios, that are tried.
+const SUNS: [u32; 2] = [12, 60];
+const PLANETS: [u32; 2] = [12, 120];
+const RINGS: [u32; 2] = [30, 250];
+const RING_TO_SUN_RATIOS: RangeInclusive<f64> = 1.1..=15.0;
+
+/// Numbers of stages that are tried.
+pub(crate) const STAGES: RangeInclusive<usize> = 1..=4;
+
+/// Trains with the ratio above which a wider tolerance is not tried: where so many have no sizes, more do not
+/// help.
+const MANY: u64 = 1000;
+
+/// Relative width of the interval in which the least sufficient ring is found.
+const RING_STEP: f64 = 0.05;
+
+/// Finds the ways out for an order without stages that hold: each limit relaxed alone, those of tooth numbers
+/// only if no other suffices; or else as few as possible of all together.
+pub(super) fn of(
+    (wanted, found): (&WantedStages, &Stages),
+    goes_on: &dyn Fn() -> ControlFlow<()>,
+) -> Result<Vec<WayOutOfStages>, Error> {
+    let search = Search { wanted, goes_on };
+    let all = candidates(wanted, found.trains.iter().any(|trains| trains.compared > MANY));
+    let (of_teeth, others): (Vec<_>, Vec<_>) = all.into_iter().partition(|one| is_of_teeth(one.limit));
+    let mut ways = vec![];
+    // More tooth numbers make the search many times longer.
+    for group in [&others, &of_teeth] {
+        if ways.is_empty() {
+            ways = search.of_each(group)?;
+        }
+    }
+    let all = [of_teeth, others].concat();
+    if ways.is_empty() && all.len() > 1 {
+        ways.extend(search.of_several(all)?);
+    }
+    Ok(ways)
+}
+
+/// Limits that can be relaxed, as far as possible; the tolerance only without many trains.
+fn candidates(wanted: &WantedStages, has_many_trains: bool) -> Vec<RelaxedLimit> {
+    let lifted = RelaxedLimit::lifted;
+    let between = |limit, least: f64, greatest: f64| RelaxedLimit {
+        limit,
+        least: Some(least),
+        greatest: Some(greatest),
+    };
+    let (teeth, size) = (&wanted.teeth, &wanted.size);
+    let of_teeth = |limit, own: &RangeInclusive<u32>, [least, most]: [u32; 2]| {
+        let [least, most] = [least.min(*own.start()), most.max(*own.end())];
+        let is_wider = (least..=most) != *own;
+        (between(limit, f64::from(least), f64::from(most)), is_wider)
+    };
+    let k = &teeth.ring_to_sun_ratio;
+    let [least_k, most_k] =
+        [k.start().min(*RING_TO_SUN_RATIOS.start()), k.end().max(*RING_TO_SUN_RATIOS.end())];
+    let [fewest, most] = [STAGES.start(), STAGES.end()].map(|stages| *stages as f64);
+    let most_planets = f64::from(MOST_SHARING);
+    let all = [
+        (lifted(Limit::LargestRing), size.max_ring.is_some()),
+        (
+            RelaxedLimit { greatest: Some(GREATEST_TOLERANCE), ..lifted(Limit::Tolerance) },
+            wanted.tolerance < GREATEST_TOLERANCE && !has_many_trains,
+        ),
+        (between(Limit::Stages, fewest, most), wanted.stages != STAGES),
+        of_teeth(Limit::SunTeeth, &teeth.suns, SUNS),
+        of_teeth(Limit::PlanetTeeth, &teeth.planets, PLANETS),
+        of_teeth(Limit::RingTeeth, &teeth.rings, RINGS),
+        (between(Limit::RingToSunRatio, least_k, most_k), (least_k..=most_k) != *k),
+        (
+            between(Limit::RingOffset, f64::from(*OFFSETS.start()), f64::from(*OFFSETS.end())),
+            teeth.ring_offsets == (0..=0),
+        ),
+        (lifted(Limit::HuntingTeeth), wanted.is_hunting_asked),
+        (lifted(Limit::Modules), size.modules.is_some()),
+        (lifted(Limit::FaceWidths), size.face_widths.is_some()),
+        (
+            RelaxedLimit { greatest: Some(most_planets), ..lifted(Limit::Planets) },
+            *size.planet_counts().end() < MOST_SHARING,
+        ),
+        (lifted(Limit::WidthRatio), size.width_ratio.is_some()),
+    ];
+    all.into_iter().filter(|(_, is_narrow)| *is_narrow).map(|(limit, _)| limit).collect()
+}
+
+/// Whether a limit bounds the tooth numbers.
+const fn is_of_teeth(limit: Limit) -> bool {
+    matches!(
+        limit,
+        Limit::SunTeeth | Limit::PlanetTeeth | Limit::RingTeeth | Limit::RingToSunRatio | Limit::RingOffset
+    )
+}
+
+/// Search for stages with relaxed limits.
+struct Search<'a> {
+    wanted: &'a WantedStages,
+    goes_on: &'a dyn Fn() -> ControlFlow<()>,
+}
+
+impl Search<'_> {
+    /// Stages with these limits; `None` if none hold.
+    fn with(&self, limits: &[RelaxedLimit]) -> Result<Option<(WayOutOfStages, Stages)>, Error> {
+        let mut wanted = self.wanted.clone();
+        limits.iter().for_each(|limit| relax(*limit, &mut wanted));
+        let stages = attempted(&wanted, 1, self.goes_on)?;
+        let train = stages.trains.iter().find(|trains| trains.taken).and_then(|trains| trains.best.clone());
+        let Some(train) = train.filter(|_| stages.file.is_some()) else { return Ok(None) };
+        let sets = stages.sizes.iter().flat_map(|sizes| &sizes.sets);
+        let rings = sets.filter_map(|set| set.found.first()?.ring_diameter_m);
+        let way = WayOutOfStages {
+            limits: limits.to_vec(),
+            teeth: train.teeth,
+            ratio: train.ratio,
+            ring_diameter_m: rings.fold(0.0, f64::max),
+            whole_kg: stages.masses.map(|of| of.whole_kg),
+        };
+        Ok(Some((way, stages)))
+    }
+
+    /// Ways out with each limit relaxed alone.
+    fn of_each(&self, limits: &[RelaxedLimit]) -> Result<Vec<WayOutOfStages>, Error> {
+        let mut ways = vec![];
+        for limit in limits {
+            let Some(found) = self.with(&[*limit])? else { continue };
+            ways.push(self.tightened(found, *limit)?);
+        }
+        Ok(ways)
+    }
+
+    /// Way out with the least relaxed value of its limit that is found.
+    fn tightened(
+        &self,
+        (way, stages): (WayOutOfStages, Stages),
+        limit: RelaxedLimit,
+    ) -> Result<WayOutOfStages, Error> {
+        match limit.limit {
+            Limit::LargestRing => self.of_ring(way),
+            Limit::Tolerance => {
+                // The tolerance is that of the ratio above 1, whichever shaft is the input.
+                let quotient = way.ratio / stages.asked_ratio;
+                let deviation = (quotient - 1.0).abs().max((1.0 / quotient - 1.0).abs());
+                let needed = rounded(deviation, f64::ceil);
+                self.or_wider(way, RelaxedLimit { greatest: Some(needed), ..limit })
+            }
+            Limit::WidthRatio => {
+                let sets = stages.sizes.iter().flat_map(|sizes| &sizes.sets);
+                let families = sets.filter_map(|set| set.found.first()).flat_map(|design| &design.families);
+                let needed = families.map(|family| family.face_width_over_diameter).fold(0.0, f64::max);
+                self.or_wider(way, RelaxedLimit { greatest: Some(rounded(needed, f64::ceil)), ..limit })
+            }
+            Limit::Stages => {
+                let count = way.teeth.len() as f64;
+                let [least, most] =
+                    [self.wanted.stages.start(), self.wanted.stages.end()].map(|of| *of as f64);
+                let needed =
+                    RelaxedLimit { least: Some(count.min(least)), greatest: Some(count.max(most)), ..limit };
+                self.or_wider(way, needed)
+            }
+            _ => Ok(way),
+        }
+    }
+
+    /// Stages with a narrower limit if it suffices.
+    fn or_wider(&self, wide: WayOutOfStages, limit: RelaxedLimit) -> Result<WayOutOfStages, Error> {
+        Ok(self.with(&[limit])?.map_or(wide, |(way, _)| way))
+    }
+
+    /// Stages with the least ring that holds, by halving the interval between the bound asked for and a
+    /// sufficient one.
+    fn of_ring(&self, free: WayOutOfStages) -> Result<WayOutOfStages, Error> {
+        let limit = |ring| RelaxedLimit { greatest: Some(ring), ..RelaxedLimit::lifted(Limit::LargestRing) };
+        let mut most = rounded(free.ring_diameter_m, f64::ceil);
+        let mut way = self.or_wider(free, limit(most))?;
+        let mut least = self.wanted.size.max_ring.map_or(0.0, |ring| ring.0.si());
+        while most - least > RING_STEP * most {
+            let middle = rounded(f64::midpoint(least, most), f64::ceil);
+            if middle >= most {
+                break;
+            }
+            match self.with(&[limit(middle)])? {
+                // The ring found may be smaller than the bound, and its own bound then suffices.
+                Some((found, _)) => {
+                    most = rounded(found.ring_diameter_m, f64::ceil).min(middle);
+                    way = found;
+                }
+                None => least = middle,
+            }
+        }
+        Ok(way)
+    }
+
+    /// Stages with all limits relaxed, less those that are not needed.
+    fn of_several(&self, mut limits: Vec<RelaxedLimit>) -> Result<Option<WayOutOfStages>, Error> {
+        let Some((mut way, _)) = self.with(&limits)? else { return Ok(None) };
+        for place in (0..limits.len()).rev() {
+            let mut fewer = limits.clone();
+            fewer.remove(place);
+            if let Some((found, _)) = self.with(&fewer)? {
+                (limits, way) = (fewer, found);
+            }
+        }
+        Ok(Some(way))
+    }
+}
+
+/// Relaxes a limit of an order.
+fn relax(one: RelaxedLimit, wanted: &mut WantedStages) {
+    let ends = [one.least, one.greatest].map(Option::unwrap_or_default);
+    let of_teeth = || ends[0] as u32..=ends[1] as u32;
+    match one.limit {
+        Limit::Tolerance => wanted.tolerance = ends[1],
+        Limit::Stages => wanted.stages = ends[0] as usize..=ends[1] as usize,
+        Limit::SunTeeth => wanted.teeth.suns = of_teeth(),
+        Limit::PlanetTeeth => wanted.teeth.planets = of_teeth(),
+        Limit::RingTeeth => wanted.teeth.rings = of_teeth(),
+        Limit::RingToSunRatio => wanted.teeth.ring_to_sun_ratio = ends[0]..=ends[1],
+        Limit::RingOffset => wanted.teeth.ring_offsets = ends[0] as i32..=ends[1] as i32,
+        Limit::HuntingTeeth => wanted.teeth.is_hunting = false,
+        _ => one.relax_size(&mut wanted.size),
+    }
+}
