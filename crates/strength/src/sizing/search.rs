@@ -303,7 +303,9 @@ impl Search<'_> {
     fn misses(&self, layout: usize, widths: &[f64]) -> (Misses, bool) {
         let Some(limits) = &self.task.practice else { return (Misses::default(), false) };
         let own = &self.practice[layout];
-        let (of_widths, is_narrow) = own.of_widths(limits, widths);
+        let (mut of_widths, is_narrow) = own.of_widths(limits, widths);
+        // Widths that are stated, too, are kept.
+        of_widths.is_against_stated &= self.task.face_widths.iter().any(|widths| widths.len() > 1);
         (own.of_layout.with(of_widths), is_narrow)
     }
 
@@ -475,9 +477,6 @@ impl Search<'_> {
                 let bore = task.planets[*kind].bore.map_or(0.0, Physical::si);
                 held.planets.push(made(*kind, None, bore, None));
                 held.misses = held.misses.with(misses(*kind, None, &[], bore));
-            }
-            if held.misses.is_against_stated {
-                return Ok(Chosen::Refused);
             }
             return Ok(Chosen::Planets(held));
         }
