@@ -213,8 +213,7 @@ impl<T: End> FromStr for Span<T> {
         // Of `..100 g` only the numbers belong to the range.
         let number = |end: &str| {
             let end = end.trim();
-            let number =
-                end.find(|sign: char| sign.is_alphabetic() || sign == '°').map_or(end, |at| end[..at].trim());
+            let number = end.trim_end_matches(|sign: char| !sign.is_ascii_digit());
             (number.is_empty() == end.is_empty() && (number.is_empty() || T::read(number).is_ok()))
                 .then(|| number.to_owned())
         };

@@ -492,7 +492,7 @@ impl Request {
         let shares: Vec<f64> =
             self.shares.iter().flat_map(|shares| &shares.0).map(|share| share.0.si()).collect();
         let in_percent = |share: f64| format!("{} %", trimmed(100.0 * share, 6));
-        if let Some(wrong) = shares.iter().find(|share| !(**share >= 0.0)) {
+        if let Some(wrong) = shares.iter().find(|share| **share < 0.0 || share.is_nan()) {
             let message = format!("{}: a share of the time is not below 0", in_percent(*wrong));
             return Err(Failure::invalid("--shares", message));
         }

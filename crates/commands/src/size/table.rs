@@ -190,14 +190,14 @@ pub(crate) fn designs<'s>(
     .for_people()
     .view(
         title,
-        "set place module face_width face_width_over_diameter planets centre_distance ring_diameter mass governing",
+        "set place module face_width face_width_over_diameter planets centre_distance ring_diameter mass usual",
     )
-    .note("b/d: face width over the reference diameter of the smallest sun, of a pair of the smaller gear; --width-ratio bounds it. A list has a value for each family of gears in mesh. governs: the requirement with the least reserve.")
+    .note("b/d: face width over the reference diameter of the smallest sun, of a pair of the smaller gear; --width-ratio bounds it. A list has a value for each family of gears in mesh. Usual: gears, widths, speeds and bearings miss no rule of practice; of others each miss counts as a quarter more.")
     .view(
         format!("{title}: bearings and their life, least safeties"),
-        "set place bearing bearing_hours flank_safety root_safety usual",
+        "set place bearing governing bearing_hours flank_safety root_safety",
     )
-    .note("Governs: what has the least reserve of torque; flanks have that of S_H². Usual: gears, widths, speeds and bearings miss no rule of practice; of others each miss counts as a quarter more.")
+    .note("Governs: what has the least reserve of torque; flanks have that of S_H².")
     .the_answer_if(name == "designs")
     .records()
 }

@@ -45,7 +45,7 @@ const MANY: u64 = 1000;
 const RING_STEP: f64 = 0.05;
 
 /// Finds the ways out for an order without stages that hold: each limit relaxed alone, those of tooth numbers
-/// only if no other suffices; or else as few as possible of all together.
+/// only if no other suffices; or else as few as possible of the others together.
 pub(super) fn of(
     (wanted, found): (&WantedStages, &Stages),
     goes_on: &dyn Fn() -> ControlFlow<()>,
@@ -60,9 +60,8 @@ pub(super) fn of(
             ways = search.of_each(group)?;
         }
     }
-    let all = [of_teeth, others].concat();
-    if ways.is_empty() && all.len() > 1 {
-        ways.extend(search.of_several(all)?);
+    if ways.is_empty() && others.len() > 1 {
+        ways.extend(search.of_several(others)?);
     }
     Ok(ways)
 }

@@ -67,7 +67,7 @@ fn in_the_way(stages: &Stages) -> Option<String> {
         ));
     } else if ways.is_empty() {
         text.push_str(&format!(
-            " No limit relaxed, and not all together, gives stages that hold: the tolerance up to 10 %, {} to {} stages, \
+            " No limit relaxed alone gives stages that hold, nor do those of sizes, stages and tolerance together: the tolerance up to 10 %, {} to {} stages, \
              tooth numbers, ring offsets and sizes were tried.",
             STAGES.start(),
             STAGES.end()
@@ -107,7 +107,7 @@ pub(crate) fn why_no_stages(stages: &Stages) -> String {
             let ratio = of_ratio(way.ratio);
             format!("{} gives {of}, i = {ratio}{}", options_of(&way.limits), mass.unwrap_or_default())
         }
-        None => in_the_way(stages).unwrap_or_default().trim_end_matches('.').to_owned(),
+        None => in_the_way(stages).unwrap_or_default().trim_end_matches('.').replacen("With ", "with ", 1),
     };
     format!("no stages in series that hold were found; {why}")
 }
