@@ -5,6 +5,7 @@ mod factor;
 mod gears;
 pub mod page;
 pub mod request;
+mod stages;
 pub mod table;
 
 pub use answer::Design;

@@ -2,7 +2,6 @@
 
 use crate::answer::Warning;
 use crate::design::Factor;
-use crate::design::answer::stages::{self, Stages, WantedStages};
 use crate::design::answer::transmission::Transmission;
 use crate::design::answer::{Design, Wanted, answer};
 use crate::design::table::stages::why_no_stages;
@@ -35,11 +34,10 @@ use epicyclic_formats::{Document, RangeError, Span};
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_selection::{Mechanism, Order, Rating, Signs};
 use epicyclic_strength::load::{Floating, load_sharing};
-use epicyclic_strength::series::Teeth;
 use epicyclic_strength::sizing::Objective as MinimisedSize;
 use epicyclic_units::format::trimmed;
 use epicyclic_units::{Number, Physical, Quantity, QuantityError};
-use std::ops::{ControlFlow, RangeInclusive};
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use uom::si::f64::{AngularVelocity, Power, Ratio, Time, Torque};
 
@@ -204,7 +202,7 @@ pub struct Request {
 const STAGES: &str = "One ratio: stages in series";
 
 /// Stages that are tried at most.
-const MOST_STAGES: u32 = 4;
+pub(super) const MOST_STAGES: u32 = 4;
 
 /// Options that concern several speeds.
 const OF_SPEEDS: [&str; 17] = [
@@ -341,7 +339,7 @@ impl Request {
     }
 
     /// Rings of several sets do not add up: they are no objective of a gearbox.
-    fn refuse_ring(&self) -> Result<(), Failure> {
+    pub(super) fn refuse_ring(&self) -> Result<(), Failure> {
         match self.sizes.minimise {
             Some(MinimisedSize::Ring) => Err(Failure::invalid(
                 "--minimise",
@@ -382,97 +380,6 @@ impl Request {
             basis: self.basis()?,
             size: self.sized(),
         })
-    }
-
-    /// Designs stages in series. The closure is called now and then, and may end the search.
-    ///
-    /// # Errors
-    /// As of [`Self::answer`].
-    pub fn answer_stages(&self, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Stages, Failure> {
-        let mut stages = stages::answer(&self.wanted_stages()?, goes_on).map_err(refuse_of)?;
-        stages.warnings.extend(self.unused());
-        Ok(stages)
-    }
-
-    fn wanted_stages(&self) -> Result<WantedStages, Failure> {
-        let due = || Failure::missing("--ratio", "the ratio, or the speed of the output, is due");
-        let speed = self.input.0.abs();
-        let ratio = match (self.ratio, self.output_speed) {
-            (Some(ratio), _) => ratio.get(),
-            (None, Some(output)) => (self.input.0 / output.0).si(),
-            (None, None) => return Err(due()),
-        };
-        if ratio < 0.0 {
-            return Err(self.reversal(ratio));
-        }
-        // A quotient of the fast speed over the slow one.
-        let steps_up = ratio < 1.0;
-        let quotient = if steps_up { 1.0 / ratio } else { ratio };
-        if !(quotient.is_finite() && quotient > 1.0) {
-            let message = format!("{}: stages in series have a ratio other than 0 and 1", trimmed(ratio, 6));
-            let option = if self.ratio.is_some() { "--ratio" } else { "--output-speed" };
-            return Err(Failure::invalid(option, message));
-        }
-        let load = match (self.torque, self.output_torque, self.power) {
-            (Some(torque), ..) => Some(Load::Torque(torque.0)),
-            (_, Some(torque), _) => Some(Load::Torque(torque.0 / ratio)),
-            (.., power) => power.map(|power| Load::Power(power.0)),
-        };
-        // Power enters in either direction.
-        let duty = Duty { input_speed: Some(speed), load };
-        let tolerance = self.tolerance()?;
-        self.refuse_ring()?;
-        let bounds = self.teeth([Application::suns(self.sizes.application), 17..=80, 50..=160])?;
-        let stages = self.stages.clone().unwrap_or(1..=MOST_STAGES);
-        Ok(WantedStages {
-            ratio: quotient,
-            steps_up,
-            tolerance,
-            stages: *stages.start() as usize..=*stages.end() as usize,
-            teeth: Teeth {
-                suns: bounds.sun,
-                planets: bounds.planet,
-                rings: bounds.ring,
-                ring_offsets: self.ring_offset.clone().unwrap_or(0..=0),
-                ring_to_sun_ratio: self.criteria.k(Bounds::default().ring_to_sun_ratio)?,
-                is_hunting: self.hunting_teeth || self.sizes.application == Some(Application::Wind),
-            },
-            speed,
-            is_backward: self.input.0.si() < 0.0,
-            is_hunting_asked: self.hunting_teeth && self.sizes.application != Some(Application::Wind),
-            torque: duty.torque().map_err(refuse_of)?.ok_or(Error::NoLoad).map_err(refuse_of)?,
-            is_of_output: self.output_torque.is_some(),
-            overload: self.overload()?,
-            efficiency: self.criteria.set_efficiency()?.get(),
-            basis: self.basis()?,
-            size: self.sized(),
-        })
-    }
-
-    /// Refuses an output that turns against the input, with what to type for one that does.
-    fn reversal(&self, ratio: f64) -> Failure {
-        let asked = trimmed(ratio.abs(), 6);
-        let (option, value, forward) = match (&self.ratio, &self.output_speed) {
-            (None, Some(output)) => {
-                let forward =
-                    Quantity(if self.input.0.si() < 0.0 { -output.0.abs() } else { output.0.abs() });
-                let value = format!("{output} with --input {}", self.input);
-                ("--output-speed", value, format!("--output-speed '{forward}'"))
-            }
-            _ => ("--ratio", trimmed(ratio, 6), format!("--ratio {asked}")),
-        };
-        let load = if self.output_torque.is_some() {
-            ", with --power or --torque in place of --output-torque"
-        } else {
-            ""
-        };
-        Failure::invalid(
-            option,
-            format!(
-                "{value}: stages in series hold their rings and do not reverse; write {forward}, or for a \
-                 gear that reverses, beside direct drive, --ratios '-{asked}'{load}"
-            ),
-        )
     }
 
     /// Speed and load of the input in every gear.
@@ -539,7 +446,7 @@ impl Request {
     }
 
     /// Bounds of tooth numbers, with those that are usual where none are given.
-    fn teeth(&self, usual: [RangeInclusive<u32>; 3]) -> Result<Bounds, Failure> {
+    pub(super) fn teeth(&self, usual: [RangeInclusive<u32>; 3]) -> Result<Bounds, Failure> {
         let [sun, planet, ring] = usual.map(Span::from);
         options::proposed([self.sun.unwrap_or(sun), self.planet.unwrap_or(planet), self.ring.unwrap_or(ring)])
     }

@@ -5,7 +5,7 @@ use super::attempt::CLASSES;
 use super::making::{Load, MAKING, mapping, warnings, with_load};
 use super::masses::Masses;
 use super::records::SizesStep;
-use super::stages_ways_out::{self, WayOutOfStages};
+use super::ways_out::WayOutOfStages;
 use crate::analyze::answer::{analysis, moving};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
@@ -24,9 +24,6 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
 use uom::si::f64::{AngularVelocity, Torque};
-
-/// Trains of each number of stages that are searched: the best and the next.
-const MOST: usize = 2;
 
 /// Order for stages in series.
 #[derive(Debug, Clone)]
@@ -253,19 +250,6 @@ impl TrainsOf {
             taken: false,
         }
     }
-}
-
-/// Designs stages in series. `goes_on` is called now and then, and may end the search. If no stages hold, the
-/// search is repeated with each obstructing limit relaxed.
-///
-/// # Errors
-/// As of [`size`](SizeRequest::answer), which refer to the unfinished gearbox.
-pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Stages, Error> {
-    let mut stages = attempted(wanted, MOST, goes_on)?;
-    if stages.file.is_none() {
-        stages.ways_out = Some(stages_ways_out::of((wanted, &stages), goes_on)?);
-    }
-    Ok(stages)
 }
 
 /// Designs stages in series without ways out; `most` trains of each number of stages are listed.

@@ -1,32 +1,14 @@
-//! Limits to relax if no stages in series are found, each with the train that is then found.
+//! Stages in series; if none are found, limits to relax, each with the train that is then found.
 //!
 //! Every way out is the result of the same search with the limit relaxed. The same command with the option
 //! finds the same train.
 
 use super::stages::{Stages, WantedStages, attempted};
-use super::ways_out::{GREATEST_TOLERANCE, Limit, OFFSETS, RelaxedLimit, rounded};
+use super::ways_out::{GREATEST_TOLERANCE, Limit, OFFSETS, RelaxedLimit, WayOutOfStages, rounded};
 use crate::error::Error;
 use epicyclic_strength::load::MOST_SHARING;
 use epicyclic_units::Physical;
-use schemars::JsonSchema;
-use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
-
-/// Limits to relax, with the stages in series that are then found.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct WayOutOfStages {
-    /// Limits that must be relaxed together.
-    pub limits: Vec<RelaxedLimit>,
-    /// Tooth numbers of sun, planet and ring of each stage, from the input on.
-    pub teeth: Vec<[u32; 3]>,
-    /// Ratio of the train.
-    pub ratio: f64,
-    /// Greatest outside diameter of a ring, in m.
-    pub ring_diameter_m: f64,
-    /// Mass of gears, carriers and housing by a rule, and of the slow shaft, in kg.
-    pub whole_kg: Option<f64>,
-}
 
 /// Tooth numbers of suns, planets and rings, and ring-to-sun ratios, that are tried.
 const SUNS: [u32; 2] = [12, 60];
@@ -44,9 +26,25 @@ const MANY: u64 = 1000;
 /// Relative width of the interval in which the least sufficient ring is found.
 const RING_STEP: f64 = 0.05;
 
+/// Trains of each number of stages that are searched: the best and the next.
+const MOST: usize = 2;
+
+/// Designs stages in series. `goes_on` is called now and then, and may end the search. If no stages hold, the
+/// search is repeated with each obstructing limit relaxed.
+///
+/// # Errors
+/// As of [`size`](crate::size::options::Request::answer), which refer to the unfinished gearbox.
+pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Stages, Error> {
+    let mut stages = attempted(wanted, MOST, goes_on)?;
+    if stages.file.is_none() {
+        stages.ways_out = Some(of((wanted, &stages), goes_on)?);
+    }
+    Ok(stages)
+}
+
 /// Finds the ways out for an order without stages that hold: each limit relaxed alone, those of tooth numbers
 /// only if no other suffices; or else as few as possible of the others together.
-pub(super) fn of(
+fn of(
     (wanted, found): (&WantedStages, &Stages),
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<Vec<WayOutOfStages>, Error> {

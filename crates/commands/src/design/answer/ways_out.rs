@@ -32,6 +32,22 @@ pub struct WayOut {
     pub teeth: TeethTaken,
 }
 
+/// Limits to relax, with the stages in series that are then found.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct WayOutOfStages {
+    /// Limits that must be relaxed together.
+    pub limits: Vec<RelaxedLimit>,
+    /// Tooth numbers of sun, planet and ring of each stage, from the input on.
+    pub teeth: Vec<[u32; 3]>,
+    /// Ratio of the train.
+    pub ratio: f64,
+    /// Greatest outside diameter of a ring, in m.
+    pub ring_diameter_m: f64,
+    /// Mass of gears, carriers and housing by a rule, and of the slow shaft, in kg.
+    pub whole_kg: Option<f64>,
+}
+
 /// Limit with a sufficient value.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]

@@ -1,7 +1,8 @@
 //! Stages in series, asked and reached, with what came next.
 
 use crate::design::answer::stages::{Stages, TrainsOf};
-use crate::design::answer::stages_ways_out::{STAGES, WayOutOfStages};
+use crate::design::answer::stages_ways_out::STAGES;
+use crate::design::answer::ways_out::WayOutOfStages;
 use crate::design::table::{
     ASSUMED, DIGITS, assumed, masses, of_found, of_sizes, options_of, parts_of_sizes,
 };
