@@ -1,5 +1,6 @@
 //! Every tooth design by one enumeration, against the trial of all sets with the solver's ratios.
 
+use epicyclic_gears::ToothCount;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_schemes::ratio_series::RatioSeries;
@@ -35,7 +36,7 @@ fn the_designs_are_those_of_every_trial() -> Result<(), Box<dyn Error>> {
         }
     }
     let teeth: Vec<[u32; 3]> =
-        all.iter().map(|set| [set.sun, set.planet, set.ring].map(|z| z.get())).collect();
+        all.iter().map(|set| [set.sun, set.planet, set.ring].map(ToothCount::get)).collect();
     assert_eq!(teeth, expected);
     let k: Vec<f64> = expected.iter().map(|[sun, _, ring]| f64::from(*ring) / f64::from(*sun)).collect();
     let mut seen = 0;

@@ -15,6 +15,7 @@ use crate::size::answer::{self as size, sizing_of};
 use crate::tolerance::OBJECTIVE;
 use epicyclic_formats::Document;
 use epicyclic_formats::yaml::to_string;
+use epicyclic_gears::ToothCount;
 use epicyclic_gears::synthesis::ToothNumbers;
 use epicyclic_schemes::catalogue::SchemeGear;
 use epicyclic_selection::drawing::drawable_direct_clutches;
@@ -124,7 +125,12 @@ impl Design {
             number,
             mass_kg: costed.map(|costed| costed.mass_kg),
             rules_missed: costed.map(|costed| costed.rules_missed),
-            sets: self.of.teeth.iter().map(|set| [set.sun, set.planet, set.ring].map(|z| z.get())).collect(),
+            sets: self
+                .of
+                .teeth
+                .iter()
+                .map(|set| [set.sun, set.planet, set.ring].map(ToothCount::get))
+                .collect(),
             ratios: self.of.mechanism.ratios(&k),
         }
     }
