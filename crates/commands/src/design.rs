@@ -6,6 +6,7 @@ mod gears;
 pub mod page;
 pub mod request;
 pub mod table;
+mod values;
 
 pub use answer::Design;
 pub use factor::Factor;
