@@ -7,6 +7,7 @@ pub mod page;
 pub mod request;
 mod stages;
 pub mod table;
+mod values;
 
 pub use answer::Design;
 pub use factor::Factor;

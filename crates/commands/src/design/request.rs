@@ -6,6 +6,7 @@ use crate::design::answer::transmission::Transmission;
 use crate::design::answer::{Design, Wanted, answer};
 use crate::design::table::stages::why_no_stages;
 use crate::design::table::way_out;
+use crate::design::values::{life, named, sharing, whole};
 use crate::desk::Call;
 use crate::error::Error;
 use crate::failure::Failure;
@@ -33,10 +34,9 @@ use crate::tolerance::SHARES;
 use epicyclic_formats::{Document, RangeError, Span};
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_selection::{Mechanism, Order, Rating, Signs};
-use epicyclic_strength::load::{Floating, load_sharing};
 use epicyclic_strength::sizing::Objective as MinimisedSize;
 use epicyclic_units::format::trimmed;
-use epicyclic_units::{Number, Physical, Quantity, QuantityError};
+use epicyclic_units::{Number, Physical, Quantity};
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use uom::si::f64::{AngularVelocity, Power, Ratio, Time, Torque};
@@ -229,14 +229,6 @@ const OF_SPEEDS: [&str; 17] = [
 fn stages(text: &str) -> Result<RangeInclusive<u32>, String> {
     let range: Span<u32> = text.parse().map_err(|error: RangeError| error.to_string())?;
     range.within(1..=MOST_STAGES).map_err(|error| error.to_string())
-}
-
-/// A mechanism by its name.
-fn named(name: &str) -> Result<Mechanism, String> {
-    Mechanism::named(name).ok_or_else(|| {
-        "a scheme of the catalogue (I … III-3) or a structure by its links (D.T1.B+T2.B.T1, D.T1.B) is due"
-            .to_owned()
-    })
 }
 
 /// Runs the command.
@@ -495,41 +487,6 @@ impl Request {
         }
         Ok(basis)
     }
-}
-
-/// Shares in proportion to these, in hundredths of a percent, that are together 1; of none, equal ones.
-fn whole(shares: &[f64], sum: f64) -> Vec<f64> {
-    let of = |share: &f64| if sum > 0.0 { share / sum } else { 1.0 / shares.len() as f64 };
-    let mut all: Vec<f64> = shares.iter().map(|share| (of(share) * 1e4).round() / 1e4).collect();
-    let others: f64 = all.iter().skip(1).sum();
-    all[0] = 1.0 - others;
-    all
-}
-
-/// Required life; a number alone is most likely meant in hours.
-fn life(text: &str) -> Result<Quantity<Time>, String> {
-    if let Ok(number) = text.parse::<Number>() {
-        return Err(format!(
-            "{text}: no unit; write '{} h', or another unit of time (s, min, h)",
-            trimmed(number.get(), 12)
-        ));
-    }
-    let life: Quantity<Time> = text.parse().map_err(|error: QuantityError| error.to_string())?;
-    if life.0.si() > 0.0 {
-        Ok(life)
-    } else {
-        Err(format!("{text}: a life is above 0; write such as '20000 h'"))
-    }
-}
-
-/// `K_γ` with 2 to 8 planets, a floating member assumed as in the rating of the designs; of 8, which its
-/// table does not have, that of 7.
-fn sharing() -> Result<[f64; 7], Failure> {
-    let mut all = [1.0; 7];
-    for (planets, of) in (2..).zip(&mut all) {
-        *of = load_sharing(planets.min(7), Floating::Assumed).map_err(Error::from)?;
-    }
-    Ok(all)
 }
 
 /// Converts an error to a failure with the option that caused it.
