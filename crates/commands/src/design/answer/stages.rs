@@ -438,6 +438,8 @@ mod tests {
     fn wanted(steps_up: bool) -> WantedStages {
         WantedStages {
             ratio: 20.0,
+            is_backward: false,
+            is_hunting_asked: false,
             steps_up,
             tolerance: 0.03,
             stages: 1..=3,
