@@ -200,24 +200,3 @@ fn a_list_of_gears_is_what_its_file_says() {
         assert!((1..design.gearboxes.len()).all(|other| rank(0) <= rank(other)));
     }
 }
-
-/// Limits that the file states are kept, whatever that weighs.
-#[test]
-fn sizes_keep_to_limits_that_the_file_states() {
-    let file = include_str!("../../../examples/travel-drive-duty.yaml");
-    let sized = |limits: &str| {
-        let own = gearbox(&format!("{file}\nlimits: {{ {limits} }}\n"));
-        let size =
-            request::<size::Request>(["--planets=3", "--most=3"]).unwrap().answer(&own, &GO_ON).unwrap();
-        let found = size.sets.iter().flat_map(|set| &set.found);
-        let ratios = found.map(|design| design.families[0].face_width_over_diameter).collect::<Vec<f64>>();
-        (ratios, size.mass_kg)
-    };
-    let (usual, mass) = sized("specific-sliding: ..3");
-    assert!(usual.iter().all(|ratio| *ratio > 0.4), "{usual:?}");
-    let (narrow, heavier) = sized("face-width: 0.1..0.25");
-    assert!(!narrow.is_empty() && narrow.iter().all(|ratio| (0.1..=0.2501).contains(ratio)), "{narrow:?}");
-    assert!(heavier.unwrap() > mass.unwrap());
-    let (none, no_mass) = sized("face-width: 0.01..0.011");
-    assert_eq!((none.len(), no_mass), (0, None));
-}

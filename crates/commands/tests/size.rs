@@ -276,7 +276,7 @@ fn sizes_follow_the_limits_of_the_file() {
     assert_ne!(size.sets[0].found[0].mass_kg, usual.sets[0].found[0].mass_kg);
     let limits = |text: &str| read(text).read::<GearboxFile>().unwrap().limits();
     assert_eq!(limits(&size::saved(&read(&text), &size).unwrap()), limits(&text));
-    // A range that no size keeps turns what held into warnings.
-    let (_, _, widths) = found("limits: { face-width: ..0.01 }\n");
-    assert!(widths.iter().all(|check| !check.holds && check.severity == Severity::Warning), "{widths:?}");
+    // A range that no size keeps leaves none.
+    let none = sized(&(hoist() + "limits: { face-width: ..0.01 }\n"), &only).unwrap();
+    assert!(none.sets.iter().all(|set| set.found.is_empty() && set.left_out.practice > 0), "{none:?}");
 }

@@ -1,4 +1,5 @@
-//! The size of a three-speed gearbox of two sets, whose loads do not depend on it.
+//! The size of a three-speed gearbox of two sets, whose loads do not depend on it; the lightest of many such
+//! gearboxes by bounds, and by the size of each.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use epicyclic_gears::ToothCount;
@@ -8,6 +9,7 @@ use epicyclic_gears::involute::profile::{Cutting, Profiles};
 use epicyclic_gears::involute::set::Limits;
 use epicyclic_gears::involute::tool::{Shaper as GearShaper, Tool};
 use epicyclic_strength::factor::{Given, Symbol};
+use epicyclic_strength::lightest::{Gearbox, LoadedSet, lightest};
 use epicyclic_strength::material;
 use epicyclic_strength::mesh::{Gear, Method};
 use epicyclic_strength::root::{factors::Bending, section::Shaper};
@@ -16,9 +18,10 @@ use epicyclic_strength::sizing::{Objective, Pin, STANDARD_MODULES_MM, SetStep, S
 use std::hint::black_box;
 use std::ops::ControlFlow;
 use uom::si::angular_velocity::revolution_per_minute;
-use uom::si::f64::{AngularVelocity, KinematicViscosity, Length, Time, Torque};
+use uom::si::f64::{AngularVelocity, KinematicViscosity, Length, Mass, Time, Torque};
 use uom::si::kinematic_viscosity::square_millimeter_per_second;
 use uom::si::length::{micrometer, millimeter};
+use uom::si::mass::kilogram;
 use uom::si::{time::hour, torque::newton_meter};
 
 /// A shaper of 30 teeth with rounded tips of 0.3.
@@ -111,5 +114,45 @@ fn sizing(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, sizing);
+/// Gearboxes of two sets, of four tooth numbers each.
+fn lightest_of_many(c: &mut Criterion) {
+    let firsts = [[24, 30, 84], [27, 33, 93], [21, 27, 75], [30, 36, 102]];
+    let seconds = [[30, 24, 78], [33, 27, 87], [36, 30, 96], [27, 21, 69]];
+    let loaded = |teeth, steps| {
+        let Sizing { teeth, duty, overloads, .. } = set(teeth, steps);
+        LoadedSet { teeth, duty, overloads }
+    };
+    let pairs = firsts.iter().flat_map(|first| seconds.iter().map(move |second| (*first, *second)));
+    let gearbox = |(first, second)| Gearbox {
+        group: 0,
+        sets: vec![
+            loaded(first, [[0.3, 500.0, 1200.0, 330.0], [0.4, 320.0, 600.0, 900.0], [0.3, 0.0, 0.0, 1500.0]]),
+            loaded(second, [[0.3, 0.0, 0.0, 330.0], [0.4, 900.0, 800.0, 400.0], [0.3, 0.0, 0.0, 1500.0]]),
+        ],
+        rules_missed: 0,
+    };
+    let gearboxes: Vec<Gearbox> = pairs.map(gearbox).collect();
+    let mut of_set = set(firsts[0], [[0.0; 4]; 3]);
+    of_set.space.modules.truncate(8);
+    let go_on = || ControlFlow::Continue(());
+    let by_bounds = || lightest(&of_set, black_box(&gearboxes), 1, &|_| true, &go_on).expect("a search");
+    let one_by_one = || {
+        let mass = |set: &LoadedSet| {
+            let LoadedSet { teeth, duty, overloads } = set.clone();
+            let sizing = Sizing { teeth, duty, overloads, ..of_set.clone() };
+            size(&sizing, 1, &go_on).expect("a search").found[0].mass
+        };
+        let masses = black_box(&gearboxes).iter().map(|one| one.sets.iter().map(mass).sum::<Mass>());
+        masses.fold(Mass::new::<kilogram>(f64::INFINITY), Mass::min)
+    };
+    let best = by_bounds().best[0].mass_kg;
+    assert!((best / one_by_one().get::<kilogram>() - 1.0).abs() < 1e-9);
+    let mut group = c.benchmark_group("lightest");
+    group.sample_size(10);
+    group.bench_function("by_bounds", |b| b.iter(by_bounds));
+    group.bench_function("one_by_one", |b| b.iter(one_by_one));
+    group.finish();
+}
+
+criterion_group!(benches, sizing, lightest_of_many);
 criterion_main!(benches);

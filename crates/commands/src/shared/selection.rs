@@ -12,13 +12,13 @@ use epicyclic_selection::quantity::{KRange, Limited, Rated};
 use epicyclic_selection::{Limits, Orders, Rating, Requirements, Signs, Space};
 use epicyclic_units::{Number, Physical, Quantity};
 use std::ops::RangeInclusive;
-use uom::si::f64::{Ratio, Velocity};
+use uom::si::f64::{AngularVelocity, Ratio, Velocity};
 
 /// Speeds or ratios of the gearbox, and the mechanisms to choose among.
 #[derive(Debug, Clone, clap::Args)]
 pub struct Speeds {
     /// Speeds of the machine, the slowest first.
-    #[arg(long, conflicts_with = "ratios", allow_hyphen_values = true)]
+    #[arg(long, conflicts_with = "ratios", allow_hyphen_values = true, value_parser = of_machine)]
     pub speeds: Option<Quantities<Velocity>>,
 
     /// Ratios of the gears, input speed over output speed, in place of speeds: '2.5, 1.5' or '2,5; 1,5'. One or
@@ -30,6 +30,17 @@ pub struct Speeds {
     /// All 111 structures of two sets (or the 6 of one), and not only the source's.
     #[arg(long)]
     pub all_structures: bool,
+}
+
+/// Speeds of the machine; those of a shaft are told what to write.
+fn of_machine(text: &str) -> Result<Quantities<Velocity>, String> {
+    text.parse().or_else(|error: String| match text.parse::<Quantities<AngularVelocity>>() {
+        Ok(_) => Err(format!(
+            "{text}: speeds of a shaft; due are those of the machine, as '0.8 m/s, 1.6 m/s', of which the fastest is direct drive. For speeds of \
+             the output write --ratios, input speed over output speed"
+        )),
+        Err(_) => Err(error),
+    })
 }
 
 /// How the ratios are taken.

@@ -79,8 +79,7 @@ pub struct Size {
     /// Mass of the best designs of all sets, in kg; null if a set has none.
     pub mass_kg: Option<f64>,
     /// Mass of the best designs with carriers and housing, by a rule, in kg; null if a set has none.
-    #[serde(rename = "with_structure_kg")]
-    pub whole_kg: Option<f64>,
+    pub with_structure_kg: Option<f64>,
     /// Sets with their best designs.
     pub sets: Vec<SizedSet>,
     /// Sets that are not sized.
@@ -225,7 +224,7 @@ pub(crate) fn answer(
         sought: Sought::of(request),
         designs: sets.iter().map(|set| set.designs).sum(),
         mass_kg: sets.iter().map(|set| Some(set.found.first()?.mass_kg)).sum(),
-        whole_kg: sets.iter().map(|set| set.found.first().map(SizedDesign::whole_kg)).sum(),
+        with_structure_kg: sets.iter().map(|set| set.found.first().map(SizedDesign::with_structure_kg)).sum(),
         sets,
         not_sized,
         judgement,

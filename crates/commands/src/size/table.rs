@@ -42,7 +42,7 @@ impl AsReport for Size {
             }
             (Some(mass), Objective::Whole) => format!(
                 "about {} with carriers and housing, the lightest of {} designs, gears of {}.",
-                words(Dimension::Mass, self.whole_kg.unwrap_or_default(), 3),
+                words(Dimension::Mass, self.with_structure_kg.unwrap_or_default(), 3),
                 self.designs,
                 words(Dimension::Mass, mass, 4)
             ),

@@ -102,6 +102,8 @@ pub struct Order {
     pub ratio: RangeInclusive<f64>,
     /// Tooth numbers.
     pub teeth: Teeth,
+    /// Stages beyond usual practice at most; `None` for any number.
+    pub most_unusual: Option<u32>,
     /// The duty.
     pub duty: Vec<InputStep>,
     /// A set with materials, factors, requirements and space. Its teeth, duty and overloads are not used;

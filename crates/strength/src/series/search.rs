@@ -327,6 +327,10 @@ impl Search<'_> {
             queue.extend(all.into_iter().map(Reverse));
             while queue.peek().is_some_and(|next| next.0.cost <= within) {
                 let Some(Reverse(next)) = queue.pop() else { break };
+                let most_unusual = self.stages.order.most_unusual.map_or(f64::INFINITY, f64::from);
+                if next.cost.unusual > most_unusual {
+                    return Ok((found, is_whole));
+                }
                 let products = self.products(&next.sets);
                 let known = next.sets.iter().zip(&products).map(|(set, before)| self.cost(*set, *before));
                 let known: Vec<(Option<Cost>, Known)> = known.collect();

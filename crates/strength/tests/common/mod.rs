@@ -89,6 +89,7 @@ pub(crate) fn conveyor() -> Order {
             ring_to_sun_ratio: 2.0..=9.0,
             is_hunting: false,
         },
+        most_unusual: None,
         duty: vec![InputStep {
             share: 1.0,
             torque: Torque::new::<newton_meter>(579.0),

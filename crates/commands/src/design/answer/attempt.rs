@@ -58,7 +58,7 @@ impl Attempt {
         let search = Search::new(wanted, mechanisms, &goes_on)?;
         let chosen = search.chosen(&goes_on)?;
         let of = |costed: &Costed, number: usize| search.all[costed.place].taken(Some(costed), number);
-        let number = wanted.tooth_design.unwrap_or(1);
+        let number = wanted.tooth_design.unwrap_or(1).max(1);
         let mut teeth = TeethStep {
             tolerance: chosen.within,
             compared: chosen.compared as u64,

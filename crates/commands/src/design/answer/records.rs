@@ -204,7 +204,7 @@ impl SizesStep {
         let reserve = |one: &GoverningSet| one.requirement.reserve();
         let governing =
             best.and_then(|all| all.into_iter().min_by(|one, other| reserve(one).total_cmp(&reserve(other))));
-        let Size { designs, mass_kg, whole_kg: with_structure_kg, sets, judgement, .. } = size;
+        let Size { designs, mass_kg, with_structure_kg, sets, judgement, .. } = size;
         Self { designs, mass_kg, with_structure_kg, sets, governing, judgement }
     }
 }

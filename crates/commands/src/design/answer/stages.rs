@@ -262,12 +262,17 @@ pub(super) fn attempted(
     // practice.
     let (mut within, mut found) = (0.0, None);
     for part in CLASSES {
-        let of_class = searched(wanted, part * wanted.tolerance, most, goes_on)?;
-        let misses = misses(&of_class);
-        if found.as_ref().and_then(self::misses).is_none_or(|before| misses.is_some_and(|own| own < before)) {
-            (within, found) = (part * wanted.tolerance, Some(of_class));
+        let tolerance = part * wanted.tolerance;
+        // Trains of a wider class have to keep to usual practice in more stages.
+        if let Some(before) = found.as_ref().and_then(unusual)
+            && unusual(&searched(wanted, (tolerance, Some(before - 1)), 1, goes_on)?).is_none()
+        {
+            continue;
         }
-        if wanted.tolerance == 0.0 || misses.is_some_and(|[unusual, _]| unusual == 0) {
+        let of_class = searched(wanted, (tolerance, None), most, goes_on)?;
+        let is_usual = unusual(&of_class) == Some(0);
+        (within, found) = (tolerance, Some(of_class));
+        if wanted.tolerance == 0.0 || is_usual {
             break;
         }
     }
@@ -337,10 +342,9 @@ pub(super) fn attempted(
     })
 }
 
-/// Stages beyond usual practice and rules missed of the best train; `None` without a train.
-fn misses(found: &Found) -> Option<[u32; 2]> {
-    let best = found.all.iter().filter_map(|trains| trains.found.first());
-    best.map(|train| [train.unusual_stages, train.rules_missed]).min()
+/// Stages beyond usual practice of the best train; `None` without a train.
+fn unusual(found: &Found) -> Option<u32> {
+    found.all.iter().filter_map(|trains| trains.found.first()).map(|train| train.unusual_stages).min()
 }
 
 /// Efficiencies of the meshes of a train, driven from the input and from the output; `None` if their losses
@@ -353,20 +357,22 @@ fn efficiencies(wanted: &WantedStages, train: &TrainOfStages) -> Result<[Option<
     Ok([analysis.efficiency(), analysis.back_driving_efficiency()].map(moving))
 }
 
-/// Searches the best trains of each number of stages within a tolerance.
+/// Searches the best trains of each number of stages within a tolerance, with so many stages beyond usual
+/// practice at most.
 fn searched(
     wanted: &WantedStages,
-    tolerance: f64,
+    (tolerance, most_unusual): (f64, Option<u32>),
     most: usize,
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<Found, Error> {
+    let order = |stages| Ok::<_, Error>(Order { most_unusual, ..order(wanted, tolerance, stages)? });
     if !wanted.is_of_output {
-        return Ok(search(&order(wanted, tolerance, wanted.stages.clone())?, most, goes_on)?);
+        return Ok(search(&order(wanted.stages.clone())?, most, goes_on)?);
     }
     // More stages lose more, so each number of them has its own torque on the input.
     let mut found = Found { sets: 0, all: vec![] };
     for stages in wanted.stages.clone() {
-        let of_number = search(&order(wanted, tolerance, stages..=stages)?, most, goes_on)?;
+        let of_number = search(&order(stages..=stages)?, most, goes_on)?;
         found.sets = found.sets.max(of_number.sets);
         found.all.extend(of_number.all);
     }
@@ -389,6 +395,7 @@ fn order(wanted: &WantedStages, tolerance: f64, stages: RangeInclusive<usize>) -
         stages,
         ratio: wanted.ratio * less..=wanted.ratio * more,
         teeth: wanted.teeth.clone(),
+        most_unusual: None,
         duty: vec![fast],
         of_stage,
     })

@@ -475,6 +475,6 @@ impl Sized {
     /// Whether a set has no size, errors and warnings, mass.
     fn rank(&self) -> (bool, usize, f64) {
         let GearboxWithTeeth { warnings, mass_kg, .. } = self.of;
-        (mass_kg.is_none(), warnings, self.size.whole_kg.unwrap_or_default())
+        (mass_kg.is_none(), warnings, self.size.with_structure_kg.unwrap_or_default())
     }
 }

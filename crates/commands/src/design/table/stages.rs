@@ -250,6 +250,6 @@ fn searched(stages: &Stages) -> Records {
         .number("sized", "stages sized", |of| of.sized as f64)
         .words("complete", "all compared", |of| if of.complete { "yes" } else { "no" })
         .view("How they were found", "stages compared sized complete")
-        .note("trains: within the part of the tolerance that gave any. A stage is sized only where a bound below its mass leaves it a chance.")
+        .note("trains: within the part of the tolerance from which the train is taken. A stage is sized only where a bound below its mass leaves it a chance.")
         .records()
 }

@@ -329,7 +329,7 @@ pub struct SizedDesign {
 impl SizedDesign {
     /// Mass with carrier and housing, in kg.
     #[must_use]
-    pub fn whole_kg(&self) -> f64 {
+    pub fn with_structure_kg(&self) -> f64 {
         self.mass_kg + self.structure_kg
     }
 
