@@ -14,7 +14,6 @@ use epicyclic_commands::strength::answer::records::Reason;
 use epicyclic_commands::words::request;
 use epicyclic_formats::Document;
 use epicyclic_formats::gearbox::GearboxFile;
-use epicyclic_judge::Severity;
 use epicyclic_strength::sizing::{Objective, Requirement};
 
 /// Two speeds and direct drive of two simple sets, and a double-planet set that nothing drives through.
