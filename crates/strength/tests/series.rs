@@ -123,6 +123,7 @@ fn small(ratio: f64, torque: f64, suns: u32, objective: Objective) -> Order {
             is_hunting: suns.is_multiple_of(3),
             ..order.teeth
         },
+        most_unusual: None,
         duty: vec![
             InputStep { share: 0.7, ..step },
             InputStep { share: 0.3, torque: step.torque * 0.5, ..step },
