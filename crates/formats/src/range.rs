@@ -340,7 +340,7 @@ mod tests {
             "0.05..10 ‰: the first end has no unit; write 0.05 ‰..10 ‰"
         );
         assert_eq!(read("..10 %"), Ok((None, Some(0.1))));
-        assert!(teeth("5..10 %").unwrap_err().contains("not a whole number"));
+        assert!(teeth("5..10 %").unwrap_err().contains("have no unit; write 5..10"));
     }
 
     #[test]
