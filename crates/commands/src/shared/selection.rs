@@ -34,12 +34,12 @@ pub struct Speeds {
 
 /// Speeds of the machine; those of a shaft are told what to write.
 fn of_machine(text: &str) -> Result<Quantities<Velocity>, String> {
-    text.parse().or_else(|error: String| match text.parse::<Quantities<AngularVelocity>>() {
-        Ok(_) => Err(format!(
+    text.parse().map_err(|error: String| match text.parse::<Quantities<AngularVelocity>>() {
+        Ok(_) => format!(
             "{text}: speeds of a shaft; due are those of the machine, as '0.8 m/s, 1.6 m/s', of which the fastest is direct drive. For speeds of \
              the output write --ratios, input speed over output speed"
-        )),
-        Err(_) => Err(error),
+        ),
+        Err(_) => error,
     })
 }
 
