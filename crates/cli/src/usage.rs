@@ -79,7 +79,7 @@ pub(crate) fn shown(mut error: clap::Error) -> clap::Error {
     error
 }
 
-/// What to do about options that exclude one another; `None` of other refusals.
+/// Remedy for options that exclude one another; `None` of other refusals.
 fn of_conflict(error: &clap::Error) -> Option<String> {
     if error.kind() != ErrorKind::ArgumentConflict {
         return None;

@@ -135,7 +135,7 @@ fn lightest_of_many(c: &mut Criterion) {
     let mut of_set = set(firsts[0], [[0.0; 4]; 3]);
     of_set.space.modules.truncate(8);
     let go_on = || ControlFlow::Continue(());
-    let by_bounds = || lightest(&of_set, black_box(&gearboxes), 1, &|_| true, &go_on).expect("a search");
+    let by_bounds = || lightest(&of_set, black_box(&gearboxes), 1, &go_on).expect("a search");
     let one_by_one = || {
         let mass = |set: &LoadedSet| {
             let LoadedSet { teeth, duty, overloads } = set.clone();

@@ -8,9 +8,9 @@
 //!
 //! # How the best gearbox is found
 //! Each set has a bound below its cost, for the least of the loads that it has in any gearbox of its group.
-//! All gearboxes are put in the order of the sums of these bounds. The first gearbox gets one of its sets
-//! sized, first for the least load, then for its own, and goes back into the queue with the cost in place of
-//! the bound. A gearbox that comes first with all sets sized is the best: no other has a lower bound.
+//! All gearboxes are put in the order of the sums of these bounds. One set of the first gearbox is sized:
+//! for the least load, later for its own. Its cost takes the place of its bound, and the gearbox goes back
+//! into the queue. The gearbox that comes first with all sets sized is the best: no other has a lower bound.
 
 use crate::Error;
 use crate::bounded::{Cost, Geometries, Load, Sets, TriedSet, greatest};
@@ -18,7 +18,7 @@ use crate::sizing::{SetOverload, SetStep, Sizing};
 use epicyclic_gears::ToothCount;
 use epicyclic_units::Physical;
 use std::cmp::Reverse;
-use std::collections::{BinaryHeap, HashMap, HashSet};
+use std::collections::{BinaryHeap, HashMap};
 use std::ops::{Add, ControlFlow};
 
 /// Sets that are sized at most.
@@ -73,12 +73,11 @@ pub struct Found {
     pub is_complete: bool,
     /// The best gearboxes, in order.
     pub best: Vec<Costed>,
-    /// The best gearboxes of groups that have none among these, in order, as far as a short search finds them.
+    /// The best gearboxes of groups without one of these, in order, as far as a short search finds them.
     pub of_other_groups: Vec<Costed>,
 }
 
-/// The best `most` gearboxes of those that `is_accepted` accepts, unless `goes_on`, which is called now and
-/// then, breaks. `of_set` is a set with materials, factors, requirements and space; its teeth, duty and
+/// The best `most` gearboxes, unless `goes_on`, which is called now and then, breaks. `of_set` is a set with materials, factors, requirements and space; its teeth, duty and
 /// overloads are not used.
 ///
 /// # Errors
@@ -88,7 +87,6 @@ pub fn lightest(
     of_set: &Sizing,
     gearboxes: &[Gearbox],
     most: usize,
-    is_accepted: &dyn Fn(usize) -> bool,
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<Found, Error> {
     of_set.space.check()?;
@@ -98,7 +96,6 @@ pub fn lightest(
         let bounds = search.known(place).into_iter().map(|(cost, _)| cost);
         queue.extend(search.whole(place, bounds).map(|cost| Reverse(Queued { cost, place })));
     }
-    let (mut rejected, mut accepted) = (HashSet::new(), HashSet::new());
     let mut found = Found { sized: 0, is_complete: true, best: vec![], of_other_groups: vec![] };
     let mut others_from = None;
     while let Some(Reverse(next)) = queue.pop() {
@@ -114,13 +111,6 @@ pub fn lightest(
         if cost > next.cost {
             queue.push(Reverse(Queued { cost, ..next }));
             continue;
-        }
-        if !accepted.contains(&next.place) {
-            if rejected.contains(&next.place) || !is_accepted(next.place) {
-                rejected.insert(next.place);
-                continue;
-            }
-            accepted.insert(next.place);
         }
         let least = known.iter().enumerate().min_by_key(|(_, (_, known))| *known);
         match least {
@@ -272,15 +262,18 @@ impl<'a> Search<'a> {
         let Some(Some(set)) = self.tried.get(&own.teeth) else { return Ok(()) };
         // A set that has the least load alone is sized at once.
         let is_least = known == Known::Tried && !least.is_load_of(own);
-        let known = &mut self.geometries;
+        let (load, duty, overloads) = match is_least {
+            true => (least.load, &least.duty, &least.overloads),
+            false => {
+                let load = Load { duty: least.load.duty, ..self.sets.load(own.teeth, &own.duty) };
+                (load, &own.duty, &own.overloads)
+            }
+        };
+        let loads = (duty.clone(), overloads.clone());
+        let cost = self.sets.size(set, (load, is_least), loads, &mut self.geometries, self.goes_on)?;
         if is_least {
-            let loads = (least.duty.clone(), least.overloads.clone());
-            let cost = self.sets.size_at_least(set, least.load, loads, known, self.goes_on)?;
             self.least[self.of_gearbox[gearbox][place]].sized = Some(cost);
         } else {
-            let load = Load { duty: least.load.duty, ..self.sets.load(own.teeth, &own.duty) };
-            let loads = (own.duty.clone(), own.overloads.clone());
-            let cost = self.sets.size(set, load, loads, known, self.goes_on)?;
             self.own.insert((gearbox, place), cost);
         }
         Ok(())

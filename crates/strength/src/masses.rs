@@ -28,8 +28,8 @@ const RESERVE: f64 = 1.5;
 /// Static torque of an industrial multi-disc brake or clutch with its housing over its mass, in N·m/kg.
 pub const INDUSTRIAL_DISCS: f64 = 90.0;
 
-/// Static torque of a pack of discs in the gearbox of a car, which shares drums and pistons, over its mass, in
-/// N·m/kg.
+/// Static torque of a pack of discs in the gearbox of a car, which shares drums and pistons, over its mass,
+/// in N·m/kg.
 pub const CAR_DISCS: f64 = 300.0;
 
 /// Mass of the flanges of a servo gearbox: motor adapter, clamping hub, body of the output with its two
@@ -39,8 +39,8 @@ pub const CAR_DISCS: f64 = 300.0;
 /// M = s³·(ρ_Al·0.35·(1 − π/4·0.6²) + ρ·(0.25·(1 − π/4·0.5²) + π/4·0.35³ + 0.04))
 /// ```
 ///
-/// The proportions are those usual of such gearboxes, to which makers' catalogues give, for one stage and as
-/// a whole, 4 to 5.5 kg over the third power of the side in dm.
+/// The proportions are usual of such gearboxes. Makers' catalogues give gearboxes of one stage, as a whole,
+/// 4 to 5.5 kg over the third power of the side in dm.
 ///
 /// ```
 /// use epicyclic_strength::masses::servo_flanges;

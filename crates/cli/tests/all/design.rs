@@ -361,7 +361,7 @@ fn a_basis_gives_its_limits_and_takes_what_it_lacks_of_the_application() {
     assert!(!answer["warnings"].to_string().contains("application-not-used"));
 }
 
-/// Values of the application that a file to size states otherwise are told.
+/// A warning lists the values of the application in whose place a file to size states others.
 #[test]
 fn values_of_an_application_that_are_not_used_are_told() {
     let folder = here();
@@ -377,7 +377,7 @@ fn values_of_an_application_that_are_not_used_are_told() {
     assert!(said.contains(told), "{said}");
 }
 
-/// Each refusal names the option or key, what is wrong, and what to type.
+/// Refusals name the option or key, what is wrong, and what to type.
 #[test]
 fn values_that_make_no_sense_are_refused_with_what_to_type() {
     let folder = here();

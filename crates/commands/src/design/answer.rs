@@ -7,8 +7,8 @@
 //! - [`ways_out`], [`stages_ways_out`]: limits to relax if no gearbox is found, each with the gearbox that is
 //!   then found.
 //!
-//! Scheme, tooth numbers and sizes are chosen together by [`lightest`](epicyclic_strength::lightest), among all
-//! schemes that meet the criteria and all their tooth numbers.
+//! Scheme, tooth numbers and sizes are chosen together by [`lightest`](epicyclic_strength::lightest), among
+//! all schemes that meet the criteria and all their tooth numbers.
 
 mod assumed;
 mod attempt;
@@ -95,7 +95,8 @@ impl Answer for Design {
     const NAME: &'static str = "design";
 }
 
-/// Designs a gearbox. The closures of `watch` are called now and then, and may end the search. If no gearbox is found, the search is repeated with each obstructing limit relaxed.
+/// Designs a gearbox. The closures of `watch` are called now and then, and may end the search. If no gearbox
+/// is found, the search is repeated with each obstructing limit relaxed.
 ///
 /// # Errors
 /// - [`Error::NoLoad`] without load, [`Error::LoadWithoutSpeed`] without speed of the input.

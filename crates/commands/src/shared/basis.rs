@@ -92,8 +92,8 @@ impl Basis {
         Ok(Self { strength, tools, keys })
     }
 
-    /// Adds the values that another basis has of missing keys, also of `strength`: materials with what depends
-    /// on them, roughness, shaper, and factors that no key states.
+    /// Adds the values that another basis has of missing keys, also of `strength`: materials with what
+    /// depends on them, roughness, shaper, and factors that no key states.
     #[must_use]
     pub fn completed_by(mut self, usual: Self) -> Self {
         match self.strength.as_mapping_mut() {

@@ -32,7 +32,7 @@ pub struct Speeds {
     pub all_structures: bool,
 }
 
-/// Speeds of the machine; those of a shaft are told what to write.
+/// Reads speeds of the machine; the refusal of speeds of a shaft names the option for these.
 fn of_machine(text: &str) -> Result<Quantities<Velocity>, String> {
     text.parse().map_err(|error: String| match text.parse::<Quantities<AngularVelocity>>() {
         Ok(_) => format!(

@@ -1,7 +1,7 @@
 //! Sets with a bound below their cost, before they are sized.
 //!
-//! Each set is tried at one module and every centre distance. Its flanks there give the volume of teeth that a
-//! torque needs, its planets the bearings that fit: together a bound below its cost.
+//! Each set is tried at one module and every centre distance. Its flanks there give the volume of teeth that
+//! a torque needs, its planets the bearings that fit: together a bound below its cost.
 //!
 //! The bound leaves room for the factors of flanks that change with the size. The room is no proof: searches
 //! with it are compared with the size of everything in the tests.
@@ -20,7 +20,7 @@ use epicyclic_gears::ToothCount;
 use epicyclic_gears::involute::practice::{of_face_load, orbit_acceleration, orbit_rule};
 use epicyclic_gears::life::Rolling;
 use epicyclic_gears::spacing::PlanetSpacing;
-use epicyclic_judge::{Limits, Range, Rule, Severity};
+use epicyclic_judge::{Range, Rule, Severity};
 use epicyclic_units::Physical;
 use std::cmp::Ordering;
 use std::collections::HashMap;
@@ -117,7 +117,7 @@ pub(crate) struct TriedSet {
 /// Load of a set, as its bound sees it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Load {
-    /// Which of the duties of the trial has no higher speeds and no more turns.
+    /// Place of the duty, among those of the trial, without higher speeds and more turns.
     pub(crate) duty: usize,
     /// Greatest torque of the sun, N·m.
     pub(crate) torque: f64,
@@ -151,7 +151,7 @@ struct Choice {
     bound: Cost,
 }
 
-/// What is the same for all sets: materials, requirements, and the space of sizes.
+/// Materials, requirements and space of sizes, the same for all sets.
 pub(crate) struct Sets<'a> {
     /// A set whose teeth, duty and overloads are not used.
     pub(crate) of_set: &'a Sizing,
@@ -334,50 +334,28 @@ impl<'a> Sets<'a> {
         self.choices(set, load).map(|choice| choice.bound).min()
     }
 
-    /// Sizes a set for a duty and overloads whose bound is that of a load; `None` if nothing holds.
+    /// Sizes a set for a duty and overloads whose bound is that of a load; `None` if nothing holds. If they are
+    /// the least of many, the cost is a bound below that of each.
     pub(crate) fn size(
         &self,
         set: &TriedSet,
-        load: Load,
-        loads: (Vec<SetStep>, Vec<SetOverload>),
-        known: &mut Geometries,
-        goes_on: &dyn Fn() -> ControlFlow<()>,
-    ) -> Result<Option<Cost>, Error> {
-        self.sized(set, load, loads, self.of_set.practice.clone(), known, goes_on)
-    }
-
-    /// A bound below the cost of a set under any load that is not less: its size without the rule that more
-    /// load may hold; `None` if nothing holds.
-    pub(crate) fn size_at_least(
-        &self,
-        set: &TriedSet,
-        load: Load,
-        loads: (Vec<SetStep>, Vec<SetOverload>),
+        (load, is_least): (Load, bool),
+        (duty, overloads): (Vec<SetStep>, Vec<SetOverload>),
         known: &mut Geometries,
         goes_on: &dyn Fn() -> ControlFlow<()>,
     ) -> Result<Option<Cost>, Error> {
         let mut practice = self.of_set.practice.clone();
-        if let Some(limits) = &mut practice {
+        if let Some(limits) = practice.as_mut().filter(|_| is_least) {
+            // More load may hold what the least load misses.
             limits.state(Rule::BearingLeastLoad, Range::OPEN);
         }
-        self.sized(set, load, loads, practice, known, goes_on)
-    }
-
-    fn sized(
-        &self,
-        set: &TriedSet,
-        load: Load,
-        (duty, overloads): (Vec<SetStep>, Vec<SetOverload>),
-        practice: Option<Limits>,
-        known: &mut Geometries,
-        goes_on: &dyn Fn() -> ControlFlow<()>,
-    ) -> Result<Option<Cost>, Error> {
         let mut choices: Vec<Choice> = self.choices(set, load).collect();
         choices.sort_by_key(|choice| choice.bound);
         let of_set = self.of_set;
         let mut sizing = Sizing { teeth: set.teeth, duty, overloads, practice, ..of_set.clone() };
         let mut best: Option<Cost> = None;
         for choice in choices {
+            // The others have no lower bound.
             if best.is_some_and(|best| best <= choice.bound) {
                 break;
             }

@@ -75,7 +75,7 @@ impl Teeth {
         ends_of(&self.all())
     }
 
-    /// All sets within the bounds.
+    /// Sets within the bounds of tooth numbers.
     fn all(&self) -> Vec<[ToothCount; 3]> {
         let mut all = vec![];
         for sun in self.suns.clone() {

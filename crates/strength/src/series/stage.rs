@@ -86,10 +86,7 @@ impl<'a> Stages<'a> {
         goes_on: &dyn Fn() -> ControlFlow<()>,
     ) -> Result<Option<Cost>, Error> {
         let load = self.load(stage, before);
-        let loads = self.loads(stage.ratio, before);
-        match before[0] == before[1] {
-            true => self.sets.size(stage, load, loads, known, goes_on),
-            false => self.sets.size_at_least(stage, load, loads, known, goes_on),
-        }
+        let is_least = before[0] < before[1];
+        self.sets.size(stage, (load, is_least), self.loads(stage.ratio, before), known, goes_on)
     }
 }

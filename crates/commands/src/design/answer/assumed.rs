@@ -1,4 +1,5 @@
-//! What designs assume beside the keys of the basis: sharing of the load, duty, space of the sizes, standards.
+//! Assumptions of designs beside the keys of the basis: sharing of the load, duty, space of the sizes,
+//! standards.
 
 use crate::error::Error;
 use crate::shared::application::Application;

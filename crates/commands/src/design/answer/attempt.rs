@@ -24,7 +24,6 @@ use epicyclic_selection::{Candidate, Mechanism};
 use epicyclic_strength::lightest::{Costed, Found, Gearbox, lightest};
 use epicyclic_strength::sizing::Sizing;
 use epicyclic_train::Gear;
-use std::cell::RefCell;
 use std::ops::ControlFlow;
 use uom::si::f64::{AngularVelocity, Torque};
 
@@ -169,10 +168,18 @@ struct Search<'a> {
     wanted: &'a Wanted,
     torque: Torque,
     speed: AngularVelocity,
-    /// Those whose gears all turn forward first, then the nearest to the ratios.
+    /// Designs whose gears all turn forward first, then those nearest to the ratios.
     all: Vec<Design>,
-    /// Mechanism, target ratios, and rules that a gearbox with these misses.
-    groups: RefCell<Vec<(Mechanism, Vec<f64>, u32)>>,
+}
+
+/// Designs that meet the criteria, with the loads of their sets.
+struct Accepted {
+    /// Place of the first design that is not looked at yet.
+    next: usize,
+    places: Vec<usize>,
+    gearboxes: Vec<Gearbox>,
+    /// A set of the first of these designs, with materials, factors, requirements and space.
+    of_set: Option<Sizing>,
 }
 
 impl<'a> Search<'a> {
@@ -204,27 +211,32 @@ impl<'a> Search<'a> {
         all.sort_by(|one, other| {
             one.reverses().cmp(&other.reverses()).then(one.deviation.total_cmp(&other.deviation))
         });
-        Ok(Self { wanted, torque, speed, all, groups: RefCell::default() })
+        Ok(Self { wanted, torque, speed, all })
     }
 
     /// The best designs: a class of larger deviations, and designs that reverse, only where they miss less of
-    /// usual practice, or where there are no others.
+    /// usual practice, or where no other design holds.
     fn chosen(&self, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Chosen, Error> {
         let tolerance = self.wanted.selection.requirements.tolerance;
         let forward = self.all.partition_point(|design| !design.reverses());
         let mut chosen: Option<Chosen> = None;
         for range in [0..forward, forward..self.all.len()] {
+            let own = &self.all[range.clone()];
+            let mut accepted =
+                Accepted { next: range.start, places: vec![], gearboxes: vec![], of_set: None };
             for part in CLASSES {
                 let within = part * tolerance;
-                let own = &self.all[range.clone()];
                 let count = own.partition_point(|design| design.deviation <= within + OBJECTIVE);
-                if chosen.as_ref().is_some_and(|chosen| count == chosen.compared && chosen.nearest.is_some())
+                let (compared, before) = (count.min(MOST_COMPARED), accepted.places.len());
+                self.accept(range.start + compared, &mut accepted, goes_on)?;
+                // The same designs have the same best one.
+                if accepted.places.len() == before
+                    && chosen.as_ref().is_some_and(|chosen| chosen.nearest.is_some())
                 {
                     continue;
                 }
-                let compared = count.min(MOST_COMPARED);
-                let of_class = self.best(range.start..range.start + compared, goes_on)?;
-                let next = Chosen { within, compared, is_cut: count > compared, ..of_class };
+                let (nearest, found) = (accepted.places.first().copied(), self.best(&accepted, goes_on)?);
+                let next = Chosen { within, compared, is_cut: count > compared, nearest, found };
                 let is_better = match (chosen.as_ref(), next.misses()) {
                     (Some(chosen), Some(next)) => chosen.misses().is_none_or(|misses| next < misses),
                     (Some(chosen), None) => chosen.nearest.is_none(),
@@ -246,36 +258,65 @@ impl<'a> Search<'a> {
         Ok(chosen.expect("there are classes"))
     }
 
-    /// The best designs of a range.
-    fn best(
+    /// Adds the designs before a place that meet the criteria.
+    fn accept(
         &self,
-        range: std::ops::Range<usize>,
+        to: usize,
+        accepted: &mut Accepted,
         goes_on: &dyn Fn() -> ControlFlow<()>,
-    ) -> Result<Chosen, Error> {
-        let first = range.start;
-        let own = &self.all[range];
-        let is_accepted =
-            |place: usize| self.candidate(&own[place].of).is_ok_and(|candidate| candidate.is_accepted());
-        let nearest = (0..own.len()).find(|place| is_accepted(*place));
-        let mut found = Found { sized: 0, is_complete: true, best: vec![], of_other_groups: vec![] };
-        if let Some(nearest) = nearest {
-            let document = self.document(&own[nearest].of)?;
-            let of_set = sizing_of(&one(&document, &Choice::default())?, &self.wanted.size)?;
-            let mut gearboxes = vec![];
-            for design in own {
-                if goes_on().is_break() {
-                    return Err(epicyclic_strength::Error::Cancelled.into());
+    ) -> Result<(), Error> {
+        let requirements = &self.wanted.selection.requirements;
+        while accepted.next < to {
+            if goes_on().is_break() {
+                return Err(epicyclic_strength::Error::Cancelled.into());
+            }
+            let place = accepted.next;
+            accepted.next += 1;
+            let design = &self.all[place].of;
+            let candidate = self.candidate(design)?;
+            if !candidate.is_accepted() {
+                continue;
+            }
+            if accepted.of_set.is_none() {
+                let document = self.document(design)?;
+                accepted.of_set = Some(sizing_of(&one(&document, &Choice::default())?, &self.wanted.size)?);
+            }
+            let saved = Saved::of(&candidate, requirements, &[], vec![])?;
+            let is_alike = |other: &usize| {
+                let other = &self.all[*other].of;
+                other.mechanism == design.mechanism && other.wanted == design.wanted
+            };
+            let (group, rules_missed) = match accepted.places.iter().position(is_alike) {
+                Some(first) => (accepted.gearboxes[first].group, accepted.gearboxes[first].rules_missed),
+                None => {
+                    let [errors, warnings, _] = saved.judged(&candidate, requirements).misses();
+                    (place, u32::try_from(errors + warnings).unwrap_or(u32::MAX))
                 }
-                gearboxes.push(self.gearbox(&design.of, &of_set)?);
-            }
-            let most = self.wanted.tooth_design.unwrap_or(1) + 1;
-            found = lightest(&of_set, &gearboxes, most, &is_accepted, goes_on)?;
-            for costed in found.best.iter_mut().chain(&mut found.of_other_groups) {
-                costed.place += first;
-            }
+            };
+            let gears = saved.gearbox.gears().iter().map(Gear::name).collect();
+            let shares = shared(gears, &self.wanted.shares)?;
+            let teeth: Vec<_> =
+                design.teeth.iter().map(|teeth| [teeth.sun, teeth.planet, teeth.ring]).collect();
+            let overload = accepted.of_set.as_ref().and_then(|set| set.overloads.first());
+            let sets = loaded::sets(&saved.gearbox, &teeth, &shares, self.load(), overload)?;
+            accepted.places.push(place);
+            accepted.gearboxes.push(Gearbox { group, sets, rules_missed });
         }
-        let nearest = nearest.map(|place| first + place);
-        Ok(Chosen { within: 0.0, compared: 0, is_cut: false, nearest, found })
+        Ok(())
+    }
+
+    /// The best of these designs.
+    fn best(&self, accepted: &Accepted, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Found, Error> {
+        let Accepted { places, gearboxes, of_set, .. } = accepted;
+        let Some(of_set) = of_set else {
+            return Ok(Found { sized: 0, is_complete: true, best: vec![], of_other_groups: vec![] });
+        };
+        let most = self.wanted.tooth_design.unwrap_or(1) + 1;
+        let mut found = lightest(of_set, gearboxes, most, goes_on)?;
+        for costed in found.best.iter_mut().chain(&mut found.of_other_groups) {
+            costed.place = places[costed.place];
+        }
+        Ok(found)
     }
 
     fn candidate(&self, design: &ToothedMechanism) -> Result<Candidate, Error> {
@@ -288,32 +329,6 @@ impl<'a> Search<'a> {
     fn load(&self) -> Load {
         let overload = self.wanted.overload;
         Load { torque: self.torque, speed: self.speed, overload, spectrum: &FULL_LOAD }
-    }
-
-    /// A design with the loads of its sets.
-    fn gearbox(&self, design: &ToothedMechanism, of_set: &Sizing) -> Result<Gearbox, Error> {
-        let requirements = &self.wanted.selection.requirements;
-        let candidate = self.candidate(design)?;
-        let saved = Saved::of(&candidate, requirements, &[], vec![])?;
-        let place = {
-            let groups = self.groups.borrow();
-            groups.iter().position(|(of, wanted, _)| *of == design.mechanism && *wanted == design.wanted)
-        };
-        let group = match place {
-            Some(place) => place,
-            None => {
-                let [errors, warnings, _] = saved.judged(&candidate, requirements).misses();
-                let missed = u32::try_from(errors + warnings).unwrap_or(u32::MAX);
-                let mut groups = self.groups.borrow_mut();
-                groups.push((design.mechanism, design.wanted.clone(), missed));
-                groups.len() - 1
-            }
-        };
-        let gears = saved.gearbox.gears().iter().map(Gear::name).collect();
-        let shares = shared(gears, &self.wanted.shares)?;
-        let teeth: Vec<_> = design.teeth.iter().map(|teeth| [teeth.sun, teeth.planet, teeth.ring]).collect();
-        let sets = loaded::sets(&saved.gearbox, &teeth, &shares, self.load(), of_set.overloads.first())?;
-        Ok(Gearbox { group, sets, rules_missed: self.groups.borrow()[group].2 })
     }
 
     /// Gearbox file of a design with its duty and the data for its strength. The number of planets and the

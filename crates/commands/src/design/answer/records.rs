@@ -94,7 +94,7 @@ pub struct SchemeStep {
 pub struct OtherScheme {
     /// Name of the scheme in the source, or that of its structure.
     pub scheme: String,
-    /// Its tooth numbers.
+    /// Tooth numbers of the gearbox.
     pub teeth: TeethTaken,
 }
 
@@ -139,7 +139,7 @@ pub struct TeethStep {
     pub complete: bool,
     /// Chosen tooth design; null if none exists.
     pub taken: Option<TeethTaken>,
-    /// Next best design; null if there is none.
+    /// Next best design; null without another design that holds.
     pub next: Option<TeethTaken>,
 }
 
@@ -149,8 +149,8 @@ pub struct TeethStep {
 pub struct TeethTaken {
     /// Number of the design, from 1: the fewest sets beyond usual practice first, then the lightest.
     pub number: usize,
-    /// Mass in kg that decides: of gears, carriers and housing by a rule, or of the gears; null if a set has no
-    /// size.
+    /// Mass in kg that decides: of gears, carriers and housing by a rule, or of the gears; null if a set has
+    /// no size.
     pub mass_kg: Option<f64>,
     /// Rules of usual practice that sets and gearbox miss; null if a set has no size.
     pub rules_missed: Option<u32>,

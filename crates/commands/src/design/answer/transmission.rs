@@ -3,7 +3,8 @@
 //! Structures are those of [`synthesize`](crate::synthesize), from the fewest sets and shift elements up: at
 //! first with members on shafts alone, then with members on the housing and double-planet sets. The best
 //! structures of the first families get tooth numbers: of simple sets the lightest, chosen together with the
-//! sizes by [`lightest`]; the gears get sizes that hold over the duty. Of the gearboxes with sizes that with the fewest warnings is taken, then the lightest.
+//! sizes by [`lightest`]; the gears get sizes that hold over the duty. Of the gearboxes with sizes the one
+//! with the fewest warnings is taken, then the lightest.
 
 use super::assumed::{AssumedLoad, assumed};
 use super::loaded;
@@ -359,8 +360,8 @@ fn search(
     })
 }
 
-/// Places of the tooth numbers that get sizes: the lightest of simple sets; with double-planet sets those with
-/// usual planets.
+/// Places of the tooth numbers that get sizes: the lightest of simple sets; with double-planet sets those
+/// with usual planets.
 fn best_teeth(
     wanted: &WantedTransmission,
     (solution, kept): (&Solution, &Kept),
@@ -384,7 +385,7 @@ fn best_teeth(
             let sets = loaded::sets(&gearbox, &teeth, &gears, wanted.load(), of_set.overloads.first())?;
             gearboxes.push(Gearbox { group: 0, sets, rules_missed: 0 });
         }
-        let found = lightest(&of_set, &gearboxes, TEETH, &|_| true, goes_on)?;
+        let found = lightest(&of_set, &gearboxes, TEETH, goes_on)?;
         if !found.best.is_empty() {
             places = found.best.iter().map(|best| best.place).collect();
         }
@@ -406,7 +407,7 @@ fn gearbox(
     saved::gearbox(kept, &count, Some(&kept.teeth[place]))
 }
 
-/// This gearbox with its duty, materials and factors.
+/// The gearbox with the tooth numbers at a place, its duty, materials and factors.
 fn subject(wanted: &WantedTransmission, kept: &Kept, place: usize) -> Result<Subject, Error> {
     let gearbox = gearbox(wanted, kept, place)?;
     let text = written(&gearbox, &[]).map_err(|error| Error::Json(error.to_string()))?;

@@ -39,7 +39,7 @@ pub(crate) fn parts_of_stages(stages: &Stages) -> Vec<Part> {
     parts
 }
 
-/// What keeps stages from being found; `None` if some are.
+/// Limits that keep stages from being found; `None` with stages.
 fn in_the_way(stages: &Stages) -> Option<String> {
     let ways = stages.ways_out.as_ref()?;
     let of_teeth = stages.trains.iter().filter(|trains| trains.compared == 0).filter_map(reach);
@@ -98,7 +98,7 @@ fn count(stages: usize) -> String {
     if stages == 1 { "1 stage".to_owned() } else { format!("{stages} stages") }
 }
 
-/// Message if no stages are found: the first way out, or what stands in the way.
+/// Message if no stages are found: the first way out, or the limits in the way.
 pub(crate) fn why_no_stages(stages: &Stages) -> String {
     let ways = stages.ways_out.as_deref().unwrap_or_default();
     let why = match ways.first() {
