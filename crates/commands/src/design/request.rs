@@ -2,6 +2,7 @@
 
 use crate::answer::Warning;
 use crate::design::Factor;
+use crate::design::answer::stages::MOST_STAGES;
 use crate::design::answer::transmission::Transmission;
 use crate::design::answer::{Design, Wanted, answer};
 use crate::design::table::stages::why_no_stages;
@@ -200,9 +201,6 @@ pub struct Request {
 
 /// Heading of the options for one ratio.
 const STAGES: &str = "One ratio: stages in series";
-
-/// Stages that are tried at most.
-pub(super) const MOST_STAGES: u32 = 4;
 
 /// Options that concern several speeds.
 const OF_SPEEDS: [&str; 17] = [

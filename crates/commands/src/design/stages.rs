@@ -1,7 +1,7 @@
 //! Requests for one ratio: stages in series.
 
-use super::request::{MOST_STAGES, Request, refuse_of};
-use crate::design::answer::stages::{Stages, WantedStages};
+use super::request::{Request, refuse_of};
+use crate::design::answer::stages::{MOST_STAGES, Stages, WantedStages};
 use crate::design::answer::stages_ways_out;
 use crate::error::Error;
 use crate::failure::Failure;

@@ -25,6 +25,9 @@ use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
 use uom::si::f64::{AngularVelocity, Torque};
 
+/// Stages that are tried at most.
+pub(crate) const MOST_STAGES: u32 = 4;
+
 /// Order for stages in series.
 #[derive(Debug, Clone)]
 pub struct WantedStages {

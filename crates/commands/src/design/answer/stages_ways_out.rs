@@ -3,7 +3,7 @@
 //! Every way out is the result of the same search with the limit relaxed. The same command with the option
 //! finds the same train.
 
-use super::stages::{Stages, WantedStages, attempted};
+use super::stages::{MOST_STAGES, Stages, WantedStages, attempted};
 use super::ways_out::{GREATEST_TOLERANCE, Limit, OFFSETS, RelaxedLimit, WayOutOfStages, rounded};
 use crate::error::Error;
 use epicyclic_strength::load::MOST_SHARING;
@@ -17,7 +17,7 @@ const RINGS: [u32; 2] = [30, 250];
 const RING_TO_SUN_RATIOS: RangeInclusive<f64> = 1.1..=15.0;
 
 /// Numbers of stages that are tried.
-pub(crate) const STAGES: RangeInclusive<usize> = 1..=4;
+pub(crate) const STAGES: RangeInclusive<usize> = 1..=MOST_STAGES as usize;
 
 /// Trains with the ratio above which a wider tolerance is not tried: where so many have no sizes, more do not
 /// help.
