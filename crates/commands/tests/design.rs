@@ -66,11 +66,11 @@ fn a_train_that_steps_up_is_the_reduction_turned_round() {
 /// with losses; the report has the same on its first sheet.
 #[test]
 fn the_output_has_the_torque_that_is_asked_for() {
-    for (ratio, speed) in [("20", "1500rpm"), ("0.05", "75rpm")] {
-        let words =
-            format!("--ratio={ratio}|--output-torque=900 N·m|--input={speed}|--efficiency=0.96|{SPACE}");
-        let words = if ratio == "0.05" { words.replace("900 N·m", "45 N·m") } else { words };
-        let stages = stages(&words);
+    for (ratio, speed) in [(20.0, "1500rpm"), (0.05, "75rpm"), (-19.0, "1425rpm"), (-1.0 / 19.0, "75rpm")] {
+        let torque = if f64::abs(ratio) > 1.0 { 900 } else { 45 };
+        let stages = stages(&format!(
+            "--ratio={ratio}|--output-torque={torque} N·m|--input={speed}|--efficiency=0.96|{SPACE}"
+        ));
         let near = |one: f64, other: f64| (one / other - 1.0).abs() < 1e-9;
         let output = stages.output_torque_n_m.unwrap();
         assert!(near(output, stages.asked_output_torque_n_m.unwrap()), "{output}");
@@ -80,22 +80,54 @@ fn the_output_has_the_torque_that_is_asked_for() {
         let back = analysis.back_driving_efficiency().unwrap();
         assert!(near(stages.back_driving_efficiency.unwrap(), back));
         let taken = stages.trains.iter().find(|trains| trains.taken).unwrap().best.clone().unwrap();
-        let of_stage = |[sun, _, ring]: &[u32; 3]| {
-            let k = f64::from(*ring) / f64::from(*sun);
-            if ratio == "20" { (1.0 + k * 0.96) / (1.0 + k) } else { (1.0 + k) / (1.0 + k / 0.96) }
+        // Torque of the last carrier over that of the fast shaft, of which turning rings take one part less.
+        let carrier = |of_mesh: f64| -> f64 {
+            let of_stage = |[sun, _, ring]: &[u32; 3]| 1.0 + f64::from(*ring) / f64::from(*sun) * of_mesh;
+            taken.teeth.iter().map(of_stage).product()
         };
-        let efficiency: f64 = taken.teeth.iter().map(of_stage).product();
+        let slow = |of_mesh: f64| if ratio < 0.0 { carrier(of_mesh) - 1.0 } else { carrier(of_mesh) };
+        let efficiency =
+            if ratio.abs() > 1.0 { slow(0.96) / slow(1.0) } else { slow(1.0) / slow(1.0 / 0.96) };
         assert!(near(stages.efficiency.unwrap(), efficiency));
         let input = stages.input_torque_n_m.unwrap();
-        assert!(near(input * stages.ratio.unwrap() * efficiency, output));
+        assert!(near(input * stages.ratio.unwrap().abs() * efficiency, output));
         assert!(near(stages.input_power_w.unwrap(), input * stages.input_speed_rad_s));
         let (page, _) = report::Request::default().answer(&gearbox, &GO_ON).unwrap();
         let duty = page.duty.unwrap();
         let [step] = &duty.steps[..] else { panic!("{duty:?}") };
         assert!((step.input_torque_n_m / input - 1.0).abs() < 1e-9);
-        assert!((step.output_torque_n_m.unwrap() / output - 1.0).abs() < 1e-9);
+        assert!((step.output_torque_n_m.unwrap().abs() / output - 1.0).abs() < 1e-9);
         assert!((step.output_speed_rad_s.unwrap() / stages.output_speed_rad_s.unwrap() - 1.0).abs() < 1e-9);
         assert_eq!((&duty.application_factors[..], duty.life_s), (&[1.25][..], Some(20_000.0 * 3600.0)));
+    }
+}
+
+/// Rings that turn with the output are, seen from them, held rings under an input that turns faster: the same
+/// gears hold, and the output turns against the input.
+#[test]
+fn turning_rings_are_held_rings_seen_from_them() {
+    let space = format!("{SPACE}|--no-bearings|--torque=45 N·m");
+    for (turning, held) in [
+        ("--ratio=-19|--input=1425rpm", "--ratio=20|--input=1500rpm"),
+        ("--ratio=-4|--input=1200rpm", "--ratio=5|--input=1500rpm"),
+    ] {
+        let [turning, held] = [turning, held].map(|words| stages(&format!("{words}|{space}")));
+        let taken = |stages: &Stages| {
+            let best = stages.trains.iter().find(|trains| trains.taken).unwrap().best.clone().unwrap();
+            (best.teeth, best.ratios, best.mass_kg)
+        };
+        assert_eq!(taken(&turning), taken(&held));
+        let safeties = |stages: &Stages| -> Vec<f64> {
+            let designs = stages.sizes.as_ref().unwrap().sets.iter().map(|set| &set.found[0]);
+            designs.flat_map(|design| &design.over_duty).map(|of| of.flank.safety).collect()
+        };
+        let [one, other] = [&turning, &held].map(safeties);
+        assert!(
+            one.iter().zip(&other).all(|(one, other)| (one / other - 1.0).abs() < 1e-9),
+            "{one:?} {other:?}"
+        );
+        let [one, other] = [&turning, &held].map(|stages| ratios(&gearbox(stages.file.as_ref().unwrap()))[0]);
+        assert!((one - (1.0 - other)).abs() < 1e-9 && (turning.ratio.unwrap() - one).abs() < 1e-9);
     }
 }
 

@@ -16,13 +16,17 @@ use uom::si::mass::kilogram;
 use uom::si::{time::hour, torque::newton_meter};
 
 /// Cost of a stage by its size alone, for loads written once more.
-fn alone(order: &Order, teeth: [ToothCount; 3], before: f64) -> Option<[f64; 2]> {
-    let ratio = 1.0 + teeth[2].as_f64() / teeth[0].as_f64();
+fn alone(order: &Order, teeth: [ToothCount; 3], [before, product]: [f64; 2]) -> Option<[f64; 2]> {
+    let k = teeth[2].as_f64() / teeth[0].as_f64();
+    // Speeds over that of the input by Willis: the rings stand still, or turn as the output against it.
+    let ring = if order.rings_turn { -1.0 / (product - 1.0) } else { 0.0 };
+    let sun = ring + (1.0 - ring) / before;
+    let carrier = (sun + k * ring) / (1.0 + k);
     let step = |step: &InputStep| SetStep {
         share: step.share,
         sun_torque: step.torque * before,
-        sun_speed: step.speed * ((1.0 - 1.0 / ratio) / before),
-        carrier_speed: step.speed / (before * ratio),
+        sun_speed: step.speed * (sun - carrier),
+        carrier_speed: step.speed * carrier,
     };
     let overload = |one: &SetOverload| SetOverload { sun_torque: one.sun_torque * before, ..*one };
     let of_stage = &order.of_stage;
@@ -65,17 +69,17 @@ fn every_train(order: &Order, stages: usize) -> Vec<[f64; 2]> {
         trains = trains.into_iter().flat_map(longer).collect();
     }
     trains.retain(|(ratio, _)| order.ratio.contains(ratio));
-    let cost = |train: &[[ToothCount; 3]]| {
+    let cost = |(product, train): &(f64, Vec<[ToothCount; 3]>)| {
         let mut before = 1.0;
         let mut sum = [0.0, 0.0];
         for teeth in train {
-            let [warnings, mass] = alone(order, *teeth, before)?;
+            let [warnings, mass] = alone(order, *teeth, [before, *product])?;
             sum = [sum[0] + warnings, sum[1] + mass];
             before *= of(teeth);
         }
         Some(sum)
     };
-    let mut all: Vec<_> = trains.iter().filter_map(|(_, train)| cost(train)).collect();
+    let mut all: Vec<_> = trains.iter().filter_map(cost).collect();
     all.sort_by(|one, other| one[0].total_cmp(&other[0]).then(one[1].total_cmp(&other[1])));
     all
 }
@@ -116,6 +120,7 @@ fn small(ratio: f64, torque: f64, suns: u32, objective: Objective) -> Order {
     Order {
         stages: 1..=2,
         ratio: ratio * 0.97..=ratio * 1.03,
+        rings_turn: false,
         teeth: Teeth {
             suns: suns..=suns + 4,
             planets: 27..=45,
@@ -141,8 +146,10 @@ proptest! {
         torque in 5.0..150.0,
         suns in 18_u32..26,
         whole in any::<bool>(),
+        rings_turn in any::<bool>(),
     ) {
-        agrees(&small(ratio, torque, suns, if whole { Objective::Whole } else { Objective::Mass }))?;
+        let order = small(ratio, torque, suns, if whole { Objective::Whole } else { Objective::Mass });
+        agrees(&Order { rings_turn, ..order })?;
     }
 }
 

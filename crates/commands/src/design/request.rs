@@ -97,7 +97,8 @@ pub struct Request {
     pub input: Quantity<AngularVelocity>,
 
     /// One ratio, input speed over output speed: planetary stages in series, whose split, teeth and sizes are
-    /// chosen together.
+    /// chosen together. With a minus the output turns against the input: the rings turn with the slow shaft
+    /// and its carrier is held, as where the housing of a travel drive turns.
     #[arg(long, value_name = "NUMBER", conflicts_with_all = OF_SPEEDS, allow_hyphen_values = true, help_heading = STAGES)]
     pub ratio: Option<Number>,
 

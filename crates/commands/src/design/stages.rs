@@ -9,8 +9,8 @@ use crate::select::answer::duty::{Duty, Load};
 use crate::shared::application::Application;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_strength::series::Teeth;
+use epicyclic_units::Physical;
 use epicyclic_units::format::trimmed;
-use epicyclic_units::{Physical, Quantity};
 use std::ops::ControlFlow;
 
 impl Request {
@@ -32,19 +32,20 @@ impl Request {
             (None, Some(output)) => (self.input.0 / output.0).si(),
             (None, None) => return Err(due()),
         };
-        if ratio < 0.0 {
-            return Err(self.reversal(ratio));
-        }
+        let rings_turn = ratio < 0.0;
         // A quotient of the fast speed over the slow one.
-        let steps_up = ratio < 1.0;
-        let quotient = if steps_up { 1.0 / ratio } else { ratio };
+        let steps_up = ratio.abs() < 1.0;
+        let quotient = if steps_up { 1.0 / ratio.abs() } else { ratio.abs() };
         if !(quotient.is_finite() && quotient > 1.0) {
-            let message = format!("{}: stages in series have a ratio other than 0 and 1", trimmed(ratio, 6));
+            let message =
+                format!("{}: stages in series have a ratio other than 0, 1 and -1", trimmed(ratio, 6));
             let option = if self.ratio.is_some() { "--ratio" } else { "--output-speed" };
             return Err(Failure::invalid(option, message));
         }
         let load = match (self.torque, self.output_torque, self.power) {
             (Some(torque), ..) => Some(Load::Torque(torque.0)),
+            // The torque on an output that turns backward may be written with its sign or without.
+            (_, Some(torque), _) if rings_turn => Some(Load::Torque((torque.0 / ratio).abs())),
             (_, Some(torque), _) => Some(Load::Torque(torque.0 / ratio)),
             (.., power) => power.map(|power| Load::Power(power.0)),
         };
@@ -57,6 +58,7 @@ impl Request {
         Ok(WantedStages {
             ratio: quotient,
             steps_up,
+            rings_turn,
             tolerance,
             stages: *stages.start() as usize..=*stages.end() as usize,
             teeth: Teeth {
@@ -77,31 +79,5 @@ impl Request {
             basis: self.basis()?,
             size: self.sized(),
         })
-    }
-
-    /// Refuses an output that turns against the input, with what to type for one that does.
-    fn reversal(&self, ratio: f64) -> Failure {
-        let asked = trimmed(ratio.abs(), 6);
-        let (option, value, forward) = match (&self.ratio, &self.output_speed) {
-            (None, Some(output)) => {
-                let forward =
-                    Quantity(if self.input.0.si() < 0.0 { -output.0.abs() } else { output.0.abs() });
-                let value = format!("{output} with --input {}", self.input);
-                ("--output-speed", value, format!("--output-speed '{forward}'"))
-            }
-            _ => ("--ratio", trimmed(ratio, 6), format!("--ratio {asked}")),
-        };
-        let load = if self.output_torque.is_some() {
-            ", with --power or --torque in place of --output-torque"
-        } else {
-            ""
-        };
-        Failure::invalid(
-            option,
-            format!(
-                "{value}: stages in series hold their rings and do not reverse; write {forward}, or for a \
-                 gear that reverses, beside direct drive, --ratios '-{asked}'{load}"
-            ),
-        )
     }
 }

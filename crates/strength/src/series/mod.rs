@@ -9,6 +9,14 @@
 //!
 //! `T`, `n` are torque and speed of the input; torques are without losses.
 //!
+//! If the rings turn with the output ([`Order::rings_turn`]), as the housings of travel and wheel drives do, the
+//! last carrier is held and the output turns against the input. Seen from the rings, everything turns as with
+//! held rings, so torques are the same and speeds relative to a carrier grow:
+//!
+//! ```text
+//! i = 1 − Π i_j        n_j = n·(1 + 1/|i|)/(i_1·…·i_(j−1))
+//! ```
+//!
 //! # Space
 //! Every train of [`Order::stages`] sets whose teeth lie within [`Teeth`] and whose ratio lies within
 //! [`Order::ratio`]; each set with every module, face width, number of planets, centre distance and bearing of
@@ -98,8 +106,11 @@ pub struct InputStep {
 pub struct Order {
     /// Numbers of stages.
     pub stages: RangeInclusive<usize>,
-    /// Ratios that are allowed: speed of the input over that of the output.
+    /// Products of the stages' ratios that are allowed: speed of the input over that of the output, both
+    /// relative to the rings.
     pub ratio: RangeInclusive<f64>,
+    /// Whether the rings turn with the output and the last carrier is held, in place of the rings.
+    pub rings_turn: bool,
     /// Tooth numbers.
     pub teeth: Teeth,
     /// Stages beyond usual practice at most; `None` for any number.
@@ -116,7 +127,7 @@ pub struct Order {
 pub struct Train {
     /// Teeth of sun, planets and ring of each stage, from the input on.
     pub stages: Vec<[ToothCount; 3]>,
-    /// Speed of the input over that of the output.
+    /// Product of the stages' ratios: speed of the input over that of the output, both relative to the rings.
     pub ratio: f64,
     /// Stages beyond usual practice.
     pub unusual_stages: u32,

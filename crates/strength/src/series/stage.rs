@@ -35,16 +35,31 @@ impl<'a> Stages<'a> {
         }
     }
 
+    /// Speeds of the input and of the held carrier, relative to the rings, over the speed of the input, where
+    /// the product of all ratios may be this one.
+    fn seen_from_rings(&self, product: f64) -> [f64; 2] {
+        if !self.order.rings_turn {
+            return [1.0, 0.0];
+        }
+        // Only the last stage knows the product. For the others both speeds are the least of all products, off by
+        // less than the tolerance times the speed of the output.
+        let allowed = &self.order.ratio;
+        let products = match allowed.contains(&product) {
+            true => [product; 2],
+            false => [*allowed.end(), *allowed.start()],
+        };
+        let [input, held] = products.map(|product| 1.0 / (product - 1.0));
+        [1.0 + input, held]
+    }
+
     /// Loads of a set with the least torque and the least speed of a range of products of ratios before it.
     fn loads(&self, ratio: f64, [least, most]: [f64; 2]) -> (Vec<SetStep>, Vec<SetOverload>) {
-        let step = |step: &InputStep| {
-            let speed = step.speed / most;
-            SetStep {
-                share: step.share,
-                sun_torque: step.torque * least,
-                sun_speed: speed * (1.0 - 1.0 / ratio),
-                carrier_speed: speed / ratio,
-            }
+        let [input, held] = self.seen_from_rings(most * ratio);
+        let step = |step: &InputStep| SetStep {
+            share: step.share,
+            sun_torque: step.torque * least,
+            sun_speed: step.speed * (input / most * (1.0 - 1.0 / ratio)),
+            carrier_speed: step.speed * (input / (most * ratio) - held).max(0.0),
         };
         let overload = |one: &SetOverload| SetOverload { sun_torque: one.sun_torque * least, ..*one };
         let of_stage = &self.order.of_stage;

@@ -81,6 +81,7 @@ pub(crate) fn conveyor() -> Order {
     Order {
         stages: 2..=2,
         ratio: 31.6 * 0.97..=31.6 * 1.03,
+        rings_turn: false,
         teeth: Teeth {
             suns: 16..=30,
             planets: 16..=60,

@@ -31,10 +31,13 @@ pub(crate) const MOST_STAGES: u32 = 4;
 /// Order for stages in series.
 #[derive(Debug, Clone)]
 pub struct WantedStages {
-    /// Speed of the fast shaft over that of the slow one.
+    /// Speed of the fast shaft over that of the slow one, by amount.
     pub ratio: f64,
     /// Whether the output is the fast shaft.
     pub steps_up: bool,
+    /// Whether the rings turn with the slow shaft and its carrier is held, so that the output turns against the
+    /// input; the rings are held otherwise.
+    pub rings_turn: bool,
     /// Allowed relative deviation of the ratio.
     pub tolerance: f64,
     /// Numbers of stages.
@@ -65,7 +68,8 @@ pub struct WantedStages {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Stages {
-    /// Required ratio, input speed over output speed.
+    /// Required ratio, input speed over output speed; below 0 the rings turn with the slow shaft, and its
+    /// carrier is held.
     pub asked_ratio: f64,
     /// Allowed relative deviation of the ratio.
     pub tolerance: f64,
@@ -154,7 +158,7 @@ pub struct TrainsOf {
 pub struct TrainOfStages {
     /// Tooth numbers of sun, planet and ring of each stage, from the input on.
     pub teeth: Vec<[u32; 3]>,
-    /// Ratio of each stage.
+    /// Ratio of each stage with its ring held.
     pub ratios: Vec<f64>,
     /// Ratio of the train.
     pub ratio: f64,
@@ -173,9 +177,20 @@ impl Answer for Stages {
 }
 
 impl WantedStages {
-    /// Input speed over output speed, from the quotient of fast and slow.
+    /// Input speed over output speed, from the quotient of fast and slow by amount.
     fn over_output(&self, quotient: f64) -> f64 {
-        if self.steps_up { 1.0 / quotient } else { quotient }
+        let amount = if self.steps_up { 1.0 / quotient } else { quotient };
+        if self.rings_turn { -amount } else { amount }
+    }
+
+    /// Quotient of fast and slow by amount, from the product of the stages' ratios.
+    fn quotient(&self, product: f64) -> f64 {
+        if self.rings_turn { product - 1.0 } else { product }
+    }
+
+    /// Product of the stages' ratios, from the quotient of fast and slow by amount.
+    fn product(&self, quotient: f64) -> f64 {
+        if self.rings_turn { quotient + 1.0 } else { quotient }
     }
 
     /// The duty of the fast shaft, by the largest torque that a train of at most these stages within a
@@ -197,13 +212,14 @@ impl WantedStages {
     /// greatest ratio, since the logarithm of the efficiency of a stage is convex over that of its ratio.
     fn least_efficiency(&self, tolerance: f64, stages: usize) -> f64 {
         let stages = stages as f64;
-        let ratio = libm::pow(self.ratio * (1.0 + tolerance), 1.0 / stages);
-        let k = ratio - 1.0;
-        let of_stage = match self.steps_up {
-            true => ratio / (1.0 + k / self.efficiency),
-            false => (1.0 + k * self.efficiency) / ratio,
-        };
-        libm::pow(of_stage, stages)
+        let product = self.product(self.ratio * (1.0 + tolerance));
+        let k = libm::pow(product, 1.0 / stages) - 1.0;
+        // Torque of the slow shaft, or of the rings that turn with it, over that of the fast one.
+        let with = |efficiency: f64| self.quotient(libm::pow(1.0 + k * efficiency, stages));
+        match self.steps_up {
+            true => with(1.0) / with(1.0 / self.efficiency),
+            false => with(self.efficiency) / with(1.0),
+        }
     }
 
     /// Torque on the input of a train with this ratio of input over output and this efficiency.
@@ -223,11 +239,14 @@ impl TrainOfStages {
         if wanted.steps_up {
             stages.reverse();
         }
-        let ratio = |[sun, _, ring]: &[ToothCount; 3]| wanted.over_output(1.0 + ring.as_f64() / sun.as_f64());
+        let ratio = |[sun, _, ring]: &[ToothCount; 3]| {
+            let ratio = 1.0 + ring.as_f64() / sun.as_f64();
+            if wanted.steps_up { 1.0 / ratio } else { ratio }
+        };
         Self {
             teeth: stages.iter().map(|teeth| teeth.map(ToothCount::get)).collect(),
             ratios: stages.iter().map(ratio).collect(),
-            ratio: wanted.over_output(train.ratio),
+            ratio: wanted.over_output(wanted.quotient(train.ratio)),
             unusual_stages: train.unusual_stages,
             rules_missed: train.rules_missed,
             mass_kg: train.mass_kg,
@@ -240,8 +259,8 @@ impl TrainsOf {
     fn of(wanted: &WantedStages, trains: &Trains) -> Self {
         let mut found = trains.found.iter().map(|train| TrainOfStages::of(wanted, train));
         let of_one = wanted.teeth.ratios();
-        let reachable =
-            of_one.map(|ends| ends.map(|end| wanted.over_output(libm::pow(end, trains.stages as f64))));
+        let of_all = |end: f64| wanted.quotient(libm::pow(end, trains.stages as f64));
+        let reachable = of_one.map(|ends| ends.map(|end| wanted.over_output(of_all(end))));
         Self {
             stages: trains.stages,
             reachable,
@@ -326,8 +345,10 @@ pub(super) fn attempted(
         output_speed_rad_s: ratio.map(|ratio| speed / ratio),
         asked_output_torque_n_m: wanted
             .is_of_output
-            .then(|| wanted.torque.si() * wanted.over_output(wanted.ratio)),
-        output_torque_n_m: ratio.zip(torque).map(|(ratio, of)| of.si() * ratio * efficiency.unwrap_or(1.0)),
+            .then(|| wanted.torque.si() * wanted.over_output(wanted.ratio).abs()),
+        output_torque_n_m: ratio
+            .zip(torque)
+            .map(|(ratio, of)| of.si() * ratio.abs() * efficiency.unwrap_or(1.0)),
         input_torque_n_m: torque.map(Physical::si),
         input_power_w: torque.map(|of| (of * wanted.speed).si()),
         efficiency,
@@ -396,7 +417,8 @@ fn order(wanted: &WantedStages, tolerance: f64, stages: RangeInclusive<usize>) -
     let [less, more] = [1.0 - tolerance - ROUNDED, 1.0 + tolerance + ROUNDED];
     Ok(Order {
         stages,
-        ratio: wanted.ratio * less..=wanted.ratio * more,
+        ratio: wanted.product(wanted.ratio * less)..=wanted.product(wanted.ratio * more),
+        rings_turn: wanted.rings_turn,
         teeth: wanted.teeth.clone(),
         most_unusual: None,
         duty: vec![fast],
@@ -411,13 +433,21 @@ fn text(wanted: &WantedStages, teeth: &[[u32; 3]], torque: Torque) -> Result<Str
         _ if place == teeth.len() => "output".to_owned(),
         _ => format!("shaft {place}"),
     };
+    let slow = if wanted.steps_up { "input" } else { "output" };
     let set = |(place, [sun, planet, ring]): (usize, &[u32; 3])| {
         let [of_sun, of_carrier] = if wanted.steps_up { [place + 1, place] } else { [place, place + 1] };
+        let [mut of_ring, mut of_carrier] = ["ground".to_owned(), shaft(of_carrier)];
+        if wanted.rings_turn {
+            of_ring = slow.to_owned();
+            if of_carrier == of_ring {
+                of_carrier = "ground".to_owned();
+            }
+        }
         mapping(vec![
             ("id", format!("stage {}", place + 1).into()),
             ("sun", shaft(of_sun).into()),
-            ("ring", "ground".into()),
-            ("carrier", shaft(of_carrier).into()),
+            ("ring", of_ring.into()),
+            ("carrier", of_carrier.into()),
             ("teeth", Value::Sequence(vec![(*sun).into(), (*ring).into()])),
             ("planet_teeth", Value::Sequence(vec![(*planet).into()])),
             ("efficiency", wanted.efficiency.into()),
@@ -451,6 +481,7 @@ mod tests {
             is_backward: false,
             is_hunting_asked: false,
             steps_up,
+            rings_turn: false,
             tolerance: 0.03,
             stages: 1..=3,
             teeth: Teeth {
@@ -474,20 +505,24 @@ mod tests {
     /// No split of a ratio loses more than equal stages.
     #[test]
     fn the_least_efficiency_is_below_that_of_every_split() {
-        for steps_up in [false, true] {
-            let wanted = wanted(steps_up);
-            let of_stage = |ratio: f64| match steps_up {
-                true => ratio / (1.0 + (ratio - 1.0) / 0.9),
-                false => (1.0 + (ratio - 1.0) * 0.9) / ratio,
+        for (steps_up, rings_turn) in [(false, false), (true, false), (false, true), (true, true)] {
+            let wanted = WantedStages { rings_turn, ..wanted(steps_up) };
+            let product = wanted.product(20.0);
+            let of = |ratios: &[f64]| {
+                let with = |efficiency: f64| {
+                    let all = ratios.iter().map(|ratio| 1.0 + (ratio - 1.0) * efficiency).product::<f64>();
+                    if rings_turn { all - 1.0 } else { all }
+                };
+                if steps_up { with(1.0) / with(1.0 / 0.9) } else { with(0.9) / with(1.0) }
             };
             for first in [1.5, 2.5, 3.0, 4.0, 4.472, 5.0, 8.0, 12.0] {
+                assert!(wanted.least_efficiency(0.0, 2) <= of(&[first, product / first]) + 1e-12, "{first}");
                 for second in [1.5, 2.0, 2.7144, 3.0] {
-                    let two = of_stage(first) * of_stage(20.0 / first);
-                    let three = of_stage(first) * of_stage(second) * of_stage(20.0 / (first * second));
-                    assert!(wanted.least_efficiency(0.0, 2) <= two + 1e-12, "{first}");
-                    let is_reduction = 20.0 / (first * second) >= 1.0;
+                    let third = product / (first * second);
+                    let is_reduction = third >= 1.0;
                     assert!(
-                        !is_reduction || wanted.least_efficiency(0.0, 3) <= three + 1e-12,
+                        !is_reduction
+                            || wanted.least_efficiency(0.0, 3) <= of(&[first, second, third]) + 1e-12,
                         "{first} {second}"
                     );
                 }

@@ -60,11 +60,11 @@ fn in_the_way(stages: &Stages) -> Option<String> {
             of_strength.join(" or ")
         ));
     }
-    let quotient = stages.asked_ratio.max(1.0 / stages.asked_ratio);
-    if quotient <= LEAST_RATIO {
+    let asked = stages.asked_ratio.abs();
+    if stages.asked_ratio > 0.0 && asked.max(1.0 / asked) <= LEAST_RATIO {
         text.push_str(&format!(
             " A stage with a held ring has a ratio above {LEAST_RATIO}; --ratios {} designs schemes with other members held.",
-            trimmed(stages.asked_ratio, 6)
+            trimmed(asked, 6)
         ));
     } else if ways.is_empty() {
         text.push_str(&format!(
@@ -136,7 +136,9 @@ pub(crate) fn in_short(stages: &Stages) -> String {
         return format!("No stages in series with i = {asked} that hold were found.");
     };
     let count = count(sizes.sets.len());
-    let mut all = vec![format!("{count}, i = {} (asked {asked})", of_ratio(ratio))];
+    let mut all = vec![count];
+    all.extend((ratio < 0.0).then(|| RINGS_TURN.to_owned()));
+    all.push(format!("i = {} (asked {asked})", of_ratio(ratio)));
     all.extend(stages.efficiency.map(|of| format!("η = {}", trimmed(of, 3))));
     all.extend(of_sizes(sizes, stages.masses.as_ref()));
     format!("{}.", all.join(", "))
@@ -144,8 +146,15 @@ pub(crate) fn in_short(stages: &Stages) -> String {
 
 /// A ratio, of a train that steps up as 1/99.2.
 fn of_ratio(ratio: f64) -> String {
-    if ratio < 1.0 { format!("1/{}", trimmed(1.0 / ratio, DIGITS)) } else { trimmed(ratio, DIGITS) }
+    if ratio.abs() >= 1.0 {
+        return trimmed(ratio, DIGITS);
+    }
+    let sign = if ratio < 0.0 { "-" } else { "" };
+    format!("{sign}1/{}", trimmed(1.0 / ratio.abs(), DIGITS))
 }
+
+/// What makes the output turn against the input.
+const RINGS_TURN: &str = "rings turning with the slow shaft, its carrier held";
 
 fn asked(stages: &Stages) -> Section {
     let of = |dimension, value: Option<f64>| value.map_or(Figure::None, |value| quantity(dimension, value));
