@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{conveyor, mm};
+use common::{conveyor, helical, helix_angles, mm};
 use epicyclic_gears::ToothCount;
 use epicyclic_strength::series::{InputStep, Order, Teeth, search};
 use epicyclic_strength::sizing::bearing::listed_rollers;
@@ -141,8 +141,10 @@ proptest! {
         torque in 5.0..150.0,
         suns in 18_u32..26,
         whole in any::<bool>(),
+        helix in helix_angles(),
     ) {
-        agrees(&small(ratio, torque, suns, if whole { Objective::Whole } else { Objective::Mass }))?;
+        let order = small(ratio, torque, suns, if whole { Objective::Whole } else { Objective::Mass });
+        agrees(&Order { of_stage: helical(order.of_stage.clone(), helix), ..order })?;
     }
 }
 
