@@ -14,6 +14,7 @@ use epicyclic_commands::report;
 use epicyclic_commands::shared::gearbox::Gearbox;
 use epicyclic_commands::size;
 use epicyclic_commands::words::request;
+use epicyclic_units::Physical;
 use std::ops::ControlFlow;
 
 const GO_ON: fn() -> ControlFlow<()> = || ControlFlow::Continue(());
@@ -230,5 +231,55 @@ fn a_list_of_gears_is_what_its_file_says() {
         // The taken one is the best of all that are listed.
         let rank = |of: usize| (design.gearboxes[of].mass_kg.is_none(), design.gearboxes[of].warnings);
         assert!((1..design.gearboxes.len()).all(|other| rank(0) <= rank(other)));
+    }
+}
+
+/// Each of the three ways: every set of the file has the angle, `size` finds the same again, and centre
+/// distances are those of normal modules.
+#[test]
+fn helical_teeth_are_those_of_every_set() {
+    let more =
+        "--power=20kW|--input=1475rpm|--modules=2mm, 3mm|--face-widths=20mm, 30mm, 40mm|--planets=3..4";
+    let asking = |words: &str| request::<Request>(format!("{words}|{more}").split('|')).unwrap();
+    let designed = |words: &str| {
+        let asking = asking(words);
+        let (file, sizes, assumed) = if words.contains("--ratio=") {
+            let of = asking.answer_stages(&GO_ON).unwrap();
+            (of.file, of.sizes, of.assumed)
+        } else if words.contains(';') {
+            let of = asking.answer_gears(&GO_ON).unwrap();
+            (of.file, of.sizes, of.assumed)
+        } else {
+            let of = asking.answer(&|_| ControlFlow::Continue(())).unwrap();
+            (of.file, of.sizes, of.assumed)
+        };
+        let told = assumed.into_iter().find(|one| one.key == "helix angle").unwrap().value;
+        (file.unwrap(), sizes.unwrap(), told)
+    };
+    for (words, degrees) in [
+        ("--ratio=20|--helix-angle=15deg", 15.0),
+        ("--ratios=3.5|--helix-angle=15deg", 15.0),
+        ("--ratios=2.8; 1.5; 1; -2.2|--helix-angle=-15deg", -15.0),
+        ("--ratios=2; 1|--application=automatic", 20.0),
+        ("--ratios=2; 1|--application=automatic|--helix-angle=0deg", 0.0),
+        ("--ratio=5", 0.0),
+    ] {
+        let (file, sizes, told) = designed(words);
+        let gearbox = gearbox(&file);
+        assert_eq!(file.contains("helix_angle"), degrees != 0.0, "{words}");
+        for set in gearbox.train.sets() {
+            let angle = set.tooth_shape().signed_helix_angle(0).degrees();
+            assert!((angle - degrees).abs() < 1e-9, "{words}: {angle}");
+        }
+        assert!(told.starts_with(&degrees.to_string()), "{told}");
+        let again = request::<size::Request>(["--no-bearings"]).unwrap().answer(&gearbox, &GO_ON).unwrap();
+        assert!((again.mass_kg.unwrap() / sizes.mass_kg.unwrap() - 1.0).abs() < 1e-9, "{words}");
+        for set in &sizes.sets {
+            let best = &set.found[0];
+            let [sun, planet] = [0, 1].map(|gear| f64::from(best.gears[gear].teeth));
+            let module = best.families[0].module_m;
+            let natural = module * (sun + planet) / (2.0 * degrees.to_radians().cos());
+            assert!((best.centre_distance_m - natural).abs() < 1.01 * module, "{words}: {best:?}");
+        }
     }
 }

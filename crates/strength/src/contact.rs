@@ -106,6 +106,18 @@ pub fn single_contact_factors(pair: &Pair, overlap: f64) -> Result<[f64; 2], Err
     Ok([z_b, z_d])
 }
 
+/// Stress of each flank at an overlap over the least that more overlap leaves: `Z_ε` and `Z_B`, `Z_D` of helical
+/// teeth fall until it reaches 1.
+pub(crate) fn over_full_overlap(pair: &Pair, overlap: f64) -> [f64; 2] {
+    let transverse = pair.transverse_contact_ratio();
+    if !pair.gears()[0].profile().is_helical() || overlap >= 1.0 {
+        return [1.0; 2];
+    }
+    let lines = contact_ratio_factor(transverse, overlap) / contact_ratio_factor(transverse, 1.0);
+    // Without an inner point of single contact nothing is rated.
+    single_contact_factors(pair, overlap).unwrap_or([1.0; 2]).map(|single| single * lines)
+}
+
 /// Reduced radius of curvature at the pitch point, modules: `ρ_1·ρ_2/(ρ_1 + ρ_2)`, `ρ_2` of an internal gear
 /// below 0.
 #[must_use]

@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{conveyor, mm};
+use common::{conveyor, helical, helix_angles, mm};
 use epicyclic_gears::ToothCount;
 use epicyclic_strength::lightest::{Costed, Gearbox, LoadedSet, lightest};
 use epicyclic_strength::sizing::bearing::listed_rollers;
@@ -21,7 +21,7 @@ fn of_set(objective: Objective) -> Sizing {
     let own = conveyor().of_stage;
     let space = Space {
         modules: [1.5, 2.5, 4.0].map(mm).to_vec(),
-        face_widths: [20.0, 35.0, 50.0, 80.0].map(mm).to_vec(),
+        face_widths: [20.0, 35.0, 50.0, 80.0, 120.0, 180.0, 260.0].map(mm).to_vec(),
         centre_distance_step: mm(1.0),
         largest_ring: None,
         bearings: listed_rollers().iter().step_by(3).cloned().collect(),
@@ -89,15 +89,19 @@ fn by_trial(of_set: &Sizing, gearbox: &Gearbox) -> Option<[f64; 2]> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
 
     #[test]
     fn the_best_gearboxes_are_those_of_every_trial(
         all in prop::collection::vec(drawn(), 1..8),
         torque in 5.0..150.0,
         whole in any::<bool>(),
+        helix in helix_angles(),
+        beyond in any::<bool>(),
     ) {
-        let of_set = of_set(if whole { Objective::Whole } else { Objective::Mass });
+        let of_set = helical(of_set(if whole { Objective::Whole } else { Objective::Mass }), helix);
+        let practice = of_set.practice.clone().filter(|_| !beyond);
+        let of_set = Sizing { practice, ..of_set };
         let gearboxes: Vec<Gearbox> = all.iter().map(|one| gearbox(one, torque)).collect();
         let go_on = || ControlFlow::Continue(());
         let found = lightest(&of_set, &gearboxes, 2, &go_on).unwrap();

@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{conveyor, mm};
+use common::{conveyor, helical, helix_angles, mm};
 use epicyclic_gears::ToothCount;
 use epicyclic_strength::series::{InputStep, Order, Teeth, search};
 use epicyclic_strength::sizing::bearing::listed_rollers;
@@ -147,9 +147,10 @@ proptest! {
         suns in 18_u32..26,
         whole in any::<bool>(),
         rings_turn in any::<bool>(),
+        helix in helix_angles(),
     ) {
         let order = small(ratio, torque, suns, if whole { Objective::Whole } else { Objective::Mass });
-        agrees(&Order { rings_turn, ..order })?;
+        agrees(&Order { rings_turn, of_stage: helical(order.of_stage.clone(), helix), ..order })?;
     }
 }
 

@@ -392,6 +392,8 @@ fn values_that_make_no_sense_are_refused_with_what_to_type() {
         (&["--speeds=1m/s, 2m/s", "--shares=0.5, 0.6"], &["--shares", "110 %", "'45.45 %, 54.55 %'"]),
         (&["--speeds=1m/s, 2m/s", "--shares=-50%, 150%"], &["--shares: -50 %"]),
         (&["--ratios=3; 2; 1", "--shares=50%, 10%, 10%"], &["--shares", "70 %"]),
+        (&["--ratio=5", "--helix-angle=70deg"], &["--helix-angle", "between 0 and 60 °", "other hand"]),
+        (&["--ratio=5", "--helix-angle=20"], &["--helix-angle", "deg"]),
         (&["--speeds=20rpm, 60rpm"], &["--speeds", "speeds of a shaft", "write --ratios"]),
         (&["--ratio=5", "--tooth-design=2"], &["tip: leave out '--ratio', or '--tooth-design'"]),
     ];

@@ -7,7 +7,7 @@ use crate::design::answer::transmission::Transmission;
 use crate::design::answer::{Design, Wanted, answer};
 use crate::design::table::stages::why_no_stages;
 use crate::design::table::way_out;
-use crate::design::values::{life, named, sharing, whole};
+use crate::design::values::{helix_angle, life, named, sharing, whole};
 use crate::desk::Call;
 use crate::error::Error;
 use crate::failure::Failure;
@@ -40,7 +40,7 @@ use epicyclic_units::format::trimmed;
 use epicyclic_units::{Number, Physical, Quantity};
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
-use uom::si::f64::{AngularVelocity, Power, Ratio, Time, Torque};
+use uom::si::f64::{Angle, AngularVelocity, Power, Ratio, Time, Torque};
 
 /// A gearbox for one ratio, for speeds or for a list of gears, from power to sizes that hold.
 ///
@@ -161,6 +161,12 @@ pub struct Request {
     /// shift get sizes.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, value_parser = offsets)]
     pub ring_offset: Option<RangeInclusive<i32>>,
+
+    /// Helix angle of the teeth of all sets, such as 20deg, as `helix_angle` of a set in a gearbox file; modules
+    /// are then normal ones, and below 0 the planets are left-handed. Default: 0deg, spur teeth; with
+    /// --application automatic 20deg.
+    #[arg(long, value_name = "ANGLE", value_parser = helix_angle, allow_hyphen_values = true)]
+    pub helix_angle: Option<Quantity<Angle>>,
 
     /// Factors of both meshes by their symbols, 'K_A 1.5, K_v 1.1', in place of those of --basis; each once.
     #[arg(long, value_name = "FACTORS")]
@@ -463,7 +469,7 @@ impl Request {
         self.sizes.application?.not_used(&basis.file(), "the file of --basis")
     }
 
-    /// The basis with the factors and the life of the request.
+    /// The basis with the factors, the helix angle and the life of the request.
     pub(super) fn basis(&self) -> Result<Basis, Failure> {
         let usual = self.sizes.application.map_or_else(Basis::default, Application::basis);
         let mut basis = match &self.basis {
@@ -481,6 +487,8 @@ impl Request {
             let all: Vec<(String, f64)> = factors.0.iter().map(|of| (of.name.clone(), of.value)).collect();
             basis = basis.with_factors(&all);
         }
+        basis.helix_angle =
+            self.helix_angle.or_else(|| self.sizes.application.and_then(Application::helix_angle));
         if let Some(life) = &self.life {
             basis = basis.with("life", life.to_string().into());
         }

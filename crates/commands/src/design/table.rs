@@ -115,7 +115,7 @@ pub(crate) fn assumed(all: &[BasisKey]) -> Records {
         .text("what", "what", |one| &one.key)
         .text("value", "value", |one| &one.value)
         .view("Also assumed", "what value")
-        .note("--planets, --bearing-type, --modules, --face-widths, --shares, --overload and --factors 'K_gamma …, Y_M …' change them.")
+        .note("--planets, --bearing-type, --modules, --face-widths, --shares, --overload, --helix-angle and --factors 'K_gamma …, Y_M …' change them.")
         .records()
 }
 

@@ -2,11 +2,12 @@
 
 use crate::error::Error;
 use crate::failure::Failure;
+use epicyclic_gears::involute::Profile;
 use epicyclic_selection::Mechanism;
 use epicyclic_strength::load::{Floating, load_sharing};
 use epicyclic_units::format::trimmed;
 use epicyclic_units::{Number, Physical, Quantity, QuantityError};
-use uom::si::f64::Time;
+use uom::si::f64::{Angle, Time};
 
 /// Shares in proportion to these, in hundredths of a percent, that are together 1; of none, equal ones.
 pub(super) fn whole(shares: &[f64], sum: f64) -> Vec<f64> {
@@ -31,6 +32,14 @@ pub(super) fn life(text: &str) -> Result<Quantity<Time>, String> {
     } else {
         Err(format!("{text}: a life is above 0; write such as '20000 h'"))
     }
+}
+
+/// Helix angle that teeth may have; below 0 of the other hand.
+pub(super) fn helix_angle(text: &str) -> Result<Quantity<Angle>, String> {
+    let angle: Quantity<Angle> = text.parse().map_err(|error: QuantityError| error.to_string())?;
+    let profile = Profile { helix_angle: angle.0.abs(), ..Profile::default() };
+    profile.check().map_err(|error| format!("{text}: {error}; a minus is the other hand"))?;
+    Ok(angle)
 }
 
 /// `K_γ` with 2 to 8 planets, a floating member assumed as in the rating of the designs; of 8, which its

@@ -11,7 +11,7 @@ use epicyclic_strength::factor::Symbol;
 use epicyclic_strength::masses::{CAR_DISCS, INDUSTRIAL_DISCS};
 use epicyclic_units::{Physical, Quantity};
 use std::ops::RangeInclusive;
-use uom::si::f64::{Length, Time};
+use uom::si::f64::{Angle, Length, Time};
 
 /// Modules of servo drives in mm, of series I of DIN 780.
 const FINE_MODULES_MM: [f64; 9] = [0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.25, 1.5, 2.0];
@@ -22,6 +22,9 @@ pub(crate) const FULL_LOAD: [[f64; 3]; 1] = [[1.0; 3]];
 /// Share of the time of a reverse gear of a car, and of its first gear.
 const REVERSE: f64 = 0.005;
 const FIRST: f64 = 0.02;
+
+/// Helix angle of automatic transmissions in degrees: practice, without a source.
+const AUTOMATIC_HELIX_DEG: f64 = 20.0;
 
 /// Face widths of servo drives in mm.
 const FINE_WIDTHS_MM: RangeInclusive<u32> = 5..=40;
@@ -127,6 +130,11 @@ impl Application {
             Self::Robot => 3..=3,
             Self::Travel | Self::Winch | Self::Mixer | Self::Wind | Self::Automatic => 3..=5,
         }
+    }
+
+    /// Helix angle of the teeth; `None` of spur teeth. Those of cars are helical for their noise.
+    pub(crate) fn helix_angle(self) -> Option<Quantity<Angle>> {
+        (self == Self::Automatic).then(|| Quantity(Angle::from_degrees(AUTOMATIC_HELIX_DEG)))
     }
 
     /// Modules; `None` for those of other gearboxes.

@@ -8,9 +8,11 @@ use epicyclic_formats::yaml::{Mapping, Value};
 use epicyclic_formats::{Document, Faults, Path, Span};
 use epicyclic_strength::factor::Symbol;
 use epicyclic_train::set::SetKind;
+use epicyclic_units::Quantity;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
+use uom::si::f64::Angle;
 
 /// Assumed materials, factors, tools, oil, life and required safeties, as written in a gearbox file.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,6 +21,8 @@ pub struct Basis {
     pub strength: Value,
     /// Value of the key `tools` of each set; if `None`, the usual tools are assumed.
     pub tools: Option<Value>,
+    /// Helix angle of the teeth of each set; `None` of spur teeth.
+    pub helix_angle: Option<Quantity<Angle>>,
     /// Keys of the gearbox: life, oil, required, limits, materials, density, pressure angle, addendum.
     pub keys: Vec<(String, Value)>,
 }
@@ -89,7 +93,7 @@ impl Basis {
             return Err(faults.placed(document, &Path::root()).into());
         }
         let tools = document.value_at(&of.key("tools")).cloned();
-        Ok(Self { strength, tools, keys })
+        Ok(Self { strength, tools, helix_angle: None, keys })
     }
 
     /// Adds the values that another basis has of missing keys, also of `strength`: materials with what

@@ -104,7 +104,7 @@ pub(crate) struct TriedSet {
     pub(crate) ratio: f64,
     /// Numbers of planets that have equal angles, by their index.
     placed: Vec<bool>,
-    /// Teeth of the smaller gear of the sun mesh.
+    /// Reference diameter of the smaller gear of the sun mesh, in modules.
     smaller: f64,
     /// Largest bore of the planets, in modules.
     bore: f64,
@@ -213,8 +213,9 @@ impl<'a> Sets<'a> {
     ) -> Result<Option<TriedSet>, Error> {
         let [sun, planet, ring] = teeth;
         let ratio = 1.0 + ring.as_f64() / sun.as_f64();
-        let smaller = sun.min(planet).as_f64();
         let of_set = self.of_set;
+        let helix = of_set.profiles.shared().helix_angle.si();
+        let smaller = sun.min(planet).as_f64() / libm::cos(helix);
         let planets = &of_set.space.planets;
         let is_placed = |planets: u32| {
             of_set.least_planet_angle.is_some() || PlanetSpacing::least_unequal(sun, ring, planets).is_equal()

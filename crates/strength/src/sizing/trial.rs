@@ -5,6 +5,7 @@ use super::rated::{Place, Ratings};
 use super::search::Masses;
 use super::simple::{SetStep, Sizing, layouts};
 use crate::Error;
+use crate::contact::over_full_overlap;
 use epicyclic_units::Physical;
 use std::f64::consts::FRAC_PI_4;
 use std::ops::ControlFlow;
@@ -18,7 +19,8 @@ pub(crate) struct Trial {
     pub(crate) missed: u32,
     /// Whether practice refuses them.
     is_refused: bool,
-    /// Least safety of the flanks under each duty.
+    /// Least safety of the flanks under each duty; of helical teeth as at full overlap, which wider faces may
+    /// have.
     pub(crate) flanks: Vec<f64>,
     /// Cross-section of all gears times their density for each number of planets, with planets of the largest
     /// bore that their rim allows, kg/m.
@@ -72,12 +74,14 @@ impl Sizing {
             let mut ratings = Ratings::new(&task, &all);
             for (layout, trial) in trials.iter_mut().enumerate() {
                 let mut weakest = f64::INFINITY;
-                for mesh in 0..task.meshes.len() {
+                for (mesh, pair) in all[layout].pairs.iter().enumerate() {
                     let place = Place { layout, widths: &[0] };
+                    let overlap = pair.overlap_ratio((face / all[layout].modules[0]).si());
+                    let gains = over_full_overlap(pair, overlap);
                     // Teeth that the standard does not hold for bear nothing.
                     let safety = ratings.rate(place, mesh, [None; 2])?.map_or(0.0, |rated| {
                         let flanks = rated.over_duty.iter().flatten().map(|gear| gear.contact.safety);
-                        flanks.fold(f64::INFINITY, f64::min)
+                        flanks.zip(gains).map(|(safety, gain)| safety * gain).fold(f64::INFINITY, f64::min)
                     });
                     weakest = weakest.min(safety);
                 }

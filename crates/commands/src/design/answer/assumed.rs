@@ -61,9 +61,21 @@ pub(super) fn assumed(
     if load.overload.is_none() {
         assume("overload", "none: the torque is the greatest of the life".to_owned());
     }
+    assume("helix angle", helix_angle(basis, size));
     of_application(size, &mut assume);
     assume("standards", format!("{}, method B; bearings ISO 281 and ISO 76", Edition::default()));
     Ok(all)
+}
+
+/// Helix angle of all sets, and where it comes from.
+fn helix_angle(basis: &Basis, size: &SizeRequest) -> String {
+    match basis.helix_angle.filter(|angle| angle.0.si() != 0.0) {
+        None => "0: spur teeth".to_owned(),
+        Some(angle) if size.application.and_then(Application::helix_angle) == Some(angle) => {
+            format!("{angle} in all sets: usual of the application, not calculated")
+        }
+        Some(angle) => format!("{angle} in all sets, as asked for"),
+    }
 }
 
 /// Values that the application brings where the space of sizes leaves them open.

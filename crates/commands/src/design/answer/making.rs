@@ -35,9 +35,6 @@ pub(super) struct Load {
 pub(super) fn with_load(file: &mut Value, basis: &Basis, gears: &[(&str, f64)], load: Load) {
     for_each_set(file, |set| {
         set.insert("strength".into(), basis.strength.clone());
-        if let Some(tools) = &basis.tools {
-            set.insert("tools".into(), tools.clone());
-        }
     });
     with_duty(file, basis, gears, load);
 }
@@ -61,14 +58,32 @@ pub(super) fn mapping(keys: Vec<(&str, Value)>) -> Value {
     Value::Mapping(keys.into_iter().map(|(key, value)| (Value::from(key), value)).collect::<Mapping>())
 }
 
-/// Changes the entries of all sets.
+/// Changes the entries of all sets that are not compound.
 pub(super) fn for_each_set(file: &mut Value, change: impl FnMut(&mut Mapping)) {
-    let sets = file.get_mut("sets").and_then(Value::as_sequence_mut).into_iter().flatten();
+    for_each_of("sets", file, change);
+}
+
+/// Changes the entries of a list.
+fn for_each_of(key: &str, file: &mut Value, change: impl FnMut(&mut Mapping)) {
+    let sets = file.get_mut(key).and_then(Value::as_sequence_mut).into_iter().flatten();
     sets.filter_map(Value::as_mapping_mut).for_each(change);
 }
 
-/// Writes the duty into the file: its gears with their shares of the time.
+/// Writes helix angle and tools into the sets and the duty into the file: its gears with their shares of the
+/// time.
 pub(super) fn with_duty(file: &mut Value, basis: &Basis, gears: &[(&str, f64)], load: Load) {
+    if let Some(tools) = &basis.tools {
+        for_each_set(file, |set| {
+            set.insert("tools".into(), tools.clone());
+        });
+    }
+    if let Some(angle) = basis.helix_angle.filter(|angle| angle.0.si() != 0.0) {
+        for key in ["sets", "compound_sets"] {
+            for_each_of(key, file, |set| {
+                set.insert("helix_angle".into(), format!("{angle:.DIGITS$}").into());
+            });
+        }
+    }
     // More digits would show only the rounding of the unit conversion.
     let written = |value: f64, unit: &str| Value::from(format!("{} {unit}", trimmed(value, DIGITS)));
     let greatest = load.overload.map(|factor| written(factor * load.torque.si(), "N·m"));

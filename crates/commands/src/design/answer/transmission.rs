@@ -415,9 +415,6 @@ fn subject(wanted: &WantedTransmission, kept: &Kept, place: usize) -> Result<Sub
     // The numbers of planets are left to the sizing.
     for_each_set(&mut file, |set| {
         set.remove("planets");
-        if let Some(tools) = &wanted.basis.tools {
-            set.insert("tools".into(), tools.clone());
-        }
     });
     let gears = shared(gearbox.gears().iter().map(Gear::name).collect(), &wanted.shares)?;
     with_duty(&mut file, &wanted.basis, &gears, wanted.load());
