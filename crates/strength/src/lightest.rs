@@ -218,8 +218,7 @@ impl<'a> Search<'a> {
                 return Err(Error::Cancelled);
             }
             let duties: Vec<Vec<SetStep>> = places.iter().map(|place| least[*place].duty.clone()).collect();
-            let middling = duties.iter().map(|duty| greatest(duty)).fold(0.0, f64::max);
-            let set = sets.tried(teeth, &duties, middling)?;
+            let set = sets.tried(teeth, duties)?;
             for (duty, place) in places.into_iter().enumerate() {
                 let one = &mut least[place];
                 one.load = Load { duty, ..sets.load(teeth, &one.duty) };
@@ -287,12 +286,10 @@ impl Least {
         Self { teeth, duty, overloads, load, bound: None, sized: None }
     }
 
-    /// Takes the lesser of each torque and speed.
+    /// Takes the lesser of each load.
     fn lower(&mut self, other: &LoadedSet) {
         for (own, other) in self.duty.iter_mut().zip(&other.duty) {
-            own.sun_torque = own.sun_torque.abs().min(other.sun_torque.abs());
-            own.sun_speed = own.sun_speed.abs().min(other.sun_speed.abs());
-            own.carrier_speed = own.carrier_speed.abs().min(other.carrier_speed.abs());
+            own.lower(other);
         }
         for (own, other) in self.overloads.iter_mut().zip(&other.overloads) {
             own.sun_torque = own.sun_torque.abs().min(other.sun_torque.abs());
@@ -302,7 +299,8 @@ impl Least {
     /// Whether a set has this load, whatever the signs.
     fn is_load_of(&self, set: &LoadedSet) -> bool {
         let steps = self.duty.iter().zip(&set.duty).all(|(one, other)| {
-            one.sun_torque.si().abs() == other.sun_torque.si().abs()
+            one.share == other.share
+                && one.sun_torque.si().abs() == other.sun_torque.si().abs()
                 && one.sun_speed.si().abs() == other.sun_speed.si().abs()
                 && one.carrier_speed.si().abs() == other.carrier_speed.si().abs()
         });

@@ -32,7 +32,7 @@ const fn part3(place: &'static str) -> Reference {
 /// Part of the rating of a mesh that does not depend on the load.
 pub(crate) struct Prepared<'a> {
     mesh: &'a Mesh,
-    method: &'a Method,
+    pub(crate) method: &'a Method,
     module_mm: f64,
     face_mm: f64,
     transverse: f64,

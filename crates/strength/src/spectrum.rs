@@ -180,13 +180,50 @@ pub fn stresses(
     contacts: [f64; 2],
     method: &Method,
 ) -> Result<[GearDuty<Result<Stresses, Error>>; 2], Error> {
-    let life_h = positive(Quantity::Life, life.hours(), "h")?;
+    check_duty(duty)?;
+    stresses_of(&Prepared::new(mesh, method)?, duty, life, contacts)
+}
+
+/// Safeties of both flanks over each of several duties, with their `contacts`; infinite where a duty does
+/// nothing.
+///
+/// # Errors
+/// Those of [`rate_duty`] as far as they concern flanks.
+pub(crate) fn flank_safeties<'a>(
+    mesh: &Mesh,
+    method: &Method,
+    duties: impl Iterator<Item = (&'a [Step], [f64; 2])>,
+    life: Time,
+) -> Result<Vec<[f64; 2]>, Error> {
+    let prepared = Prepared::new(mesh, method)?;
+    let of = |(duty, contacts): (&[Step], [f64; 2])| {
+        check_duty(duty)?;
+        match stresses_of(&prepared, duty, life, contacts) {
+            Ok([first, second]) => Ok([safety(&first.contact?.0), safety(&second.contact?.0)]),
+            Err(Error::IdleDuty) => Ok([f64::INFINITY; 2]),
+            Err(error) => Err(error),
+        }
+    };
+    duties.map(of).collect()
+}
+
+fn check_duty(duty: &[Step]) -> Result<(), Error> {
     check_shares(duty.iter().map(|step| step.share))?;
     for step in duty {
         not_negative(Quantity::Torque, step.torque.si(), "N·m")?;
         not_negative(Quantity::Speed, step.speed.rpm(), "rpm")?;
     }
-    let prepared = Prepared::new(mesh, method)?;
+    Ok(())
+}
+
+fn stresses_of(
+    prepared: &Prepared<'_>,
+    duty: &[Step],
+    life: Time,
+    contacts: [f64; 2],
+) -> Result<[GearDuty<Result<Stresses, Error>>; 2], Error> {
+    let life_h = positive(Quantity::Life, life.hours(), "h")?;
+    let method = prepared.method;
     let mut steps = vec![];
     for step in duty {
         let (torque, speed) = (step.torque.si(), step.speed.rpm());
@@ -243,6 +280,9 @@ const HALVINGS: u32 = 60;
 /// The greatest factor with a damage of at most 1. The damage never falls with the factor, so bisection finds
 /// it.
 fn safety(cycles: &[Cycle]) -> f64 {
+    if let [one] = cycles {
+        return one.line.at(one.cycles) / one.stress;
+    }
     // With the factor at which the first stress reaches its static limit, the damage is ∞ just above.
     let factor_at = |limit: fn(&Line) -> f64| {
         cycles.iter().map(|cycle| limit(&cycle.line) / cycle.stress).fold(f64::INFINITY, f64::min)

@@ -6,7 +6,7 @@ mod common;
 
 use common::{conveyor, helical, helix_angles, mm};
 use epicyclic_gears::ToothCount;
-use epicyclic_strength::series::{InputStep, Order, Teeth, search};
+use epicyclic_strength::series::{InputStep, KnownSets, Order, Teeth, search};
 use epicyclic_strength::sizing::bearing::listed_rollers;
 use epicyclic_strength::sizing::{Objective, SetOverload, SetStep, Sizing, Space, size};
 use proptest::prelude::*;
@@ -85,7 +85,7 @@ fn every_train(order: &Order, stages: usize) -> Vec<[f64; 2]> {
 }
 
 fn agrees(order: &Order) -> Result<bool, TestCaseError> {
-    let found = search(order, 1, &|| ControlFlow::Continue(())).unwrap();
+    let found = search(order, 1, &mut KnownSets::default(), &|| ControlFlow::Continue(())).unwrap();
     let mut is_any = false;
     for trains in &found.all {
         let tried = every_train(order, trains.stages);
@@ -104,12 +104,23 @@ fn agrees(order: &Order) -> Result<bool, TestCaseError> {
     Ok(is_any)
 }
 
+/// Modules in mm, with gaps between them, and numbers of planets.
+fn sizes() -> impl Strategy<Value = (Vec<f64>, Vec<u32>)> {
+    let modules = prop::sample::subsequence(vec![1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0], 2..=3);
+    (modules, prop::sample::subsequence(vec![3, 4, 5], 1..=3))
+}
+
 /// A small space of trains, with torque in N·m.
-fn small(ratio: f64, torque: f64, suns: u32, objective: Objective) -> Order {
+fn small(
+    (ratio, torque, suns): (f64, f64, u32),
+    (modules, planets): (Vec<f64>, Vec<u32>),
+    objective: Objective,
+) -> Order {
     let order = conveyor();
     let bearings = listed_rollers().iter().step_by(3).cloned().collect();
     let space = Space {
-        modules: [1.5, 2.5, 4.0].map(mm).to_vec(),
+        modules: modules.into_iter().map(mm).collect(),
+        planets,
         face_widths: [20.0, 35.0, 50.0, 80.0].map(mm).to_vec(),
         centre_distance_step: mm(1.0),
         largest_ring: None,
@@ -148,8 +159,10 @@ proptest! {
         whole in any::<bool>(),
         rings_turn in any::<bool>(),
         helix in helix_angles(),
+        sizes in sizes(),
     ) {
-        let order = small(ratio, torque, suns, if whole { Objective::Whole } else { Objective::Mass });
+        let objective = if whole { Objective::Whole } else { Objective::Mass };
+        let order = small((ratio, torque, suns), sizes, objective);
         agrees(&Order { rings_turn, of_stage: helical(order.of_stage.clone(), helix), ..order })?;
     }
 }
@@ -157,7 +170,7 @@ proptest! {
 /// The order of a conveyor gets the split that engineers give it.
 #[test]
 fn a_conveyor_has_two_stages_of_usual_split() {
-    let found = search(&conveyor(), 1, &|| ControlFlow::Continue(())).unwrap();
+    let found = search(&conveyor(), 1, &mut KnownSets::default(), &|| ControlFlow::Continue(())).unwrap();
     let train = &found.all[0].found[0];
     let ratios: Vec<f64> =
         train.stages.iter().map(|[sun, _, ring]| 1.0 + ring.as_f64() / sun.as_f64()).collect();

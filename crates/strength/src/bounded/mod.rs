@@ -1,10 +1,13 @@
 //! Sets with a bound below their cost, before they are sized.
 //!
-//! Each set is tried at one module and every centre distance. Its flanks there give the volume of teeth that
-//! a torque needs, its planets the bearings that fit: together a bound below its cost.
+//! Each set is tried at every centre distance. Its flanks there give the volume of teeth that a torque needs, its
+//! planets the bearings that fit: together a bound below its cost.
 //!
-//! The bound leaves room for the factors of flanks that change with the size. The room is no proof: searches
-//! with it are compared with the size of everything in the tests.
+//! Flanks bear more the larger the module and the faster they run, and the fewer turns they make. So the
+//! modules are in bands, of which each takes the flanks of its largest; and a load that is the least of several
+//! takes the greatest of their speeds with the fewest of their turns. Between two centre distances counts the
+//! better of both. A little room is left for teeth that more planets make otherwise, and for what is not
+//! monotone between two centre distances; it is no proof, so the bounds are compared with sizes in the tests.
 
 mod bearings;
 
@@ -12,7 +15,7 @@ use crate::factor::{Side, Symbol};
 use crate::load::load_sharing;
 use crate::sizing::practice::priced;
 use crate::sizing::trial::Trial;
-use crate::sizing::{Design, Layout, Objective, SetOverload, SetStep, Sizing, Space, structure};
+use crate::sizing::{Design, Layout, Objective, SetOverload, SetStep, Sizing, Space, structure, with_rest};
 use crate::tolerance::RIM;
 use crate::{Error, Quantity};
 use bearings::Bearings;
@@ -29,17 +32,17 @@ use std::f64::consts::TAU;
 use std::ops::{Add, ControlFlow};
 use uom::si::f64::Length;
 
-/// Room for the factors of the flanks that change with the size, as a share of the safety.
-const ROOM: f64 = 0.1;
+/// Room of the flanks, as a share of the safety.
+const ROOM: f64 = 0.02;
+
+/// Largest module of a band over its smallest, at most.
+const BAND: f64 = 2.0;
 
 /// Steps of the centre distance in a module, in a trial.
 const STEPS: f64 = 8.0;
 
 /// Face width over diameter of the smaller gear in a trial.
 const PROPORTION: f64 = 0.8;
-
-/// Load of the flanks in N/m² by which a trial gets its module.
-const LOAD: f64 = 5e6;
 
 /// Cost of a set or of several; the fields count in their order.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -114,6 +117,13 @@ pub(crate) struct TriedSet {
     tried: Vec<Tried>,
 }
 
+impl TriedSet {
+    /// Number of duties under which it was tried.
+    pub(crate) fn duties(&self) -> usize {
+        self.tried.first().and_then(|tried| tried.volumes.first()).map_or(0, Vec::len)
+    }
+}
+
 /// Load of a set, as its bound sees it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Load {
@@ -131,8 +141,9 @@ pub(crate) struct Load {
 #[derive(Debug, Clone)]
 struct Tried {
     missed: u32,
-    /// Volume `m²·b` that the flanks need for each N·m of `T·K_γ/N`, under each duty, m³/(N·m).
-    volumes: Vec<f64>,
+    /// Volume `m²·b` that the flanks need for each N·m of `T·K_γ/N`, for each band of modules under each duty,
+    /// m³/(N·m).
+    volumes: Vec<Vec<f64>>,
     /// Cross-section of all gears times density over `m²`, for each number of planets, kg/m³.
     sections: Vec<f64>,
     /// Outside diameter of the ring, in modules.
@@ -158,6 +169,8 @@ pub(crate) struct Sets<'a> {
     /// `K_γ/N` of each number of planets; `None` outside its table.
     shares: Vec<Option<f64>>,
     modules: Vec<Length>,
+    /// Largest module of each band.
+    bands: Vec<Length>,
     widths: Vec<Length>,
     bearings: Bearings,
 }
@@ -176,10 +189,18 @@ impl<'a> Sets<'a> {
             all.sort_by(|one, other| one.si().total_cmp(&other.si()));
             all
         };
+        let modules = sorted(&space.modules);
+        let mut bands: Vec<Length> = vec![];
+        for module in modules.iter().rev() {
+            if bands.last().is_none_or(|largest| *module * BAND < *largest) {
+                bands.push(*module);
+            }
+        }
         Self {
             of_set,
             shares: space.planets.iter().map(share).collect(),
-            modules: sorted(&space.modules),
+            modules,
+            bands,
             widths: sorted(&space.face_widths),
             bearings: Bearings::new(&space.bearings),
         }
@@ -203,13 +224,11 @@ impl<'a> Sets<'a> {
         }))
     }
 
-    /// Tries a set under several duties, at a module that fits a torque in the middle of those that it may
-    /// have; `None` if its teeth have no room for one another, whatever the size.
+    /// Tries a set under several duties; `None` if its teeth have no room for one another, whatever the size.
     pub(crate) fn tried(
         &self,
         teeth: [ToothCount; 3],
-        duties: &[Vec<SetStep>],
-        middling: f64,
+        duties: Vec<Vec<SetStep>>,
     ) -> Result<Option<TriedSet>, Error> {
         let [sun, planet, ring] = teeth;
         let ratio = 1.0 + ring.as_f64() / sun.as_f64();
@@ -222,38 +241,40 @@ impl<'a> Sets<'a> {
         };
         let first = planets.iter().zip(&self.shares).filter(|(of, share)| share.is_some() && is_placed(**of));
         let Some((first, Some(share))) = first.min_by_key(|(of, _)| **of) else { return Ok(None) };
-        let diameter = libm::cbrt(2.0 * middling * share / (PROPORTION * LOAD));
-        let off = |module: &&Length| libm::log(module.si() * smaller / diameter).abs();
-        let module = self.modules.iter().min_by(|one, other| off(one).total_cmp(&off(other)));
-        let module = *module.ok_or(Error::NothingToSearch { quantity: Quantity::Module })?;
-        let face = module * (PROPORTION * smaller);
+        let largest = *self.bands.first().ok_or(Error::NothingToSearch { quantity: Quantity::Module })?;
         let space = Space {
-            modules: vec![module],
+            modules: vec![largest],
             planets: vec![*first],
-            centre_distance_step: module / STEPS,
+            centre_distance_step: largest / STEPS,
             largest_ring: None,
             ..of_set.space.clone()
         };
+        let duties: Vec<Vec<SetStep>> = duties.into_iter().map(with_rest).collect();
         let sizing = Sizing { teeth, duty: duties[0].clone(), overloads: vec![], space, ..of_set.clone() };
-        let square = module.si() * module.si();
+        let sizes: Vec<[Length; 2]> =
+            self.bands.iter().map(|module| [*module, *module * (PROPORTION * smaller)]).collect();
+        let square = largest.si() * largest.si();
         let tried = |trial: Trial| {
-            let volume = |(duty, safety): (&Vec<SetStep>, &f64)| {
-                let needed = of_set.required_contact / (safety * (1.0 + ROOM));
-                square * face.si() * needed * needed / (greatest(duty) * share)
+            let of_band = |([module, face], flanks): (&[Length; 2], &Vec<f64>)| {
+                let volume = |(duty, safety): (&Vec<SetStep>, &f64)| {
+                    let needed = of_set.required_contact / (safety * (1.0 + ROOM));
+                    module.si() * module.si() * face.si() * needed * needed / (greatest(duty) * share)
+                };
+                duties.iter().zip(flanks).map(volume).collect()
             };
             Tried {
-                missed: trial.missed,
-                volumes: duties.iter().zip(&trial.flanks).map(volume).collect(),
+                missed: trial.missed(),
+                volumes: sizes.iter().zip(&trial.flanks).map(of_band).collect(),
                 sections: trial.sections.iter().map(|section| section / square).collect(),
-                ring: (trial.ring / module).si(),
-                radius: (trial.radius / module).si(),
+                ring: (trial.ring / largest).si(),
+                radius: (trial.radius / largest).si(),
             }
         };
-        let trials = sizing.trials(face, duties, planets)?;
-        let largest = |of: fn(&Trial) -> Length| {
-            trials.iter().map(|trial| (of(trial) / module).si()).fold(0.0, f64::max)
+        let trials = sizing.trials(&sizes, &duties, planets)?;
+        let greatest_of = |of: fn(&Trial) -> Length| {
+            trials.iter().map(|trial| (of(trial) / largest).si()).fold(0.0, f64::max)
         };
-        let (bore, radius) = (largest(|trial| trial.bore), largest(|trial| trial.radius));
+        let (bore, radius) = (greatest_of(|trial| trial.bore), greatest_of(|trial| trial.radius));
         let tried: Vec<Tried> = trials.into_iter().map(tried).collect();
         let placed = planets.iter().map(|planets| is_placed(*planets)).collect();
         Ok((!tried.is_empty()).then_some(TriedSet { teeth, ratio, placed, smaller, bore, radius, tried }))
@@ -268,10 +289,11 @@ impl<'a> Sets<'a> {
         let [sun, _, ring] = set.teeth.map(ToothCount::as_f64);
         planets.flat_map(move |(place, planets, share)| {
             self.modules.iter().filter_map(move |module| {
+                let band = self.bands.partition_point(|largest| *largest >= *module) - 1;
                 let force = load.torque * share * (sun + ring) / (set.radius * module.si() * sun);
                 let least = self.bearings.width(set.bore * module.si(), force, load.wear)?;
                 let tried = set.tried.iter().filter_map(|tried| {
-                    let volume = tried.volumes[load.duty] * load.torque * share;
+                    let volume = tried.volumes[band][load.duty] * load.torque * share;
                     let acceleration = orbit_acceleration(tried.radius * module.si(), load.carrier_speed);
                     let missed = self.of_orbit(acceleration);
                     self.at(set, tried, (place, *module, missed), [volume, least])
@@ -345,14 +367,18 @@ impl<'a> Sets<'a> {
         known: &mut Geometries,
         goes_on: &dyn Fn() -> ControlFlow<()>,
     ) -> Result<Option<Cost>, Error> {
+        use Rule::{BearingLeastLoad, FullPinSpeed, HelicalSpeed, PinSpeed, SpurSpeed};
         let mut practice = self.of_set.practice.clone();
         if let Some(limits) = practice.as_mut().filter(|_| is_least) {
-            // More load may hold what the least load misses.
-            limits.state(Rule::BearingLeastLoad, Range::OPEN);
+            // More load may hold what the least load misses, and less speed what the greatest misses.
+            for rule in [BearingLeastLoad, SpurSpeed, HelicalSpeed, PinSpeed, FullPinSpeed] {
+                limits.state(rule, Range::OPEN);
+            }
         }
         let mut choices: Vec<Choice> = self.choices(set, load).collect();
         choices.sort_by_key(|choice| choice.bound);
         let of_set = self.of_set;
+        let duty = with_rest(duty);
         let mut sizing = Sizing { teeth: set.teeth, duty, overloads, practice, ..of_set.clone() };
         let mut best: Option<Cost> = None;
         for choice in choices {

@@ -43,7 +43,7 @@ mod stage;
 use crate::sizing::{STEEL, Sizing};
 use epicyclic_gears::ToothCount;
 use epicyclic_units::Physical;
-pub use search::search;
+pub use search::{KnownSets, search};
 use std::f64::consts::{FRAC_PI_4, PI};
 use std::ops::RangeInclusive;
 use uom::si::f64::{AngularVelocity, Mass, Torque};

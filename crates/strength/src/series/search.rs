@@ -7,11 +7,12 @@ use crate::bounded::{Cost, Geometries, TriedSet};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::teeth::gcd;
 use std::cmp::Reverse;
+use std::collections::hash_map::Entry;
 use std::collections::{BinaryHeap, HashMap};
 use std::ops::{Add, ControlFlow, RangeInclusive};
 
 /// Quotient of the ends of the ranges into which products of ratios are put.
-const RANGE: f64 = 1.03;
+pub(super) const RANGE: f64 = 1.03;
 
 /// Growth of the bound up to which trains are listed, from one round to the next.
 const GROWTH: f64 = 1.06;
@@ -38,12 +39,26 @@ fn levels(first: Cost, stages: usize) -> impl Iterator<Item = Cost> {
     levels.chain([Cost { unusual: f64::INFINITY, price: f64::INFINITY, ..first }])
 }
 
+/// What searches know of sets, whatever their torques: for orders that differ in numbers of stages, ratios by
+/// some per cent, torques and tooth numbers alone.
+#[derive(Debug, Default)]
+pub struct KnownSets {
+    tried: HashMap<[ToothCount; 3], Option<TriedSet>>,
+    geometries: Geometries,
+}
+
 /// The best `most` trains of each number of stages, unless `goes_on`, which is called now and then, breaks.
+/// What is known of the sets is used and added to.
 ///
 /// # Errors
 /// [`Error::NothingToSearch`] for a space without modules, face widths or planets; [`Error::Cancelled`]; those
 /// of [`size`](crate::sizing::size).
-pub fn search(order: &Order, most: usize, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Found, Error> {
+pub fn search(
+    order: &Order,
+    most: usize,
+    known: &mut KnownSets,
+    goes_on: &dyn Fn() -> ControlFlow<()>,
+) -> Result<Found, Error> {
     order.of_stage.space.check()?;
     let stages = Stages::new(order);
     let mut sets = vec![];
@@ -51,11 +66,15 @@ pub fn search(order: &Order, most: usize, goes_on: &dyn Fn() -> ControlFlow<()>)
         if goes_on().is_break() {
             return Err(Error::Cancelled);
         }
-        sets.extend(stages.stage(teeth)?);
+        let set = match known.tried.entry(teeth) {
+            Entry::Occupied(known) => known.into_mut(),
+            Entry::Vacant(place) => place.insert(stages.stage(teeth)?),
+        };
+        sets.extend(set.clone());
     }
     sets.sort_by(|one, other| one.ratio.total_cmp(&other.ratio));
     let table = Table::new(&stages, &sets, *order.stages.end());
-    let (in_range, exact, geometries) = (HashMap::new(), HashMap::new(), HashMap::new());
+    let (in_range, exact, geometries) = (HashMap::new(), HashMap::new(), &mut known.geometries);
     let mut search = Search { stages, sets, table, count: 1, in_range, exact, geometries, sized: 0, goes_on };
     let mut all = vec![];
     for count in order.stages.clone().filter(|count| *count > 0) {
@@ -152,7 +171,11 @@ impl Table {
         let allowed = [*stages.order.ratio.start(), *stages.order.ratio.end()];
         // A product lies below the end of its range; rounding may put it into a neighbour.
         let ranges = range(allowed[1]) + 2;
-        let bounds = |of: usize| sets.iter().map(|set| stages.bound(set, ends(of))).collect();
+        let bound = |set: &TriedSet, before: [f64; 2]| {
+            let is_part = before[0] * set.ratio <= allowed[1];
+            is_part.then(|| stages.bound(set, before)).flatten()
+        };
+        let bounds = |of: usize| sets.iter().map(|set| bound(set, ends(of))).collect();
         let mut table = Self {
             own: (0..ranges).map(bounds).collect(),
             rest: vec![],
@@ -211,7 +234,7 @@ struct Search<'a> {
     in_range: HashMap<(usize, usize), Option<Cost>>,
     /// Cost of a set behind a product, in bits.
     exact: HashMap<(usize, u64), Option<Cost>>,
-    geometries: Geometries,
+    geometries: &'a mut Geometries,
     sized: u64,
     goes_on: &'a dyn Fn() -> ControlFlow<()>,
 }
@@ -294,10 +317,10 @@ impl Search<'_> {
         let stage = &self.sets[set];
         let of = range(before);
         if known == Known::Tried && of > 0 {
-            let cost = self.stages.size(stage, ends(of), &mut self.geometries, self.goes_on)?;
+            let cost = self.stages.size(stage, ends(of), self.geometries, self.goes_on)?;
             self.in_range.insert((set, of), cost);
         } else {
-            let cost = self.stages.size(stage, [before; 2], &mut self.geometries, self.goes_on)?;
+            let cost = self.stages.size(stage, [before; 2], self.geometries, self.goes_on)?;
             self.exact.insert((set, before.to_bits()), cost);
         }
         Ok(())

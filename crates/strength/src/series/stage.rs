@@ -1,65 +1,57 @@
 //! A stage of a train: its loads behind the stages before it.
 
+use super::search::RANGE;
 use super::{InputStep, Order};
 use crate::Error;
 use crate::bounded::{Cost, Geometries, Load, Sets, TriedSet};
 use crate::sizing::{SetOverload, SetStep};
 use epicyclic_gears::ToothCount;
-use epicyclic_units::Physical;
 use std::ops::ControlFlow;
 
-/// Quotient of neighbouring speeds for which flanks are tried.
-const BETWEEN_SPEEDS: f64 = 4.0;
+/// Ends of the bands of products for which flanks are tried: the greatest over the least.
+const BAND: f64 = 2.0;
 
 /// The order as its stages see it.
 pub(super) struct Stages<'a> {
     pub(super) order: &'a Order,
     sets: Sets<'a>,
-    /// Greatest torque of the duty, N·m.
-    torque: f64,
-    /// Products of the ratios before a stage for which flanks are tried, ascending.
-    products: Vec<f64>,
+    /// Least products of the ratios before a stage of each band for which flanks are tried, ascending.
+    bands: Vec<f64>,
 }
 
 impl<'a> Stages<'a> {
     pub(super) fn new(order: &'a Order) -> Self {
         let most = *order.ratio.end();
-        let speeds = std::iter::successors(Some(1.0), |product| {
-            Some(product * BETWEEN_SPEEDS).filter(|_| *product < most)
-        });
-        Self {
-            order,
-            sets: Sets::new(&order.of_stage),
-            torque: order.duty.iter().map(|step| step.torque.si().abs()).fold(0.0, f64::max),
-            products: speeds.collect(),
+        let bands = std::iter::successors(Some(1.0), |product| Some(product * BAND).filter(|of| *of < most));
+        Self { order, sets: Sets::new(&order.of_stage), bands: bands.collect() }
+    }
+
+    /// Least and greatest product of all ratios, where the product up to and with a stage lies in a range.
+    fn products(&self, [least, most]: [f64; 2]) -> [f64; 2] {
+        let [first, last] = [*self.order.ratio.start(), *self.order.ratio.end()];
+        // Only the last stage knows the product. One stage more at least doubles it.
+        match most >= first {
+            true => [least.max(first), most.min(last)],
+            // The middle of all products: off by less than the tolerance.
+            false if least == most => [libm::sqrt(first * last); 2],
+            false => [first, last],
         }
     }
 
-    /// Speeds of the input and of the held carrier, relative to the rings, over the speed of the input, where
-    /// the product of all ratios may be this one.
-    fn seen_from_rings(&self, product: f64) -> [f64; 2] {
-        if !self.order.rings_turn {
-            return [1.0, 0.0];
-        }
-        // Only the last stage knows the product. For the others both speeds are the least of all products, off by
-        // less than the tolerance times the speed of the output.
-        let allowed = &self.order.ratio;
-        let products = match allowed.contains(&product) {
-            true => [product; 2],
-            false => [*allowed.end(), *allowed.start()],
-        };
-        let [input, held] = products.map(|product| 1.0 / (product - 1.0));
-        [1.0 + input, held]
-    }
-
-    /// Loads of a set with the least torque and the least speed of a range of products of ratios before it.
+    /// Loads of a set with the least torque, the greatest speed and the fewest turns of a range of products of
+    /// ratios before it.
     fn loads(&self, ratio: f64, [least, most]: [f64; 2]) -> (Vec<SetStep>, Vec<SetOverload>) {
-        let [input, held] = self.seen_from_rings(most * ratio);
+        // Rings that turn are held as seen from them; the held carrier then turns as the output against them.
+        let output = match self.order.rings_turn {
+            true => self.products([least * ratio, most * ratio]).map(|product| 1.0 / (product - 1.0)),
+            false => [0.0; 2],
+        };
+        let [fast, slow] = [(1.0 + output[0]) / least, (1.0 + output[1]) / most];
         let step = |step: &InputStep| SetStep {
-            share: step.share,
+            share: step.share * (slow / fast),
             sun_torque: step.torque * least,
-            sun_speed: step.speed * (input / most * (1.0 - 1.0 / ratio)),
-            carrier_speed: step.speed * (input / (most * ratio) - held).max(0.0),
+            sun_speed: step.speed * (fast * (1.0 - 1.0 / ratio)),
+            carrier_speed: step.speed * (slow / ratio - output[0]).max(0.0),
         };
         let overload = |one: &SetOverload| SetOverload { sun_torque: one.sun_torque * least, ..*one };
         let of_stage = &self.order.of_stage;
@@ -69,18 +61,15 @@ impl<'a> Stages<'a> {
     /// Tries a set; `None` if its teeth have no room for one another, whatever the size.
     pub(super) fn stage(&self, teeth: [ToothCount; 3]) -> Result<Option<TriedSet>, Error> {
         let ratio = 1.0 + teeth[2].as_f64() / teeth[0].as_f64();
-        let duties: Vec<Vec<SetStep>> =
-            self.products.iter().map(|product| self.loads(ratio, [*product; 2]).0).collect();
-        // A torque in the middle of those that the stage may have.
-        let middling = self.torque * libm::sqrt(self.order.ratio.end() / ratio).max(1.0);
-        self.sets.tried(teeth, &duties, middling)
+        let of_band = |least: &f64| self.loads(ratio, [*least, least * BAND * RANGE]).0;
+        self.sets.tried(teeth, self.bands.iter().map(of_band).collect())
     }
 
     /// Load of a stage where the product of the ratios before it lies in a range.
     fn load(&self, stage: &TriedSet, before: [f64; 2]) -> Load {
-        let [_, most] = before;
-        // Fewer cycles bear more.
-        let duty = self.products.partition_point(|product| *product < most).min(self.products.len() - 1);
+        // A set that is known of narrower ratios may lack the last band, which its neighbour overlaps.
+        let bands = &self.bands[..stage.duties().min(self.bands.len())];
+        let duty = bands.partition_point(|least| *least <= before[0]).saturating_sub(1);
         let (steps, _) = self.loads(stage.ratio, before);
         Load { duty, ..self.sets.load(stage.teeth, &steps) }
     }

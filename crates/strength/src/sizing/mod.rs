@@ -85,6 +85,7 @@ pub(crate) mod trial;
 use bearing::Bearing;
 use epicyclic_gears::involute::check::{Check, Rule};
 pub use search::search;
+pub(crate) use simple::with_rest;
 pub use simple::{HeldShifts, SetOverload, SetStep, Sizing, size};
 use std::f64::consts::FRAC_PI_4;
 use std::fmt;

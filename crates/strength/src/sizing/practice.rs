@@ -75,6 +75,15 @@ impl Misses {
         }
     }
 
+    /// Misses that both have.
+    pub(super) const fn of_both(self, other: Self) -> Self {
+        Self {
+            rules: self.rules & other.rules,
+            is_error: self.is_error && other.is_error,
+            is_against_stated: self.is_against_stated && other.is_against_stated,
+        }
+    }
+
     /// Whether gears and widths with these misses are left out.
     pub(super) const fn is_refused(self) -> bool {
         self.is_error || self.is_against_stated

@@ -155,7 +155,7 @@ impl<'a> Ratings<'a> {
     }
 
     /// A mesh of a design and its method, with the rims of planets that weaken their roots.
-    fn mesh(&self, one: Place<'_>, mesh: usize, rims: [Option<Length>; 2]) -> (Mesh, Method) {
+    pub(super) fn mesh(&self, one: Place<'_>, mesh: usize, rims: [Option<Length>; 2]) -> (Mesh, Method) {
         let task = self.task;
         let own = &self.layouts[one.layout];
         let ends = task.meshes[mesh].gears;

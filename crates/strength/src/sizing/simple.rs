@@ -11,7 +11,7 @@ use crate::load::load_sharing;
 use crate::mesh::{Gear, Method};
 use crate::planets::loads;
 use crate::spectrum::{Step, check_shares};
-use crate::tolerance::EDGE;
+use crate::tolerance::{EDGE, WHOLE};
 use crate::{Error, Quantity};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::geometry::GearKind;
@@ -39,6 +39,30 @@ pub struct SetStep {
     pub sun_speed: AngularVelocity,
     /// Speed of the carrier.
     pub carrier_speed: AngularVelocity,
+}
+
+impl SetStep {
+    /// Takes the least torque, turns and carrier speed of both, and the greatest speed: no flank, root or bearing
+    /// of one of them bears more. Fewer turns at more speed take a smaller share of the time.
+    pub(crate) fn lower(&mut self, other: &Self) {
+        let turns = |of: &Self| of.share * of.sun_speed.si().abs();
+        let turns = turns(self).min(turns(other));
+        self.sun_torque = self.sun_torque.abs().min(other.sun_torque.abs());
+        self.sun_speed = self.sun_speed.abs().max(other.sun_speed.abs());
+        self.carrier_speed = self.carrier_speed.abs().min(other.carrier_speed.abs());
+        let speed = self.sun_speed.si();
+        self.share = if speed > 0.0 { turns / speed } else { self.share.min(other.share) };
+    }
+}
+
+/// A duty with the rest of the time at rest.
+pub(crate) fn with_rest(mut duty: Vec<SetStep>) -> Vec<SetStep> {
+    let rest = 1.0 - duty.iter().map(|step| step.share).sum::<f64>();
+    if rest > WHOLE {
+        let (sun_torque, still) = (Torque::default(), AngularVelocity::default());
+        duty.push(SetStep { share: rest, sun_torque, sun_speed: still, carrier_speed: still });
+    }
+    duty
 }
 
 /// The greatest torque of the life, and what is required against it.

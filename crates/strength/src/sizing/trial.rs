@@ -6,22 +6,19 @@ use super::search::Masses;
 use super::simple::{SetStep, Sizing, layouts};
 use crate::Error;
 use crate::contact::over_full_overlap;
+use crate::spectrum::flank_safeties;
 use epicyclic_units::Physical;
 use std::f64::consts::FRAC_PI_4;
 use std::ops::ControlFlow;
-use std::sync::Arc;
 use uom::si::f64::Length;
 
-/// Strength and mass of a set at one module, face width and centre distance.
+/// Strength and mass of a set at one centre distance, or between two.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Trial {
-    /// Rules of usual practice that gears and meshes miss.
-    pub(crate) missed: u32,
-    /// Whether practice refuses them.
-    is_refused: bool,
-    /// Least safety of the flanks under each duty; of helical teeth as at full overlap, which wider faces may
-    /// have.
-    pub(crate) flanks: Vec<f64>,
+    misses: Misses,
+    /// Least safety of the flanks for each size and duty; of helical teeth as at full overlap, which wider
+    /// faces may have. 0 of teeth that the standard does not hold for.
+    pub(crate) flanks: Vec<Vec<f64>>,
     /// Cross-section of all gears times their density for each number of planets, with planets of the largest
     /// bore that their rim allows, kg/m.
     pub(crate) sections: Vec<f64>,
@@ -33,16 +30,47 @@ pub(crate) struct Trial {
     pub(crate) radius: Length,
 }
 
+impl Trial {
+    /// Number of rules of usual practice that gears and meshes miss.
+    pub(crate) const fn missed(&self) -> u32 {
+        self.misses.count()
+    }
+
+    /// The best of what sets between two neighbouring centre distances may have; rules that one of the ends
+    /// holds may hold there.
+    fn between([one, other]: [&Self; 2]) -> Self {
+        let both = |of: fn(&Self) -> &Vec<f64>, better: fn(f64, f64) -> f64| {
+            of(one).iter().zip(of(other)).map(|(one, other)| better(*one, *other)).collect()
+        };
+        let flanks = one.flanks.iter().zip(&other.flanks);
+        let greater = |(one, other): (&Vec<f64>, &Vec<f64>)| {
+            one.iter().zip(other).map(|(one, other)| one.max(*other)).collect()
+        };
+        Self {
+            misses: one.misses.of_both(other.misses),
+            flanks: flanks.map(greater).collect(),
+            sections: both(|of| &of.sections, f64::min),
+            ring: one.ring.min(other.ring),
+            bore: one.bore.max(other.bore),
+            radius: one.radius.min(other.radius),
+        }
+    }
+
+    fn is_refused(&self) -> bool {
+        self.misses.is_refused() || self.flanks.iter().flatten().any(|safety| *safety == 0.0)
+    }
+}
+
 impl Sizing {
-    /// Tries the first module and number of planets of the space with one face width, under several duties, at
-    /// every centre distance whose gears have no fault.
+    /// Tries the first module and number of planets of the space at every centre distance whose gears have no
+    /// fault; flanks at several sizes, each a module and a face width, under several duties.
     pub(crate) fn trials(
         &self,
-        face: Length,
+        sizes: &[[Length; 2]],
         duties: &[Vec<SetStep>],
         planets: &[u32],
     ) -> Result<Vec<Trial>, Error> {
-        let task = self.general(vec![face]);
+        let task = self.general(sizes.iter().map(|[_, face]| *face).collect());
         let modules_mm = [self.space.modules[0].mm()];
         let (mut all, _) = layouts(self, &modules_mm, &task, &|| ControlFlow::Continue(()))?;
         let mut trials = vec![];
@@ -58,8 +86,7 @@ impl Sizing {
                 Masses::new(&task, &layout).solid[0] - f64::from(*count) * bored
             };
             trials.push(Trial {
-                missed: misses.count(),
-                is_refused: misses.is_refused(),
+                misses,
                 flanks: vec![],
                 sections: planets.iter().map(section).collect(),
                 ring: own.ring_diameter(&task).unwrap_or_default(),
@@ -67,28 +94,37 @@ impl Sizing {
                 radius: own.radii[0],
             });
         }
-        for duty in duties {
+        let loads = duties.iter().map(|duty| {
             let of = Self { duty: duty.clone(), ..self.clone() };
-            let (loads, _) = of.loads(self.space.planets[0])?;
-            all.iter_mut().for_each(|layout| layout.loads = Arc::clone(&loads));
-            let mut ratings = Ratings::new(&task, &all);
+            Ok(of.loads(self.space.planets[0])?.0)
+        });
+        let loads = loads.collect::<Result<Vec<_>, Error>>()?;
+        for (width, [module, face]) in sizes.iter().enumerate() {
+            all.iter_mut().for_each(|layout| layout.modules = vec![*module]);
+            let ratings = Ratings::new(&task, &all);
             for (layout, trial) in trials.iter_mut().enumerate() {
-                let mut weakest = f64::INFINITY;
+                let mut weakest = vec![f64::INFINITY; duties.len()];
                 for (mesh, pair) in all[layout].pairs.iter().enumerate() {
-                    let place = Place { layout, widths: &[0] };
-                    let overlap = pair.overlap_ratio((face / all[layout].modules[0]).si());
-                    let gains = over_full_overlap(pair, overlap);
-                    // Teeth that the standard does not hold for bear nothing.
-                    let safety = ratings.rate(place, mesh, [None; 2])?.map_or(0.0, |rated| {
-                        let flanks = rated.over_duty.iter().flatten().map(|gear| gear.contact.safety);
-                        flanks.zip(gains).map(|(safety, gain)| safety * gain).fold(f64::INFINITY, f64::min)
-                    });
-                    weakest = weakest.min(safety);
+                    let (rated, method) = ratings.mesh(Place { layout, widths: &[width] }, mesh, [None; 2]);
+                    let steps = loads.iter().map(|loads| (&loads[mesh].steps[..], loads[mesh].contacts));
+                    let [first, second] = over_full_overlap(pair, pair.overlap_ratio((*face / *module).si()));
+                    match flank_safeties(&rated, &method, steps, self.life) {
+                        Ok(safeties) => {
+                            weakest.iter_mut().zip(safeties).for_each(|(weakest, [one, other])| {
+                                *weakest = weakest.min(one * first).min(other * second);
+                            })
+                        }
+                        // Teeth that the standard does not hold for bear nothing.
+                        Err(error) if error.is_beyond_standard() => weakest.fill(0.0),
+                        Err(error) => return Err(error),
+                    }
                 }
                 trial.flanks.push(weakest);
             }
         }
-        trials.retain(|trial| !trial.is_refused && trial.flanks.iter().all(|safety| *safety > 0.0));
-        Ok(trials)
+        let between = trials.windows(2).map(|pair| [&pair[0], &pair[1]]);
+        let alone = trials.iter().filter(|_| trials.len() == 1).map(|one| [one; 2]);
+        let all = between.chain(alone).filter(|ends| !ends.iter().all(|end| end.is_refused()));
+        Ok(all.map(Trial::between).collect())
     }
 }

@@ -18,7 +18,7 @@ use crate::tolerance::ROUNDED;
 use epicyclic_formats::Document;
 use epicyclic_formats::yaml::{Value, to_string};
 use epicyclic_gears::ToothCount;
-use epicyclic_strength::series::{Found, InputStep, Order, Teeth, Train, Trains, search};
+use epicyclic_strength::series::{Found, InputStep, KnownSets, Order, Teeth, Train, Trains, search};
 use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -282,16 +282,16 @@ pub(super) fn attempted(
 ) -> Result<Stages, Error> {
     // As for several speeds, accuracy is not traded for mass beyond a tenth of the tolerance, but for usual
     // practice.
-    let (mut within, mut found) = (0.0, None);
+    let (mut within, mut found, mut known) = (0.0, None, KnownSets::default());
     for part in CLASSES {
         let tolerance = part * wanted.tolerance;
         // Trains of a wider class have to keep to usual practice in more stages.
         if let Some(before) = found.as_ref().and_then(unusual)
-            && unusual(&searched(wanted, (tolerance, Some(before - 1)), 1, goes_on)?).is_none()
+            && unusual(&searched(wanted, (tolerance, Some(before - 1)), 1, (&mut known, goes_on))?).is_none()
         {
             continue;
         }
-        let of_class = searched(wanted, (tolerance, None), most, goes_on)?;
+        let of_class = searched(wanted, (tolerance, None), most, (&mut known, goes_on))?;
         let is_usual = unusual(&of_class) == Some(0);
         (within, found) = (tolerance, Some(of_class));
         if wanted.tolerance == 0.0 || is_usual {
@@ -387,16 +387,16 @@ fn searched(
     wanted: &WantedStages,
     (tolerance, most_unusual): (f64, Option<u32>),
     most: usize,
-    goes_on: &dyn Fn() -> ControlFlow<()>,
+    (known, goes_on): (&mut KnownSets, &dyn Fn() -> ControlFlow<()>),
 ) -> Result<Found, Error> {
     let order = |stages| Ok::<_, Error>(Order { most_unusual, ..order(wanted, tolerance, stages)? });
     if !wanted.is_of_output {
-        return Ok(search(&order(wanted.stages.clone())?, most, goes_on)?);
+        return Ok(search(&order(wanted.stages.clone())?, most, known, goes_on)?);
     }
     // More stages lose more, so each number of them has its own torque on the input.
     let mut found = Found { sets: 0, all: vec![] };
     for stages in wanted.stages.clone() {
-        let of_number = search(&order(stages..=stages)?, most, goes_on)?;
+        let of_number = search(&order(stages..=stages)?, most, known, goes_on)?;
         found.sets = found.sets.max(of_number.sets);
         found.all.extend(of_number.all);
     }
