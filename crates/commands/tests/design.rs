@@ -11,9 +11,11 @@ use epicyclic_commands::analyze::answer::{Input, overview};
 use epicyclic_commands::design::Request;
 use epicyclic_commands::design::answer::stages::Stages;
 use epicyclic_commands::report;
+use epicyclic_commands::shared::basis::Basis;
 use epicyclic_commands::shared::gearbox::Gearbox;
 use epicyclic_commands::size;
 use epicyclic_commands::words::request;
+use epicyclic_formats::Document;
 use epicyclic_units::Physical;
 use std::ops::ControlFlow;
 
@@ -168,6 +170,36 @@ fn hunting_teeth_have_no_common_divisor() {
         assert!(!(2..=*planet).any(divides), "{sun} {planet} {ring}");
     }
     assert!(seen > 0);
+}
+
+/// Bearings of planets that stand still in direct drive need no least load, power that circulates in a gearbox
+/// that turns as one costs nothing, and a gearbox with sizes is a basis that keeps none of them.
+#[test]
+fn direct_drive_asks_nothing_of_what_stands_still_in_it() {
+    let of = |words: &str| -> Request { request(words.split('|')).unwrap() };
+    let two = "--ratios=4, 1|--power=22kW|--input=1500rpm|--modules=2mm|--face-widths=25mm|--planets=3..4";
+    let two = of(two).answer_gears(&GO_ON).unwrap();
+    assert!(
+        two.file.is_some() && two.warnings.iter().all(|one| one.name != "bearing-least-load"),
+        "{:?}",
+        two.warnings
+    );
+    let sets = "--modules=3mm, 4mm|--face-widths=30mm, 50mm, 70mm|--planets=3..4";
+    let three =
+        of(&format!("--ratios=4.0 2.0 1|--power=60kW|--input=2200rpm|{sets}")).answer_gears(&GO_ON).unwrap();
+    let file = three.file.unwrap();
+    let document = Document::parse_one("three.yaml", file.as_bytes()).unwrap();
+    let basis = Basis::of(&document).unwrap();
+    assert!(file.contains("planet_rim") && !format!("{:?}", basis.strength).contains("rim"), "{basis:?}");
+}
+
+/// Where the bearings that can be bought decide a size, others are named; not where they are chosen from.
+#[test]
+fn bearings_that_decide_a_size_are_told() {
+    let words = "--ratio=5|--power=200kW|--input=990rpm|--factors=K_A 1.75|--life=60000h|--sun=20..22|--planet=28..36|--planets=3";
+    let is_told = |words: &str| stages(words).warnings.iter().any(|one| one.name == "bearings-decide");
+    assert!(is_told(words));
+    assert!(!is_told(&format!("{words}|--bearing-type=rollers,rollers-in-bore,full-complement")));
 }
 
 /// Analysis, sizes and the page of a gearbox warn of roots that a duty bends both ways, as its strength does.

@@ -178,6 +178,19 @@ impl<'g> Analysis<'g> {
         self.sets.get_or_init(|| self.gearbox.sets.iter().map(|set| set_motion(set, &self.speeds)).collect())
     }
 
+    /// Number of sets whose meshes roll. Sets that turn as one have none.
+    #[must_use]
+    pub fn rolling_sets(&self) -> usize {
+        self.sets().iter().filter(|set| set.relative.is_some_and(|speed| speed != 0.0)).count()
+    }
+
+    /// Circulating power over the power that enters; 0 where everything turns as one, since no mesh loses any
+    /// of it. `None` where losses hold the gear.
+    #[must_use]
+    pub fn circulating(&self) -> Option<f64> {
+        self.driving().map(|case| if self.rolling_sets() == 0 { 0.0 } else { case.power.circulating })
+    }
+
     /// Slip of each shift element, `ω_first − ω_second`: 0 when engaged, `None` where it does not follow.
     #[must_use]
     pub fn slips(&self) -> &[Option<f64>] {

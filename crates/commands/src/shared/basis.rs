@@ -82,8 +82,14 @@ impl Basis {
         if document.has(&of_limits) {
             check_limits(&document.read_at::<BTreeMap<String, Span<f64>>>(&of_limits)?, &mut faults);
         }
-        let (strength, of) =
+        let (mut strength, of) =
             found.map_or((Value::Null, Path::root()), |(strength, of)| (strength.clone(), of));
+        // Rims of a set are those of its own size.
+        if let Some(of_set) = strength.as_mapping_mut().filter(|_| of != Path::root()) {
+            for rim in ["planet_rim", "ring_rim"] {
+                of_set.shift_remove(rim);
+            }
+        }
         let gears = Gears::of_kind(SetKind::Simple).names;
         let meshes = [0, 1].map(|first: usize| [first, first + 1].map(|gear| gears[gear].clone()));
         let kinds = ["sun", "planet", "ring"];

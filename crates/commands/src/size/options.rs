@@ -140,10 +140,15 @@ impl Request {
         self.planets.clone().unwrap_or(usual)
     }
 
+    /// Kinds of bearings to choose from.
+    pub(crate) fn bearing_kinds(&self) -> &[BearingType] {
+        let usual = self.application.map_or(&BearingType::USUAL[..], Application::bearings);
+        self.bearing_type.as_deref().unwrap_or(usual)
+    }
+
     /// Bearings to choose from, alone and as pairs.
     fn bearings(&self) -> Vec<Bearing> {
-        let usual = self.application.map_or(&BearingType::USUAL[..], Application::bearings);
-        let kinds = self.bearing_type.as_deref().unwrap_or(usual);
+        let kinds = self.bearing_kinds();
         let single = match &self.bearings {
             _ if self.no_bearings => vec![],
             Some(bearings) => bearings.clone(),

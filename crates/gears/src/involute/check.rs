@@ -148,7 +148,7 @@ pub enum Place {
     Planets(u32),
 }
 
-/// A check: `value` must be at least `limit`, a gap between planets more.
+/// A check: `value` must be at least `limit`, a gap between planets also above 0.
 /// Checks of a simple set name its gears by their kind; other gear sets have places `P` of their own.
 /// Of a simple set it names its gears by their kind; others have places `P` of their own.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -174,12 +174,17 @@ impl<P> Check<P> {
     /// Whether the check passes.
     #[must_use]
     pub fn holds(&self) -> bool {
-        // Tip circles that touch would rub, so a gap equal to the limit fails, unlike every other value.
         if self.rule == Rule::PlanetGap {
-            return self.value > self.limit;
+            return is_clear(self.value, self.limit);
         }
         self.value >= self.limit - self.rule.slack()
     }
+}
+
+/// Whether a gap between planets is that of a limit, or more; tip circles that touch would rub.
+#[must_use]
+pub fn is_clear(gap: f64, limit: f64) -> bool {
+    gap > 0.0 && gap >= limit - TOUCH
 }
 
 impl fmt::Display for Place {
@@ -271,8 +276,20 @@ impl<P: fmt::Display> fmt::Display for Check<P> {
             ),
             Rule::PlanetGap => write!(
                 f,
-                "the tip circles of neighbours among {place} are {value:.3} modules apart, more than {limit} needed"
+                "the tip circles of neighbours among {place} are {value:.3} modules apart, {limit} and more than 0 needed"
             ),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A gap that is rounded to just below its limit has it; planets that touch never clear each other.
+    #[test]
+    fn a_gap_is_clear_at_its_limit_but_not_at_0() {
+        assert!(is_clear(0.5, 0.5) && is_clear(0.5 - 1e-15, 0.5) && is_clear(1e-9, 0.0));
+        assert!(!is_clear(0.499, 0.5) && !is_clear(0.0, 0.0) && !is_clear(-1e-15, 0.0));
     }
 }

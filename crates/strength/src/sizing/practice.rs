@@ -244,7 +244,10 @@ pub(super) fn of_pin(
         if let Some(rating) = bearing.static_load_rating.filter(|_| at_rest > 0.0) {
             all.push(limits.judge(Rule::BearingStaticSafety, rating.si() / at_rest));
         }
-        if let Some(least) = loads().filter(|load| *load > 0.0).reduce(f64::min) {
+        // A bearing at rest needs no load to keep its elements rolling.
+        let turning = duty.iter().filter(|step| step.share > 0.0 && step.speed.si() != 0.0);
+        let turning = turning.map(|step| step.load.si()).filter(|load| *load > 0.0);
+        if let Some(least) = turning.reduce(f64::min) {
             all.push(limits.judge(Rule::BearingLeastLoad, least / bearing.load_rating.si()));
         }
         if let Some(diameter) = bearing.mean_diameter().or(pin.mean_diameter) {

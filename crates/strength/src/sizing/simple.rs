@@ -15,7 +15,7 @@ use crate::tolerance::{EDGE, WHOLE};
 use crate::{Error, Quantity};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::geometry::GearKind;
-use epicyclic_gears::involute::check::Check;
+use epicyclic_gears::involute::check::{Check, is_clear};
 use epicyclic_gears::involute::family::{Aim, Family, natural_centre_distance};
 use epicyclic_gears::involute::profile::Profiles;
 use epicyclic_gears::involute::set::Limits;
@@ -369,7 +369,8 @@ fn held(task: &Sizing, planets: u32) -> Option<Result<PlanetSet, Check>> {
 fn do_touch(task: &Sizing, set: &PlanetSet) -> bool {
     let planet =
         TipCircle { centre_radius: set.centre_distance(), tip_radius: set.gears()[1].tip_diameter() / 2.0 };
-    task.least_planet_angle.is_some_and(|angle| planet.gap(planet, angle.si()) <= task.limits.planet_gap)
+    task.least_planet_angle
+        .is_some_and(|angle| !is_clear(planet.gap(planet, angle.si()), task.limits.planet_gap))
 }
 
 /// The gears at every centre distance of the space, and how many were left out.

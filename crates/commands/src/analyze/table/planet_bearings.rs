@@ -61,8 +61,8 @@ pub(super) fn records(bearings: &[PlanetBearing], at: &OperatingPoint, of_one_ge
     if has_load_rating && is_loaded && at.speed_rad_s.is_some() {
         let shown: &[&'static str] = &["force", "bearing_load_rating", "bearing_speed", "bearing_life_h"];
         views.push(View {
-            note: "C: basic dynamic load rating. Speed: relative to the carrier. Basic rating life, which 90 % reach; \
-                   none where a planet does not turn."
+            note: "C: basic dynamic load rating. Speed: relative to the carrier. Basic rating life, which 90 % reach, where \
+                   planets carry alike, with the losses of the meshes; `strength` counts K_γ. None where a planet does not turn."
                 .to_owned(),
             ..View::new("Life of the planet bearings", &[first, shown].concat())
         });

@@ -88,9 +88,7 @@ fn of_application(size: &SizeRequest, assume: &mut impl FnMut(&str, String)) {
     }
     if !size.no_bearings {
         if size.bearings.is_none() {
-            let kinds = size.bearing_type.as_deref().or(usual.map(Application::bearings));
-            let kinds = kinds.unwrap_or(&crate::shared::bearing_type::BearingType::USUAL);
-            let named = kinds.iter().filter_map(ValueEnum::to_possible_value);
+            let named = size.bearing_kinds().iter().filter_map(ValueEnum::to_possible_value);
             let named: Vec<String> = named.map(|kind| kind.get_name().to_owned()).collect();
             assume("bearings of the planets", named.join(", "));
         }

@@ -91,7 +91,7 @@ impl Attempt {
         let size = size::answer(&one(&document, &Choice::default())?, &wanted.size, &goes_on)?;
         let is_whole = size.not_sized.is_empty() && size.mass_kg.is_some();
         let file = if is_whole { Some(size::saved(&document, &size)?) } else { None };
-        let warnings = warnings(&size, file.as_deref())?;
+        let warnings = warnings(&size, file.as_deref(), &wanted.size)?;
         Ok(Self {
             mechanism: Some(design.of.mechanism),
             teeth,

@@ -4,12 +4,16 @@ use crate::analyze::answer::pins;
 use crate::answer::Warning;
 use crate::error::Error;
 use crate::shared::basis::Basis;
+use crate::shared::bearing_type::BearingType;
 use crate::shared::gearbox::{Choice, one};
 use crate::size::answer::Size;
+use crate::size::answer::records::SizedDesign;
+use crate::size::options::Request as SizeRequest;
 use crate::strength::answer::duty::steps;
 use epicyclic_formats::Document;
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_formats::yaml::{Mapping, Value};
+use epicyclic_strength::sizing::Requirement;
 use epicyclic_units::Physical;
 use epicyclic_units::format::trimmed;
 use uom::si::f64::{AngularVelocity, Torque};
@@ -113,12 +117,48 @@ pub(super) fn with_duty(file: &mut Value, basis: &Basis, gears: &[(&str, f64)], 
     }
 }
 
+/// Torque that teeth leave over that of the bearings from which on these decide the size of a set.
+const SPARE: f64 = 1.5;
+
+/// A remark where flanks and roots of sets have much to spare and their bearings, of those that may be chosen,
+/// have not; `None` where planets may have their own bore as a raceway.
+fn bearings_decide(size: &Size, file: &GearboxFile, request: &SizeRequest) -> Option<Warning> {
+    let is_bought = |kind: &BearingType| matches!(kind, BearingType::Balls | BearingType::Rollers);
+    if request.bearings.is_some() || !request.bearing_kinds().iter().all(is_bought) {
+        return None;
+    }
+    let required = file.required.as_ref()?;
+    let is_decided = |design: &SizedDesign| {
+        let teeth = design.over_duty.iter().map(|of| {
+            let flank = Requirement::Flank.reserve(of.flank.safety, required.flank.get());
+            flank.min(Requirement::Root.reserve(of.root.safety, required.root.get()))
+        });
+        let spare = teeth.fold(f64::INFINITY, f64::min);
+        design.governing.requirement == Requirement::BearingLife && spare > SPARE * design.governing.reserve()
+    };
+    let sets = size.sets.iter().filter(|set| set.found.first().is_some_and(is_decided));
+    let sets: Vec<&str> = sets.map(|set| set.set.as_str()).collect();
+    (!sets.is_empty()).then(|| Warning {
+        name: "bearings-decide",
+        message: format!(
+            "the bearings decide the size of {}, whose teeth have much to spare: smaller with --bearing-type \
+             rollers,rollers-in-bore,full-complement, or with larger bearings of --bearings",
+            sets.join(", ")
+        ),
+    })
+}
+
 /// Warnings about the sizes, with one of the speeds of all planets in place of one for each.
-pub(super) fn warnings(size: &Size, file: Option<&str>) -> Result<Vec<Warning>, Error> {
+pub(super) fn warnings(
+    size: &Size,
+    file: Option<&str>,
+    request: &SizeRequest,
+) -> Result<Vec<Warning>, Error> {
     let mut warnings = size.warnings.clone();
     let Some(file) = file else { return Ok(warnings) };
     let document = Document::parse_one(MAKING, file.as_bytes())?;
     let gearbox: GearboxFile = document.read()?;
+    warnings.extend(bearings_decide(size, &gearbox, request));
     let subject = one(&document, &Choice::default())?;
     let steps = steps(&subject, &gearbox.duty)?;
     let turning: Vec<_> = steps.iter().filter_map(|step| step.1.as_ref()).collect();

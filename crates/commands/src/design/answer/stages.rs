@@ -323,7 +323,7 @@ pub(super) fn attempted(
         let document = Document::parse_one(MAKING, making.as_bytes())?;
         let size = size::answer(&one(&document, &Choice::default())?, &wanted.size, goes_on)?;
         let saved = size::saved(&document, &size)?;
-        all_warnings = warnings(&size, Some(&saved))?;
+        all_warnings = warnings(&size, Some(&saved), &wanted.size)?;
         let step = SizesStep::of(size);
         masses = Masses::of(&saved, &step, (wanted.size.application, wanted.overload))?;
         file = Some(saved);

@@ -247,7 +247,7 @@ pub fn answer(
         if taken.of.mass_kg.is_some() {
             transmission.file = Some(size::saved(&taken.document, &taken.size)?);
         }
-        transmission.warnings = warnings(&taken.size, transmission.file.as_deref())?;
+        transmission.warnings = warnings(&taken.size, transmission.file.as_deref(), &wanted.size)?;
         let sizes = SizesStep::of(taken.size);
         if let Some(file) = &transmission.file {
             transmission.masses = Masses::of(file, &sizes, (wanted.size.application, wanted.overload))?;

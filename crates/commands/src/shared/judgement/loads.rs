@@ -68,13 +68,11 @@ fn of_gears(judge: &mut Judge, subject: &Gearbox) {
     for gear in subject.train.gears() {
         let Ok(worked) = Worked::new(&subject.train, gear.name(), Input::default()) else { continue };
         let name = format!("gear {}", gear.name());
-        if let Some(case) = worked.analysis.driving() {
-            judge.see(Rule::CirculatingPower, &[&name], case.power.circulating);
+        if let Some(circulating) = worked.analysis.circulating() {
+            judge.see(Rule::CirculatingPower, &[&name], circulating);
         }
         // Sets that turn as one have no loss: the number of those that roll is that of the stages.
-        let rolling =
-            worked.analysis.sets().iter().filter(|set| set.relative.is_some_and(|speed| speed != 0.0));
-        let stages = rolling.count();
+        let stages = worked.analysis.rolling_sets();
         if let Some(efficiency) = worked.analysis.efficiency().filter(|efficiency| *efficiency > 0.0)
             && stages > 0
         {
@@ -309,7 +307,9 @@ fn of_bearing(
     if !bearing.rollers && force > 0.0 {
         judge.see(Rule::BallLoad, &of, force / 1e3);
     }
-    let loads = bearing.steps.iter().map(|step| step.equivalent_load_n).filter(|load| *load > 0.0);
+    // A bearing at rest needs no load to keep its elements rolling.
+    let turning = bearing.steps.iter().filter(|step| step.speed_rad_s != 0.0);
+    let loads = turning.map(|step| step.equivalent_load_n).filter(|load| *load > 0.0);
     if let Some(least) = loads.reduce(f64::min) {
         judge.see(Rule::BearingLeastLoad, &of, least / bearing.load_rating_n);
     }

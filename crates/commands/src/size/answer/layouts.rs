@@ -26,7 +26,7 @@ use crate::strength::answer::prepared::SetToSize;
 use crate::strength::answer::records::Reason;
 use crate::tolerance::EDGE;
 use epicyclic_gears::geometry::GearKind;
-use epicyclic_gears::involute::check::{Check, Rule, Severity};
+use epicyclic_gears::involute::check::{Check, Rule, Severity, is_clear};
 use epicyclic_gears::involute::checks::{Limits, gear_checks, mesh_checks};
 use epicyclic_gears::involute::profile::Cutting;
 use epicyclic_gears::involute::shifts::StatedDistance;
@@ -394,7 +394,7 @@ impl Making<'_> {
                     let is_own = matches!(of, GearOf::Planet(own, _) if *own == planet);
                     let centre_radius = radius.unwrap_or_default() / mesh.module;
                     let circle = TipCircle { centre_radius, tip_radius: gear.tip_diameter() / 2.0 };
-                    is_own && planets > 1 && circle.gap(circle, angle) <= gap
+                    is_own && planets > 1 && !is_clear(circle.gap(circle, angle), gap)
                 })
             })
         };

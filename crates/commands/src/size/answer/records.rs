@@ -507,7 +507,7 @@ impl SizedSet {
                 out.spacing,
                 "the planets do not stand at equal angles: other numbers of planets or of teeth would help",
             ),
-            (out.planets_touch, "neighbouring planets touch: fewer planets would help"),
+            (out.planets_touch, "neighbouring planets touch, or nearly: fewer planets would help"),
             (
                 out.width_ratio,
                 "every face width is wider than allowed: narrower ones, or a larger --width-ratio would help",
