@@ -196,7 +196,8 @@ fn direct_drive_asks_nothing_of_what_stands_still_in_it() {
 /// Where the bearings that can be bought decide a size, others are named; not where they are chosen from.
 #[test]
 fn bearings_that_decide_a_size_are_told() {
-    let words = "--ratio=5|--power=200kW|--input=990rpm|--factors=K_A 1.75|--life=60000h|--sun=20..22|--planet=28..36|--planets=3";
+    let words =
+        "--ratio=5|--torque=30 kN·m|--input=60rpm|--life=60000h|--sun=20..22|--planet=28..36|--planets=3";
     let is_told = |words: &str| stages(words).warnings.iter().any(|one| one.name == "bearings-decide");
     assert!(is_told(words));
     assert!(!is_told(&format!("{words}|--bearing-type=rollers,rollers-in-bore,full-complement")));

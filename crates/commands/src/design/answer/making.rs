@@ -141,8 +141,8 @@ fn bearings_decide(size: &Size, file: &GearboxFile, request: &SizeRequest) -> Op
     (!sets.is_empty()).then(|| Warning {
         name: "bearings-decide",
         message: format!(
-            "the bearings decide the size of {}, whose teeth have much to spare: smaller with --bearing-type \
-             rollers,rollers-in-bore,full-complement, or with larger bearings of --bearings",
+            "the bearings decide the size of {}, whose teeth have much to spare: --bearing-type \
+             rollers,rollers-in-bore,full-complement, or larger bearings of --bearings, may make it smaller",
             sets.join(", ")
         ),
     })
