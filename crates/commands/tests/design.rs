@@ -227,6 +227,7 @@ fn helical_teeth_are_those_of_every_set() {
     for (words, degrees) in [
         ("--ratio=20|--helix-angle=15deg", 15.0),
         ("--ratios=3.5|--helix-angle=15deg", 15.0),
+        ("--ratio=5|--ring-offset=-2..-1|--helix-angle=15deg", 15.0),
         ("--ratios=2.8; 1.5; 1; -2.2|--helix-angle=-15deg", -15.0),
         ("--ratios=2; 1|--application=automatic", 20.0),
         ("--ratios=2; 1|--application=automatic|--helix-angle=0deg", 0.0),
