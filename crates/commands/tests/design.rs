@@ -247,7 +247,7 @@ fn helical_teeth_are_those_of_every_set() {
             let best = &set.found[0];
             let [sun, planet] = [0, 1].map(|gear| f64::from(best.gears[gear].teeth));
             let module = best.families[0].module_m;
-            let natural = module * (sun + planet) / (2.0 * degrees.to_radians().cos());
+            let natural = module * (sun + planet) / (2.0 * libm::cos(degrees.to_radians()));
             assert!((best.centre_distance_m - natural).abs() < 1.01 * module, "{words}: {best:?}");
         }
     }
