@@ -227,10 +227,13 @@ impl<'a> Sets<'a> {
         let module = self.modules.iter().min_by(|one, other| off(one).total_cmp(&off(other)));
         let module = *module.ok_or(Error::NothingToSearch { quantity: Quantity::Module })?;
         let face = module * (PROPORTION * smaller);
+        // Steps meet the ends of the reach of spur teeth; one more covers those of helical teeth.
+        let beyond = if helix == 0.0 { 0.0 } else { 1.0 / STEPS };
         let space = Space {
             modules: vec![module],
             planets: vec![*first],
             centre_distance_step: module / STEPS,
+            reach: of_set.space.reach + beyond,
             largest_ring: None,
             ..of_set.space.clone()
         };
@@ -253,7 +256,9 @@ impl<'a> Sets<'a> {
         let largest = |of: fn(&Trial) -> Length| {
             trials.iter().map(|trial| (of(trial) / module).si()).fold(0.0, f64::max)
         };
-        let (bore, radius) = (largest(|trial| trial.bore), largest(|trial| trial.radius));
+        // It moves the roots of the planets by its double at most.
+        let bore = largest(|trial| trial.bore) + 2.0 * beyond;
+        let radius = largest(|trial| trial.radius) + beyond;
         let tried: Vec<Tried> = trials.into_iter().map(tried).collect();
         let placed = planets.iter().map(|planets| is_placed(*planets)).collect();
         Ok((!tried.is_empty()).then_some(TriedSet { teeth, ratio, placed, smaller, bore, radius, tried }))
