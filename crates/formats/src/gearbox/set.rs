@@ -11,6 +11,7 @@ use epicyclic_gears::rack::BasicRack;
 use epicyclic_train::GROUND;
 use epicyclic_train::set::{SetKind, SetSpec};
 use epicyclic_train::spacing::Spacing;
+use epicyclic_train::toothed::Untoothed;
 use epicyclic_units::Number;
 use uom::si::f64::Angle;
 
@@ -110,8 +111,10 @@ impl SetEntry {
             let twice = DescriptionError::Twice { set: set(), first: "module", second: "modules" };
             faults.push("modules", twice);
         }
+        // Profile shifts may be open: sizes pick them.
         if spec.is_helical()
             && let Err(why) = spec.toothed(&BasicRack::default(), &[])
+            && why != Untoothed::Shifts
             && let Some(missing) = missing(&why)
         {
             let at = &["helix_angle", "helix_angles"][..];

@@ -242,10 +242,13 @@ impl<'a> Sets<'a> {
         let first = planets.iter().zip(&self.shares).filter(|(of, share)| share.is_some() && is_placed(**of));
         let Some((first, Some(share))) = first.min_by_key(|(of, _)| **of) else { return Ok(None) };
         let largest = *self.bands.first().ok_or(Error::NothingToSearch { quantity: Quantity::Module })?;
+        // Steps meet the ends of the reach of spur teeth; one more covers those of helical teeth.
+        let beyond = if helix == 0.0 { 0.0 } else { 1.0 / STEPS };
         let space = Space {
             modules: vec![largest],
             planets: vec![*first],
             centre_distance_step: largest / STEPS,
+            reach: of_set.space.reach + beyond,
             largest_ring: None,
             ..of_set.space.clone()
         };
@@ -274,7 +277,9 @@ impl<'a> Sets<'a> {
         let greatest_of = |of: fn(&Trial) -> Length| {
             trials.iter().map(|trial| (of(trial) / largest).si()).fold(0.0, f64::max)
         };
-        let (bore, radius) = (greatest_of(|trial| trial.bore), greatest_of(|trial| trial.radius));
+        // It moves the roots of the planets by its double at most.
+        let bore = greatest_of(|trial| trial.bore) + 2.0 * beyond;
+        let radius = greatest_of(|trial| trial.radius) + beyond;
         let tried: Vec<Tried> = trials.into_iter().map(tried).collect();
         let placed = planets.iter().map(|planets| is_placed(*planets)).collect();
         Ok((!tried.is_empty()).then_some(TriedSet { teeth, ratio, placed, smaller, bore, radius, tried }))

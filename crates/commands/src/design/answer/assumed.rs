@@ -72,7 +72,9 @@ fn helix_angle(basis: &Basis, size: &SizeRequest) -> String {
     match basis.helix_angle.filter(|angle| angle.0.si() != 0.0) {
         None => "0: spur teeth".to_owned(),
         Some(angle) if size.application.and_then(Application::helix_angle) == Some(angle) => {
-            format!("{angle} in all sets: usual of the application, not calculated")
+            format!(
+                "{angle} in all sets: usual of the application, without a source; --helix-angle changes it"
+            )
         }
         Some(angle) => format!("{angle} in all sets, as asked for"),
     }

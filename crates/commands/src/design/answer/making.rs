@@ -168,3 +168,32 @@ pub(super) fn warnings(
     }
     Ok(warnings)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shared::application::FULL_LOAD;
+    use epicyclic_units::Quantity;
+    use uom::si::f64::Angle;
+
+    /// Sets that share planets are in a list of their own.
+    #[test]
+    fn sets_of_both_lists_get_the_helix_angle() {
+        let text = "sets: [{ id: a }, { id: b }]\ncompound_sets: [{ id: c }]\n";
+        let load = Load {
+            torque: Torque::from_si(1.0),
+            speed: AngularVelocity::from_si(1.0),
+            overload: None,
+            spectrum: &FULL_LOAD,
+        };
+        for (degrees, written) in [(None, None), (Some(0.0), None), (Some(-12.5), Some("-12.5 deg"))] {
+            let mut file = Document::parse_one(MAKING, text.as_bytes()).unwrap().value().clone();
+            let helix_angle = degrees.map(|degrees| Quantity(Angle::from_degrees(degrees)));
+            with_duty(&mut file, &Basis { helix_angle, ..Basis::default() }, &[("1", 1.0)], load);
+            for (list, place) in [("sets", 0), ("sets", 1), ("compound_sets", 0)] {
+                let own = file[list][place].get("helix_angle").and_then(Value::as_str);
+                assert_eq!(own, written, "{list} {place}");
+            }
+        }
+    }
+}
