@@ -6,6 +6,8 @@
 //!   different units differ by a few units in the last place.
 //! - `ROUNDING`: a shortfall of a diameter, over the diameter; the rounding of a cube root.
 //! - `LEAST_EFFICIENCY`: an efficiency of a mesh, far below any gear.
+//! - `GAP`: a gap between planets short of its limit, in modules; rounding alone, since the rules of practice
+//!   allow less than `TOUCH`.
 //! - `TOUCH`: a gap between two circles, in modules; rounding of a sine or cosine times a centre distance.
 //! - `PRESSED`: a backlash, in modules; shifts that leave none are sums of rounded involutes.
 //! - `AT_POSITION`: a stated angle beside an assembly position, in positions; degrees with two decimals, of
@@ -30,6 +32,9 @@ pub(crate) const LEAST_EFFICIENCY: f64 = 1e-6;
 
 /// Circles with a gap below this many modules only touch.
 pub(crate) const TOUCH: f64 = 1e-9;
+
+/// A gap between planets is its limit within this, in modules.
+pub(crate) const GAP: f64 = 1e-12;
 
 /// Teeth thicker than their pitch by less than this many modules just fill it.
 pub(crate) const PRESSED: f64 = 1e-9;

@@ -1,7 +1,7 @@
 //! A check of the teeth of a set: what must hold, its value, its limit, how grave a miss is, and what helps.
 
 use crate::quantity::SimpleGear;
-use crate::tolerance::{PRESSED, TOUCH};
+use crate::tolerance::{GAP, PRESSED, TOUCH};
 use std::fmt;
 
 /// A mesh of a simple set.
@@ -184,7 +184,7 @@ impl<P> Check<P> {
 /// Whether a gap between planets is that of a limit, or more; tip circles that touch would rub.
 #[must_use]
 pub fn is_clear(gap: f64, limit: f64) -> bool {
-    gap > 0.0 && gap >= limit - TOUCH
+    gap > 0.0 && gap >= limit - GAP
 }
 
 impl fmt::Display for Place {
