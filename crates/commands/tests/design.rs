@@ -193,6 +193,28 @@ fn direct_drive_asks_nothing_of_what_stands_still_in_it() {
     assert!(file.contains("planet_rim") && !format!("{:?}", basis.strength).contains("rim"), "{basis:?}");
 }
 
+/// Each train of a front is the best under its limit of the rings, and costs no less than the one before.
+#[test]
+fn a_front_has_the_best_train_of_each_ring() {
+    let words = "--ratio=5|--power=20kW|--input=1475rpm|--sun=18..24|--planet=27..40|--modules=2mm, 2.5mm, 3mm|--face-widths=20mm, 30mm, 40mm";
+    let all = stages(&format!("{words}|--front"));
+    let front = all.front.as_ref().unwrap();
+    assert!(front.len() > 1, "{front:?}");
+    let mut before = 0.0;
+    for point in front {
+        let most = point.limits[0].greatest.unwrap();
+        assert!(point.ring_diameter_m <= most * (1.0 + 1e-9));
+        let alone = stages(&format!("{words}|--max-ring={most}m"));
+        let taken = alone.trains.iter().find(|trains| trains.taken).unwrap().best.as_ref().unwrap();
+        assert_eq!((&taken.teeth, taken.rules_missed), (&point.teeth, point.rules_missed));
+        assert_eq!(alone.masses.unwrap().whole_kg, point.whole_kg.unwrap());
+        let price = taken.price_kg + if taken.unusual_stages > 0 { 1e6 } else { 0.0 };
+        assert!(price >= before, "{point:?}");
+        before = price;
+    }
+    assert!(stages(words).front.is_none());
+}
+
 /// Where the bearings that can be bought decide a size, others are named; not where they are chosen from.
 #[test]
 fn bearings_that_decide_a_size_are_told() {

@@ -119,6 +119,10 @@ pub struct Request {
     #[arg(long, conflicts_with_all = ["speeds", "ratios"], help_heading = STAGES)]
     pub hunting_teeth: bool,
 
+    /// Also the best trains with smaller and smaller rings, each at least 5 % smaller than the one before.
+    #[arg(long, conflicts_with_all = ["speeds", "ratios"], help_heading = STAGES)]
+    pub front: bool,
+
     /// Power into the input in every gear.
     #[arg(long, allow_hyphen_values = true)]
     pub power: Option<Quantity<Power>>,

@@ -71,6 +71,7 @@ impl Request {
             },
             speed,
             is_backward: self.input.0.si() < 0.0,
+            is_front_asked: self.front,
             is_hunting_asked: self.hunting_teeth && self.sizes.application != Some(Application::Wind),
             torque: duty.torque().map_err(refuse_of)?.ok_or(Error::NoLoad).map_err(refuse_of)?,
             is_of_output: self.output_torque.is_some(),

@@ -28,13 +28,13 @@
 //! Both are sums over the stages.
 //!
 //! # How the best train is found
-//! Each set is tried at one module and every centre distance. Its flanks there give the volume of teeth that a
-//! torque needs, its planets the bearings that fit: together a bound below the mass of a stage. All trains are
-//! put in the order of the sums of these bounds. The first train gets one of its stages sized, first for the
+//! Each set is tried at every centre distance. Its flanks there give the volume of teeth that a torque needs, its
+//! planets the bearings that fit: together a bound below the mass of a stage, whatever its module and its speed
+//! within a band. All trains are put in the order of the sums of these bounds. The first train gets one of its stages sized, first for the
 //! least load of a range, then for its own, and goes back into the queue with the mass in place of the bound.
 //! A train that comes first with all stages sized is the best: no other has a lower bound.
 //!
-//! The bound leaves room for the factors of flanks that change with the size. The room is no proof: every train
+//! A part of the bound is no proof, such as a little room for teeth that more planets make otherwise: every train
 //! of small spaces is sized in the tests, and the best is the same.
 
 mod search;

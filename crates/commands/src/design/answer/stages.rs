@@ -48,6 +48,8 @@ pub struct WantedStages {
     pub speed: AngularVelocity,
     /// Whether input and output turn backward.
     pub is_backward: bool,
+    /// Whether trains with smaller rings are asked for.
+    pub is_front_asked: bool,
     /// Whether the request itself asks for gears without common divisors.
     pub is_hunting_asked: bool,
     /// Torque on the input; where the output's is asked for, this one over the ratio.
@@ -113,6 +115,9 @@ pub struct Stages {
     pub file: Option<String>,
     /// Limits to relax if no train holds, each with the train that is then found. Null if there is a file.
     pub ways_out: Option<Vec<WayOutOfStages>>,
+    /// Trains with smaller and smaller rings, each the best that its limit of the rings leaves; null if not asked
+    /// for, or without a train.
+    pub front: Option<Vec<WayOutOfStages>>,
     /// Warnings about the gearbox.
     pub warnings: Vec<Warning>,
 }
@@ -274,24 +279,26 @@ impl TrainsOf {
     }
 }
 
-/// Designs stages in series without ways out; `most` trains of each number of stages are listed.
+/// Designs stages in series without ways out and front; `most` trains of each number of stages are listed.
+/// `known` is of orders that differ in limits of ratio, stages and rings alone.
 pub(super) fn attempted(
     wanted: &WantedStages,
     most: usize,
+    known: &mut KnownSets,
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<Stages, Error> {
     // As for several speeds, accuracy is not traded for mass beyond a tenth of the tolerance, but for usual
     // practice.
-    let (mut within, mut found, mut known) = (0.0, None, KnownSets::default());
+    let (mut within, mut found) = (0.0, None);
     for part in CLASSES {
         let tolerance = part * wanted.tolerance;
         // Trains of a wider class have to keep to usual practice in more stages.
         if let Some(before) = found.as_ref().and_then(unusual)
-            && unusual(&searched(wanted, (tolerance, Some(before - 1)), 1, (&mut known, goes_on))?).is_none()
+            && unusual(&searched(wanted, (tolerance, Some(before - 1)), 1, (&mut *known, goes_on))?).is_none()
         {
             continue;
         }
-        let of_class = searched(wanted, (tolerance, None), most, (&mut known, goes_on))?;
+        let of_class = searched(wanted, (tolerance, None), most, (&mut *known, goes_on))?;
         let is_usual = unusual(&of_class) == Some(0);
         (within, found) = (tolerance, Some(of_class));
         if wanted.tolerance == 0.0 || is_usual {
@@ -362,6 +369,7 @@ pub(super) fn attempted(
         sizes,
         file,
         ways_out: None,
+        front: None,
         warnings: all_warnings,
     })
 }
@@ -480,6 +488,7 @@ mod tests {
             ratio: 20.0,
             is_backward: false,
             is_hunting_asked: false,
+            is_front_asked: false,
             steps_up,
             rings_turn: false,
             tolerance: 0.03,

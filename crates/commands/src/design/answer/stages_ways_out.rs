@@ -1,4 +1,5 @@
-//! Stages in series; if none are found, limits to relax, each with the train that is then found.
+//! Stages in series; if none are found, limits to relax, each with the train that is then found; on request
+//! trains with smaller rings.
 //!
 //! Every way out is the result of the same search with the limit relaxed. The same command with the option
 //! finds the same train.
@@ -7,6 +8,7 @@ use super::stages::{MOST_STAGES, Stages, WantedStages, attempted};
 use super::ways_out::{GREATEST_TOLERANCE, Limit, OFFSETS, RelaxedLimit, WayOutOfStages, rounded};
 use crate::error::Error;
 use epicyclic_strength::load::MOST_SHARING;
+use epicyclic_strength::series::KnownSets;
 use epicyclic_units::Physical;
 use std::ops::{ControlFlow, RangeInclusive};
 
@@ -29,17 +31,67 @@ const RING_STEP: f64 = 0.05;
 /// Trains of each number of stages that are searched: the best and the next.
 const MOST: usize = 2;
 
+/// Part by which the limit of the rings is below the last ring, from one train of a front to the next.
+const SMALLER: f64 = 0.05;
+
+/// Trains of a front at most, beside the best.
+const MOST_SMALLER: usize = 12;
+
 /// Designs stages in series. `goes_on` is called now and then, and may end the search. If no stages hold, the
 /// search is repeated with each obstructing limit relaxed.
 ///
 /// # Errors
 /// As of [`size`](crate::size::options::Request::answer), which refer to the unfinished gearbox.
 pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Stages, Error> {
-    let mut stages = attempted(wanted, MOST, goes_on)?;
+    let mut known = KnownSets::default();
+    let mut stages = attempted(wanted, MOST, &mut known, goes_on)?;
     if stages.file.is_none() {
         stages.ways_out = Some(of((wanted, &stages), goes_on)?);
+    } else if wanted.is_front_asked {
+        stages.front = Some(front((wanted, &stages), &mut known, goes_on)?);
     }
     Ok(stages)
+}
+
+/// The best trains under smaller and smaller limits of their rings, until none holds.
+fn front(
+    (wanted, found): (&WantedStages, &Stages),
+    known: &mut KnownSets,
+    goes_on: &dyn Fn() -> ControlFlow<()>,
+) -> Result<Vec<WayOutOfStages>, Error> {
+    let mut points: Vec<WayOutOfStages> = vec![];
+    let mut ring = largest_ring(found);
+    while points.len() < MOST_SMALLER {
+        let most = rounded(ring * (1.0 - SMALLER), f64::floor);
+        let limit = RelaxedLimit { greatest: Some(most), ..RelaxedLimit::lifted(Limit::LargestRing) };
+        let mut wanted = wanted.clone();
+        relax(limit, &mut wanted);
+        let Some(way) = way(&[limit], &attempted(&wanted, 1, known, goes_on)?) else { break };
+        ring = way.ring_diameter_m;
+        points.push(way);
+    }
+    Ok(points)
+}
+
+/// Greatest outside diameter of a ring of the train taken, in m; 0 without one.
+fn largest_ring(stages: &Stages) -> f64 {
+    let sets = stages.sizes.iter().flat_map(|sizes| &sizes.sets);
+    sets.filter_map(|set| set.found.first()?.ring_diameter_m).fold(0.0, f64::max)
+}
+
+/// The train taken, with the limits under which it was found; `None` without one.
+fn way(limits: &[RelaxedLimit], stages: &Stages) -> Option<WayOutOfStages> {
+    stages.file.as_ref()?;
+    let train = stages.trains.iter().find(|trains| trains.taken)?.best.clone()?;
+    Some(WayOutOfStages {
+        limits: limits.to_vec(),
+        teeth: train.teeth,
+        ratio: train.ratio,
+        ring_diameter_m: largest_ring(stages),
+        efficiency: stages.efficiency,
+        whole_kg: stages.masses.map(|of| of.whole_kg),
+        rules_missed: train.rules_missed,
+    })
 }
 
 /// Finds the ways out for an order without stages that hold: each limit relaxed alone, those of tooth numbers
@@ -129,19 +181,8 @@ impl Search<'_> {
     fn with(&self, limits: &[RelaxedLimit]) -> Result<Option<(WayOutOfStages, Stages)>, Error> {
         let mut wanted = self.wanted.clone();
         limits.iter().for_each(|limit| relax(*limit, &mut wanted));
-        let stages = attempted(&wanted, 1, self.goes_on)?;
-        let train = stages.trains.iter().find(|trains| trains.taken).and_then(|trains| trains.best.clone());
-        let Some(train) = train.filter(|_| stages.file.is_some()) else { return Ok(None) };
-        let sets = stages.sizes.iter().flat_map(|sizes| &sizes.sets);
-        let rings = sets.filter_map(|set| set.found.first()?.ring_diameter_m);
-        let way = WayOutOfStages {
-            limits: limits.to_vec(),
-            teeth: train.teeth,
-            ratio: train.ratio,
-            ring_diameter_m: rings.fold(0.0, f64::max),
-            whole_kg: stages.masses.map(|of| of.whole_kg),
-        };
-        Ok(Some((way, stages)))
+        let stages = attempted(&wanted, 1, &mut KnownSets::default(), self.goes_on)?;
+        Ok(way(limits, &stages).map(|way| (way, stages)))
     }
 
     /// Ways out with each limit relaxed alone.

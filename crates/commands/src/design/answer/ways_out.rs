@@ -32,11 +32,11 @@ pub struct WayOut {
     pub teeth: TeethTaken,
 }
 
-/// Limits to relax, with the stages in series that are then found.
+/// Limits, with the stages in series that are found with them.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct WayOutOfStages {
-    /// Limits that must be relaxed together.
+    /// Limits: those that must be relaxed together, or that of a smaller ring.
     pub limits: Vec<RelaxedLimit>,
     /// Tooth numbers of sun, planet and ring of each stage, from the input on.
     pub teeth: Vec<[u32; 3]>,
@@ -44,8 +44,12 @@ pub struct WayOutOfStages {
     pub ratio: f64,
     /// Greatest outside diameter of a ring, in m.
     pub ring_diameter_m: f64,
+    /// Efficiency of the meshes of all stages; null if their losses hold the train.
+    pub efficiency: Option<f64>,
     /// Mass of gears, carriers and housing by a rule, and of the slow shaft, in kg.
     pub whole_kg: Option<f64>,
+    /// Rules of usual practice that the stages miss.
+    pub rules_missed: u32,
 }
 
 /// Limit with a sufficient value.

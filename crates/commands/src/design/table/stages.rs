@@ -32,6 +32,7 @@ pub(crate) fn parts_of_stages(stages: &Stages) -> Vec<Part> {
         parts.push(Part::Records(ways_out(ways)));
     }
     parts.push(Part::Records(trains(stages)));
+    parts.extend(stages.front.as_deref().map(|front| Part::Records(smaller_rings(front))));
     parts.push(Part::Records(searched(stages)));
     parts.extend(stages.masses.as_ref().map(|of| Part::Facts(masses(of))));
     parts.push(Part::Records(basis(&stages.basis, &format!("{ASSUMED}, --efficiency"))));
@@ -115,18 +116,35 @@ pub(crate) fn why_no_stages(stages: &Stages) -> String {
 
 /// Limits that would have to give, each with its stages.
 fn ways_out(ways: &[WayOutOfStages]) -> Records {
-    Table::new("ways_out", ways.iter())
+    with_limits("ways_out", "Limits that would have to give, and the stages behind each", ways)
+        .note("Each line is the result of the same search with this option.")
+        .records()
+}
+
+/// The best stages with smaller and smaller rings.
+fn smaller_rings(front: &[WayOutOfStages]) -> Records {
+    with_limits("front", "Smaller rings, and the stages behind each", front)
+        .note(
+            "Each line is the result of the same search with this option, whose ring is 5 % below that of the line before; the last is the \
+             smallest that holds, or the twelfth.",
+        )
+        .records()
+}
+
+fn with_limits<'a>(
+    name: &'static str,
+    title: &'static str,
+    all: &'a [WayOutOfStages],
+) -> Table<&'a WayOutOfStages> {
+    Table::new(name, all.iter())
         .words("option", "option", |way| options_of(&way.limits))
         .words("teeth", "sun, planet, ring", |way| teeth(&way.teeth))
         .words("ratio", "i", |way| of_ratio(way.ratio))
+        .number("efficiency", "η", |way| way.efficiency)
         .quantity("ring_diameter", "ring", Dimension::Length, |way| Some(way.ring_diameter_m))
         .quantity("mass", "whole", Dimension::Mass, |way| way.whole_kg)
-        .view(
-            "Limits that would have to give, and the stages behind each",
-            "option teeth ratio ring_diameter mass",
-        )
-        .note("Each line is the result of the same search with this option.")
-        .records()
+        .number("rules_missed", "rules missed", |way| f64::from(way.rules_missed))
+        .view(title, "option teeth ratio efficiency ring_diameter mass rules_missed")
 }
 
 /// The train with its ratio, ring, mass, least safeties and life.
