@@ -46,7 +46,7 @@ pub enum Error {
         known: usize,
     },
     /// An efficiency outside its range.
-    #[error("mesh efficiency {}: it lies above 0 and at or below 1", shown(*eta))]
+    #[error("mesh efficiency {}: it lies above 0 and at or below 1{}", shown(*eta), in_percent(*eta))]
     Efficiency {
         /// The value given.
         eta: f64,
@@ -544,4 +544,9 @@ mod tests {
             Error::OutOfRange { quantity: Quantity::Bore, value: 9.0, low: 0.0, high: 8.0, unit: "mm" };
         assert_eq!(error.to_string(), "bore is 9 mm; it must lie between 0 and 8 mm");
     }
+}
+
+/// What to write for a number that is most likely meant in percent.
+fn in_percent(eta: f64) -> String {
+    if (1.0..=100.0).contains(&eta) { format!("; write {}%", shown(eta)) } else { String::new() }
 }

@@ -11,9 +11,9 @@ use epicyclic_units::Physical;
 use std::ops::{ControlFlow, RangeInclusive};
 
 /// Tooth numbers of suns, planets and rings, and ring-to-sun ratios, that are tried.
-const SUNS: [u32; 2] = [12, 60];
-const PLANETS: [u32; 2] = [12, 120];
-const RINGS: [u32; 2] = [30, 250];
+pub(crate) const SUNS: [u32; 2] = [12, 80];
+pub(crate) const PLANETS: [u32; 2] = [12, 120];
+pub(crate) const RINGS: [u32; 2] = [30, 250];
 const RING_TO_SUN_RATIOS: RangeInclusive<f64> = 1.1..=15.0;
 
 /// Numbers of stages that are tried.
