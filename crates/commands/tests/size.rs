@@ -128,6 +128,9 @@ fn the_sizes_hold_against_the_overloads_of_the_file() {
     }
     let loaded: Vec<&str> = told.overload.iter().map(|one| one.set.as_str()).collect();
     assert_eq!(loaded, ["A"; 4]);
+    let weak = sized(&text.replace("800 N·m", "80 N·m"), &small()).unwrap();
+    let warned = weak.warnings.iter().find(|one| one.name == "overload-below-duty").unwrap();
+    assert!(warned.message.ends_with("write 90 N·m or more"), "{}", warned.message);
     let out_of_reach = sized(&text.replace("800 N·m", "80 kN·m"), &small()).unwrap();
     let [miss] = &out_of_reach.warnings[..] else { panic!("{:?}", out_of_reach.warnings) };
     assert!(miss.message.contains("against the overload"), "{}", miss.message);

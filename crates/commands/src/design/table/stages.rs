@@ -1,7 +1,7 @@
 //! Stages in series, asked and reached, with what came next.
 
 use crate::design::answer::stages::{Stages, TrainsOf};
-use crate::design::answer::stages_ways_out::{PLANETS, RINGS, STAGES, SUNS};
+use crate::design::answer::stages_ways_out::{PLANETS, RINGS, STAGES, suns};
 use crate::design::answer::ways_out::WayOutOfStages;
 use crate::design::table::{
     ASSUMED, DIGITS, assumed, masses, of_found, of_sizes, options_of, parts_of_sizes,
@@ -72,7 +72,7 @@ fn in_the_way(stages: &Stages) -> Option<String> {
              {}, ring offsets and sizes were tried.",
             STAGES.start(),
             STAGES.end(),
-            options_of_teeth([SUNS, PLANETS, RINGS])
+            options_of_teeth([suns(asked.max(1.0 / asked)), PLANETS, RINGS])
         ));
     }
     Some(text.trim_start().to_owned())
