@@ -128,6 +128,9 @@ fn the_sizes_hold_against_the_overloads_of_the_file() {
     }
     let loaded: Vec<&str> = told.overload.iter().map(|one| one.set.as_str()).collect();
     assert_eq!(loaded, ["A"; 4]);
+    let weak = sized(&text.replace("800 N·m", "80 N·m"), &small()).unwrap();
+    let warned = weak.warnings.iter().find(|one| one.name == "overload-below-duty").unwrap();
+    assert!(warned.message.ends_with("write 90 N·m or more"), "{}", warned.message);
     let out_of_reach = sized(&text.replace("800 N·m", "80 kN·m"), &small()).unwrap();
     let [miss] = &out_of_reach.warnings[..] else { panic!("{:?}", out_of_reach.warnings) };
     assert!(miss.message.contains("against the overload"), "{}", miss.message);
@@ -239,7 +242,7 @@ fn a_search_of_nothing_and_files_without_a_duty_are_refused() {
             .starts_with("--face-widths: face width is 0 mm")
     );
     assert!(
-        with(&|of| of.planet_rim = "-1".parse().unwrap())
+        with(&|of| of.planet_rim = "-1".parse().ok())
             .starts_with("--planet-rim: least rim of the planets is -1 modules")
     );
     assert!(with(&|of| of.tip_thickness = "-1".parse().unwrap()).contains("tip"));
@@ -278,4 +281,15 @@ fn sizes_follow_the_limits_of_the_file() {
     // A range that no size keeps leaves none.
     let none = sized(&(hoist() + "limits: { face-width: ..0.01 }\n"), &only).unwrap();
     assert!(none.sets.iter().all(|set| set.found.is_empty() && set.left_out.practice > 0), "{none:?}");
+    assert!(none.warnings[0].message.contains("`face-width` of `limits` in the file leaves out"), "{none:?}");
+    // A bearing outside a range is named as well as gears are.
+    let slow = sized(&(hoist() + "limits: { pin-speed: ..10 }\n"), &only).unwrap();
+    assert!(slow.warnings[0].message.contains("`pin-speed` of `limits` in the file leaves out"), "{slow:?}");
+    // Rims that are made are at least the stated ones, unless an option says otherwise.
+    let rims = |request: &Request| {
+        let size = sized(&(hoist() + "limits: { ring-rim: 4.., planet-rim: 3.2.. }\n"), request).unwrap();
+        [size.sought.planet_rim_in_modules, size.sought.ring_rim_in_modules]
+    };
+    assert_eq!(rims(&Request { planet_rim: None, ..only.clone() }), [3.2, 4.0]);
+    assert_eq!(rims(&Request { ring_rim: "3.7".parse().ok(), ..only.clone() }), [2.0, 3.7]);
 }

@@ -300,7 +300,7 @@ fn sizes_and_strength_refuse_alike() {
         assert!(size.contains(why) && strength.contains(why), "{size}\n{strength}");
     }
     let gearbox = Gearbox::parse("box.yaml", text("module: 3 mm", "speed: 1500 rpm").as_bytes()).unwrap();
-    let rimless = Request { ring_rim: "0".parse().unwrap(), ..small() };
+    let rimless = Request { ring_rim: "0".parse().ok(), ..small() };
     let refused = rimless.answer(&gearbox, &|| ControlFlow::Continue(())).unwrap_err().to_string();
     assert!(
         refused.starts_with("--ring-rim: rim of the ring is 0 modules; it must be finite and above 0"),

@@ -48,7 +48,6 @@
 //! # }
 //! ```
 
-use crate::Span;
 use crate::drive::Spacing;
 use epicyclic_units::{Module, Number, Quantity};
 use schemars::JsonSchema;
@@ -83,7 +82,7 @@ pub use data_sheet::DataSheetEntry;
 pub use drag::{BeyondEntry, DragCurveEntry, DragEntry};
 pub use error::{DescriptionError, ToolMisfit};
 pub use kind::{KindEntry, RollingEntry};
-pub use limits::check_limits;
+pub use limits::{StatedLimit, check_limits};
 use losses::losses;
 pub use per_gear::{Gears, PerGear};
 pub use place::{gear_place, keys_of, part_place};
@@ -179,7 +178,7 @@ pub struct GearboxFile {
     /// Ranges of values without a warning by rules of practice, in place of the usual ones; by names of
     /// rules, in their units.
     #[serde(default)]
-    pub limits: BTreeMap<String, Span<f64>>,
+    pub limits: BTreeMap<String, StatedLimit>,
     /// Remark, of any form.
     #[serde(default)]
     pub note: Option<Note>,

@@ -137,6 +137,16 @@ pub enum RangeError {
     },
 }
 
+impl RangeError {
+    /// The error with another example to write.
+    pub(crate) fn with_example(mut self, other: &'static str) -> Self {
+        if let Self::Empty { example, .. } | Self::End { example, .. } = &mut self {
+            *example = other;
+        }
+        self
+    }
+}
+
 impl<T: End> Span<T> {
     /// The range of one number.
     #[must_use]

@@ -46,7 +46,7 @@ pub enum Error {
         known: usize,
     },
     /// An efficiency outside its range.
-    #[error("mesh efficiency {}: it lies above 0 and at or below 1", shown(*eta))]
+    #[error("mesh efficiency {}: it lies above 0 and at or below 1{}", shown(*eta), in_percent(*eta))]
     Efficiency {
         /// The value given.
         eta: f64,
@@ -516,6 +516,11 @@ fn offer(same_bore: &[&str]) -> String {
 
 fn list_mm(values: &[f64]) -> String {
     values.iter().map(|&value| format!("{} mm", shown(value))).collect::<Vec<_>>().join(", ")
+}
+
+/// What to write for a number that is most likely meant in percent.
+fn in_percent(eta: f64) -> String {
+    if (1.0..=100.0).contains(&eta) { format!("; write {}%", shown(eta)) } else { String::new() }
 }
 
 #[cfg(test)]

@@ -277,8 +277,8 @@ impl Rule {
     #[must_use]
     pub const fn own_limit(self) -> Option<(crate::Severity, &'static str)> {
         match self {
-            Self::BearingLife => Some((Error, "at least the required life")),
-            Self::FlankSafety | Self::RootSafety => Some((Error, "at least the required safety")),
+            Self::BearingLife => Some((Error, "at least the required `life`")),
+            Self::FlankSafety | Self::RootSafety => Some((Error, "at least the safety of `required`")),
             Self::LoadSharing => Some((Warning, "at least the usual factor of the number of planets")),
             Self::FaceLoad => Some((Warning, "at least 1 + 0.4·(b/d_1)²")),
             Self::RatioDeviation => Some((Error, "at most the tolerance asked for")),
@@ -407,7 +407,9 @@ impl Rule {
                 "narrower gears of larger diameter, or more planets or stages where the diameter is bounded"
             }
             Self::FaceWidth => "wider gears of smaller diameter: smaller modules",
-            Self::SpecificSliding => "shift the gears for equal sliding at their roots (`--aim sliding`)",
+            Self::SpecificSliding => {
+                "more teeth on the smaller gear, or another centre distance; where shifts are stated, those that `size` picks for equal sliding"
+            }
             Self::SunShift | Self::PlanetShift | Self::RingShift | Self::GearShift => {
                 "another centre distance, or other tooth numbers"
             }

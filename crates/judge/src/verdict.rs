@@ -115,7 +115,8 @@ impl Limits {
     }
 
     /// The range that is stated in place of the usual one of a rule.
-    fn stated(&self, rule: Rule) -> Option<Range> {
+    #[must_use]
+    pub fn stated(&self, rule: Rule) -> Option<Range> {
         self.stated.iter().find(|(of, _)| *of == rule).map(|(_, range)| *range)
     }
 

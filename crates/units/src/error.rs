@@ -124,6 +124,20 @@ impl QuantityError {
         }
     }
 
+    /// Proposes this unit for a number without one, in place of the usual unit of the dimension.
+    #[must_use]
+    pub fn in_unit(mut self, symbol: &str) -> Self {
+        if let Self::MissingUnit { text, corrected, .. }
+        | Self::ThousandsSeparator { text, corrected }
+        | Self::DecimalComma { text, corrected, .. } = &mut self
+            && text.ends_with(|end: char| end.is_ascii_digit())
+            && let Some((number, _)) = corrected.split_once(' ')
+        {
+            *corrected = format!("{number} {symbol}");
+        }
+        self
+    }
+
     /// Checks that the correction can be read, and corrects it once more if not: one fault may hide another,
     /// as a decimal comma hides the unit behind it.
     pub(super) fn settled(mut self, read: impl Fn(&str) -> Option<QuantityError>) -> Self {

@@ -295,6 +295,7 @@ fn stages_that_are_not_found_name_the_limits_in_the_way() {
     let orders: &[(&[&str], &str)] = &[
         (&["--ratio=5", "--max-ring=100mm"], "largest_ring"),
         (&["--ratio=20", "--stages=1"], "stages"),
+        (&["--ratio=2.5"], "sun_teeth"),
         (&["--ratio=5.013", "--stages=1", "--tolerance=0"], "tolerance"),
     ];
     for (order, limit) in orders {
@@ -323,6 +324,9 @@ fn stages_that_are_not_found_name_the_limits_in_the_way() {
         let shown = text(&output(here().path(), &[&shown[..], order].concat()).stdout);
         assert!(!shown.contains("No warnings"), "{shown}");
     }
+    let shown: Vec<&str> = STAGES.iter().copied().filter(|word| *word != "--format=json").collect();
+    let up = text(&output(here().path(), &[&shown[..], &["--ratio=1:5"]].concat()).stdout);
+    assert!(up.lines().next().is_some_and(|line| line.contains("steps up")), "{up}");
     let (code, answer, said) = stages(&["--ratio=1.5"]);
     assert!(code == 1 && answer["ways_out"].as_array().is_some(), "{said}");
     assert!(said.contains("--ratios 1.5"), "{said}");
@@ -392,6 +396,10 @@ fn values_that_make_no_sense_are_refused_with_what_to_type() {
         (&["--speeds=1m/s, 2m/s", "--shares=0.5, 0.6"], &["--shares", "110 %", "'45.45 %, 54.55 %'"]),
         (&["--speeds=1m/s, 2m/s", "--shares=-50%, 150%"], &["--shares: -50 %"]),
         (&["--ratios=3; 2; 1", "--shares=50%, 10%, 10%"], &["--shares", "70 %"]),
+        (&["--ratios=4; 2; 1", "--shares=20%, 50%"], &["--shares: 2 shares of the time for 3 gears"]),
+        (&["--ratio=5", "--efficiency=97"], &["--efficiency: mesh efficiency 97", "write 97%"]),
+        (&["--output-speed=0rpm"], &["--output-speed: the output must turn"]),
+        (&["--ratio=5", "--max-ring=0mm"], &["--max-ring: largest ring is 0 mm"]),
         (&["--ratio=5", "--helix-angle=70deg"], &["--helix-angle", "between 0 and 60 °", "other hand"]),
         (&["--ratio=5", "--helix-angle=20"], &["--helix-angle", "deg"]),
         (&["--speeds=20rpm, 60rpm"], &["--speeds", "speeds of a shaft", "write --ratios"]),
@@ -403,6 +411,17 @@ fn values_that_make_no_sense_are_refused_with_what_to_type() {
         assert!(parts.iter().all(|part| said.contains(part)), "{options:?}: {said}");
         assert!(!said.contains("in the making"), "{said}");
     }
+}
+
+/// Criteria that are stricter than usual are named before what else may help.
+#[test]
+fn criteria_in_the_way_of_a_list_of_gears_are_named() {
+    let folder = here();
+    let line = ["design", "--ratios=4, 1", "--power=22kW", "--input=1500rpm", "--least-efficiency=0.999"];
+    let done = output(folder.path(), &line);
+    assert_eq!(done.status.code(), Some(1), "{}", text(&done.stdout));
+    let said = text(&done.stderr);
+    assert!(said.contains("was found; a lower --least-efficiency, a larger --tolerance"), "{said}");
 }
 
 /// The file with the pasted lines is complete.

@@ -70,7 +70,7 @@ impl Request {
         let all_k = Bounds::default().ring_to_sun_ratio;
         let asked_k = self.criteria.k(all_k.clone())?;
         let k = if asked_k == all_k { K } else { asked_k };
-        let mut shares = self.shares()?;
+        let mut shares = self.shares(ratios.len())?;
         if shares.is_empty() {
             shares = self.sizes.application.map(|of| of.shares(&ratios)).unwrap_or_default();
         }

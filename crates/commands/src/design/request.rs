@@ -274,13 +274,16 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
 /// Delivers a gearbox for a list of gears.
 fn deliver_gears(call: &Call<'_>, args: &Args, of_gears: &Transmission) -> Result<(), Failure> {
     let sheet = |own| crate::design::page::sheet_of_transmission(of_gears, own, &imprint::command(call));
-    let why_none = match of_gears.gearboxes.is_empty() {
-        true => {
-            "no gearbox with these gears was found; a larger --tolerance, other --sun, --planet or --ring may give some"
-        }
-        false => "no sizes that hold were found; other --modules, --planets or --max-ring may give some",
+    let why_none = if of_gears.gearboxes.is_empty() {
+        // Stricter criteria than usual are the likeliest cause.
+        let stricter = args.request.criteria.stricter().into_iter();
+        let all = stricter.chain(["a larger --tolerance", "other --sun, --planet or --ring"]);
+        let all: Vec<&str> = all.collect();
+        format!("no gearbox with these gears was found; {} may give some", all.join(", "))
+    } else {
+        "no sizes that hold were found; other --modules, --planets or --max-ring may give some".to_owned()
     };
-    deliver(call, args, of_gears, of_gears.file.as_deref(), sheet, why_none.to_owned())
+    deliver(call, args, of_gears, of_gears.file.as_deref(), sheet, why_none)
 }
 
 /// Writes the answer, its page around that of the gearbox, and the gearbox file. The answer is written in any
@@ -353,6 +356,9 @@ impl Request {
     fn wanted(&self) -> Result<Wanted, Failure> {
         self.refuse_ring()?;
         let duty = self.duty();
+        // Direct drive is beside ratios, and the fastest of the speeds.
+        let gears = self.speeds.ratios.as_ref().map(|ratios| ratios.0.len() + 1);
+        let gears = gears.or(self.speeds.speeds.as_ref().map(|of| of.values().len())).unwrap_or_default();
         let rating = Rating { mesh_load_factors: sharing()?, ..Rating::default() };
         // A ratio with a minus asks for a reversing output, which is otherwise refused by default.
         let is_reverse_asked = self.ratios.signs(&self.speeds) == Signs::AsGiven;
@@ -376,7 +382,7 @@ impl Request {
             bounds,
             ring_offsets: self.ring_offset.clone(),
             tooth_design: self.tooth_design.map(|number| usize::try_from(number).unwrap_or(usize::MAX)),
-            shares: self.shares()?,
+            shares: self.shares(gears)?,
             overload: self.overload()?,
             basis: self.basis()?,
             size: self.sized(),
@@ -395,8 +401,9 @@ impl Request {
         SizeRequest { minimise: self.sizes.minimise.or(Some(MinimisedSize::Whole)), ..self.sizes.clone() }
     }
 
-    /// Shares of the time of the gears, which are together all of it.
-    pub(super) fn shares(&self) -> Result<Vec<f64>, Failure> {
+    /// Shares of the time of so many gears, which are together all of it. Other numbers of shares are refused
+    /// with the names of the gears, later: no sum makes them right.
+    pub(super) fn shares(&self, gears: usize) -> Result<Vec<f64>, Failure> {
         let shares: Vec<f64> =
             self.shares.iter().flat_map(|shares| &shares.0).map(|share| share.0.si()).collect();
         let in_percent = |share: f64| format!("{} %", trimmed(100.0 * share, 6));
@@ -405,7 +412,7 @@ impl Request {
             return Err(Failure::invalid("--shares", message));
         }
         let sum: f64 = shares.iter().sum();
-        if !shares.is_empty() && (sum - 1.0).abs() > SHARES {
+        if !shares.is_empty() && shares.len() == gears && (sum - 1.0).abs() > SHARES {
             let whole: Vec<String> = whole(&shares, sum).into_iter().map(in_percent).collect();
             let message = format!(
                 "the shares are {} together; they must be 100 %, as '{}'",

@@ -32,6 +32,12 @@ impl Request {
             (None, Some(output)) => (self.input.0 / output.0).si(),
             (None, None) => return Err(due()),
         };
+        if ratio.is_infinite() {
+            return Err(Failure::invalid(
+                "--output-speed",
+                "the output must turn; write a speed other than 0",
+            ));
+        }
         let rings_turn = ratio < 0.0;
         // A quotient of the fast speed over the slow one.
         let steps_up = ratio.abs() < 1.0;

@@ -3,9 +3,9 @@
 use crate::error::Error;
 use crate::shared::fault::{Named, refused};
 use crate::strength::answer::factors;
-use epicyclic_formats::gearbox::{Gears, check_limits};
+use epicyclic_formats::gearbox::{Gears, StatedLimit, check_limits};
 use epicyclic_formats::yaml::{Mapping, Value};
-use epicyclic_formats::{Document, Faults, Path, Span};
+use epicyclic_formats::{Document, Faults, Path};
 use epicyclic_strength::factor::Symbol;
 use epicyclic_train::set::SetKind;
 use epicyclic_units::Quantity;
@@ -80,7 +80,7 @@ impl Basis {
         let mut faults = Faults::default();
         let of_limits = Path::root().key("limits");
         if document.has(&of_limits) {
-            check_limits(&document.read_at::<BTreeMap<String, Span<f64>>>(&of_limits)?, &mut faults);
+            check_limits(&document.read_at::<BTreeMap<String, StatedLimit>>(&of_limits)?, &mut faults);
         }
         let (mut strength, of) =
             found.map_or((Value::Null, Path::root()), |(strength, of)| (strength.clone(), of));

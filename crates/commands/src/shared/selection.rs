@@ -57,6 +57,11 @@ pub struct RatioOptions {
     pub signs: Option<Signs>,
 }
 
+/// Defaults of the criteria: least efficiency, speeds over that of the input, ring-to-sun ratios.
+const USUAL_LEAST_EFFICIENCY: f64 = 0.9;
+const USUAL_SPEED: f64 = 2.0;
+const USUAL_K: [f64; 2] = [1.3, 10.0];
+
 /// Criteria of a design.
 #[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "Criteria")]
@@ -104,6 +109,23 @@ impl Criteria {
     pub(crate) fn set_efficiency(&self) -> Result<MeshEfficiency, Failure> {
         let efficiency = MeshEfficiency::new(self.efficiency.0.si());
         efficiency.map_err(|error| Failure::of_option("--efficiency", &error))
+    }
+
+    /// Options that are stricter than by default, each with what would relax it.
+    pub(crate) fn stricter(&self) -> Vec<&'static str> {
+        let own = [self.link_speed, self.planet_speed, self.clutch_slip].map(Number::get);
+        let [link, planet, slip] = own.map(|limit| limit < USUAL_SPEED);
+        let [least_k, most_k] = self.k.ends().map(Option::unwrap_or_default);
+        let is_narrow = least_k > USUAL_K[0] || (most_k > 0.0 && most_k < USUAL_K[1]);
+        let all = [
+            ("a lower --least-efficiency", self.least_efficiency.0.si() > USUAL_LEAST_EFFICIENCY),
+            ("a larger --circulation", self.circulation.is_some()),
+            ("a larger --link-speed", link),
+            ("a larger --planet-speed", planet),
+            ("a larger --clutch-slip", slip),
+            ("a wider --k", is_narrow),
+        ];
+        all.into_iter().filter(|(_, is_stricter)| *is_stricter).map(|(relaxed, _)| relaxed).collect()
     }
 
     /// The ring-to-sun ratios allowed, within these.

@@ -21,7 +21,7 @@ use crate::size::options::Request;
 use crate::strength::answer::duty::{WorkedStep, steps};
 use crate::strength::answer::load::felt;
 use crate::strength::answer::missing::{MissingKeys, Purpose};
-use crate::strength::answer::overload::{Peak, peaks};
+use crate::strength::answer::overload::{Peak, below_duty, peaks};
 use crate::strength::answer::place::Fault;
 use crate::strength::answer::prepared::{SetToSize, sets_to_size};
 use crate::strength::answer::records::{NotRated, Reason, Required};
@@ -168,7 +168,7 @@ pub(crate) fn answer(
         match found {
             Ok(found) => {
                 let sized = SizedSet::of((set, &families), held, &found, request.most);
-                no_size.extend(sized.warning(found.usual_fault.as_deref()));
+                no_size.extend(sized.warning(&found));
                 sets.push(sized);
             }
             Err(
@@ -208,7 +208,8 @@ pub(crate) fn answer(
     });
     let bearings = request.space().bearings;
     let unfitted = to_size.iter().filter_map(|set| unfitted(set, &bearings));
-    let warnings = no_size.into_iter().chain(tilting(&helical)).chain(spanned).chain(unfitted);
+    let weak = below_duty(&file);
+    let warnings = no_size.into_iter().chain(tilting(&helical)).chain(weak).chain(spanned).chain(unfitted);
     let judged = judgement.warnings(&[]);
     let reversed = reversed_bending(&sized)?;
     let warnings = warnings.chain(tooth_checks.warnings()).chain(judged).chain(reversed).collect();
@@ -221,7 +222,7 @@ pub(crate) fn answer(
         required,
         minimise: request.objective(),
         aim: request.aim,
-        sought: Sought::of(request),
+        sought: Sought::of(request, &subject.limits),
         designs: sets.iter().map(|set| set.designs).sum(),
         mass_kg: sets.iter().map(|set| Some(set.found.first()?.mass_kg)).sum(),
         with_structure_kg: sets.iter().map(|set| set.found.first().map(SizedDesign::with_structure_kg)).sum(),
@@ -347,6 +348,7 @@ fn task(
     (space, limits): (&Space, &Limits),
 ) -> (Task, Vec<HeldKey>) {
     let data = &set.data;
+    let [planet_rim, ring_rim] = request.rims(limits);
     let is_stated = |keys: &[Option<Length>]| keys.iter().any(Option::is_some);
     let rim_of = |planets: bool| {
         let own = data.of.iter().zip(&set.gears);
@@ -419,8 +421,8 @@ fn task(
         life: asked.life,
         required_contact: asked.required.flank,
         required_root: asked.required.root,
-        planet_rim: request.planet_rim.get(),
-        ring_rim: request.ring_rim.get(),
+        planet_rim,
+        ring_rim,
         objective: request.objective(),
         least_planet_angle: set.set.least_planet_angle(),
         has_stated_shifts: set.set.tooth_shape().shifts.is_some(),

@@ -26,6 +26,9 @@ const PLANETS: RangeInclusive<u32> = 3..=6;
 /// Greatest module of the standard series in mm that is used unless others are requested.
 const GREATEST_MODULE_MM: f64 = 20.0;
 
+/// Rims of planets and rings in modules unless others are asked for or stated.
+const USUAL_RIMS: [f64; 2] = [3.0, 3.5];
+
 /// Request for sizes of the sets of a gearbox: the space of the search.
 #[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "Sizes")]
@@ -64,13 +67,15 @@ pub struct Request {
     #[arg(long, value_name = "MODULES", default_value = "0.2", allow_hyphen_values = true)]
     pub tip_thickness: Number,
 
-    /// Least rim of the planets between root circle and bearing, in modules.
-    #[arg(long, value_name = "MODULES", default_value = "3", allow_hyphen_values = true)]
-    pub planet_rim: Number,
+    /// Least rim of the planets between root circle and bearing, in modules. Default: 3, within `planet-rim` of
+    /// `limits` in the file.
+    #[arg(long, value_name = "MODULES", allow_hyphen_values = true)]
+    pub planet_rim: Option<Number>,
 
-    /// Rim of the ring outside its root circle, in modules.
-    #[arg(long, value_name = "MODULES", default_value = "3.5", allow_hyphen_values = true)]
-    pub ring_rim: Number,
+    /// Rim of the ring outside its root circle, in modules. Default: 3.5, within `ring-rim` of `limits` in the
+    /// file.
+    #[arg(long, value_name = "MODULES", allow_hyphen_values = true)]
+    pub ring_rim: Option<Number>,
 
     /// Kinds of bearings to choose from. Default: balls, rollers; with --application what is usual.
     #[arg(long, value_enum, value_name = "KINDS", value_delimiter = ',', conflicts_with_all = ["bearings", "no_bearings"])]
@@ -159,6 +164,18 @@ impl Request {
         [single, pairs].concat()
     }
 
+    /// Least rim of planets and rim of rings in modules: of an option, or the usual ones within limits that
+    /// are stated.
+    pub(crate) fn rims(&self, limits: &judge::Limits) -> [f64; 2] {
+        let usual =
+            |rule, usual: f64| limits.stated(rule).map_or(usual, |of| usual.max(of.least).min(of.most));
+        let of = |own: Option<Number>, rule, rim| own.map_or_else(|| usual(rule, rim), Number::get);
+        [
+            of(self.planet_rim, judge::Rule::PlanetRim, USUAL_RIMS[0]),
+            of(self.ring_rim, judge::Rule::RingRim, USUAL_RIMS[1]),
+        ]
+    }
+
     /// The objective.
     pub(crate) fn objective(&self) -> Objective {
         self.minimise.unwrap_or_default()
@@ -177,12 +194,13 @@ impl Request {
     pub(crate) fn check(&self) -> Result<(), Error> {
         self.space().check()?;
         let unit = "modules";
-        let (quantity, value) = (Of::LeastRim, self.planet_rim.get());
+        let [planet_rim, ring_rim] = self.rims(&judge::Limits::default());
+        let (quantity, value) = (Of::LeastRim, planet_rim);
         if !(value.is_finite() && value >= 0.0) {
             return Err(strength::Error::Negative { quantity, value, unit }.into());
         }
         // A ring without a rim has no root to rate.
-        let (quantity, value) = (Of::RingRimInModules, self.ring_rim.get());
+        let (quantity, value) = (Of::RingRimInModules, ring_rim);
         if !(value.is_finite() && value > 0.0) {
             return Err(strength::Error::NotPositive { quantity, value, unit }.into());
         }

@@ -112,6 +112,7 @@ pub(crate) fn refuse(error: Error) -> Failure {
             Of::WidthRatio => Some("--width-ratio"),
             Of::LeastRim => Some("--planet-rim"),
             Of::RingRimInModules => Some("--ring-rim"),
+            Of::LargestRing => Some("--max-ring"),
             _ => None,
         },
         Error::Sizing(E::SpaceTooLarge { .. }) => Some("--centre-distance-step"),

@@ -380,6 +380,7 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
         .chain(shared.warnings())
         .chain(shared_flanks.iter().filter_map(|shared| shared.warning(required)))
         .chain(tilting(&helical))
+        .chain(overload::below_duty(&file))
         .collect();
     let duty = if is_at_point { vec![] } else { file.duty.iter().map(DutyStep::of).collect() };
     let Safeties { at_point, over_duty, overload } = safeties;

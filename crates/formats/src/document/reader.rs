@@ -39,6 +39,7 @@ pub(super) fn read<T: DeserializeOwned>(root: &Node) -> Result<T, Vec<Found>> {
             Err(Fault(inner)) => *inner,
         };
         let place = place.unwrap_or(FaultPlace { at: root.at, node: root, is_key: false, is_scalar: false });
+        let problem = in_usual_unit(problem, &path);
         match repairs.add(&problem, &place, !faults.is_empty()) {
             Some(true) => faults.push((place.at, path.into_iter().rev().collect(), problem)),
             Some(false) => {}
@@ -52,6 +53,34 @@ pub(super) fn read<T: DeserializeOwned>(root: &Node) -> Result<T, Vec<Found>> {
     }
     faults.sort_by_key(|(at, ..)| *at);
     Err(faults)
+}
+
+/// Units that engineers use of a key, where they are not the usual ones of its dimension.
+const USUAL_UNITS: [(&str, &str); 12] = [
+    ("life", "h"),
+    ("load_rating", "kN"),
+    ("static_load_rating", "kN"),
+    ("flank_roughness", "µm"),
+    ("root_roughness", "µm"),
+    ("pitch_deviations", "µm"),
+    ("profile_deviations", "µm"),
+    ("tip_relief", "µm"),
+    ("transmission_error", "µm"),
+    ("ring_transmission_error", "µm"),
+    ("thickness_allowances", "µm"),
+    ("centre_distance_deviations", "µm"),
+];
+
+/// The problem with the unit that is usual of a key of its path, for a number without a unit.
+fn in_usual_unit(problem: Problem, path: &[Segment]) -> Problem {
+    let own = |segment: &Segment| match segment {
+        Segment::Key(key) => USUAL_UNITS.into_iter().find(|(of, _)| of == key),
+        Segment::Index(_) => None,
+    };
+    match (problem, path.iter().find_map(own)) {
+        (Problem::Quantity(error), Some((_, unit))) => error.in_unit(unit).into(),
+        (problem, _) => problem,
+    }
 }
 
 /// Changes with which the reading goes on after a fault, by the node that has the fault.

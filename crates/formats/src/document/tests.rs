@@ -100,6 +100,15 @@ fn a_right_case_is_read() {
 }
 
 #[test]
+fn a_bare_number_gets_the_unit_that_engineers_use_of_its_key() {
+    for (text, corrected) in [("life: 8000", "8000 h"), ("life: 20'000", "20000 h"), ("pause: 5", "5 s")] {
+        let document = Document::parse_one("c.yaml", text.as_bytes()).unwrap();
+        let read = document.read::<BTreeMap<String, Quantity<uom::si::f64::Time>>>();
+        assert!(read.unwrap_err().to_string().contains(&format!("; write {corrected}")), "{text}");
+    }
+}
+
+#[test]
 fn quantity_errors_keep_their_name_and_place() {
     check(&[
         (

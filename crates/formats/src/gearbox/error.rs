@@ -319,7 +319,7 @@ pub enum DescriptionError {
         expected: usize,
     },
     /// A stated limit of a rule whose limit follows from the gearbox.
-    #[error("the limit of `{rule}` follows from the gearbox: {limit}; leave it out")]
+    #[error("`{rule}` cannot be stated: it follows from the gearbox, {limit}; leave it out")]
     OwnLimit {
         /// The rule.
         rule: &'static str,

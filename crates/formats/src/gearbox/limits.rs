@@ -2,9 +2,21 @@
 
 use super::{DescriptionError, GearboxFile};
 use crate::faults::Faults;
-use crate::{Path, Problem, Span};
+use crate::{Path, Problem, RangeError, Span};
 use epicyclic_judge::{Limits, Range, Rule};
+use schemars::JsonSchema;
+use serde::{Deserialize, Deserializer, de};
 use std::collections::BTreeMap;
+use std::fmt;
+
+/// A range of the key `limits`, or why its text is none: a name that cannot be stated is refused before its
+/// range.
+#[derive(Debug, Clone, PartialEq, JsonSchema)]
+#[schemars(transparent)]
+pub struct StatedLimit(#[schemars(with = "Span<f64>")] Result<Span<f64>, RangeError>);
+
+/// Shown where a range is due; a number alone is none.
+const EXAMPLE: &str = "1.5..4, 2.. or ..10";
 
 impl GearboxFile {
     /// The limits to judge the gearbox by: the usual ones, and those that the file states in their place.
@@ -12,7 +24,7 @@ impl GearboxFile {
     pub fn limits(&self) -> Limits {
         let mut limits = Limits::default();
         for (name, span) in &self.limits {
-            if let Ok(rule) = statable(name) {
+            if let (Ok(rule), Ok(span)) = (statable(name), &span.0) {
                 limits.state(rule, range(*span));
             }
         }
@@ -27,9 +39,10 @@ impl GearboxFile {
 
 /// Finds limits of the key `limits` that cannot be stated: names that are no rule with a limit to state, and
 /// ranges that no value can meet or that allow one value alone.
-pub fn check_limits(limits: &BTreeMap<String, Span<f64>>, faults: &mut Faults) {
+pub fn check_limits(limits: &BTreeMap<String, StatedLimit>, faults: &mut Faults) {
     for (name, span) in limits {
-        let of = statable(name).and_then(|rule| possible(rule, *span));
+        let read = || span.0.clone().map_err(|error| Problem::refused("invalid-value", error.to_string()));
+        let of = statable(name).and_then(|rule| possible(rule, read()?));
         faults.keep(Path::root().key("limits").key(name), of);
     }
 }
@@ -59,6 +72,38 @@ fn possible(rule: Rule, span: Span<f64>) -> Result<(), Problem> {
 fn range(span: Span<f64>) -> Range {
     let [least, most] = span.ends();
     Range { least: least.unwrap_or(f64::NEG_INFINITY), most: most.unwrap_or(f64::INFINITY) }
+}
+
+impl<'de> Deserialize<'de> for StatedLimit {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(Visitor)
+    }
+}
+
+struct Visitor;
+
+impl de::Visitor<'_> for Visitor {
+    type Value = StatedLimit;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "a range such as {EXAMPLE}")
+    }
+
+    fn visit_str<E: de::Error>(self, text: &str) -> Result<StatedLimit, E> {
+        Ok(StatedLimit(text.parse().map_err(|error: RangeError| error.with_example(EXAMPLE))))
+    }
+
+    fn visit_u64<E: de::Error>(self, value: u64) -> Result<StatedLimit, E> {
+        self.visit_str(&value.to_string())
+    }
+
+    fn visit_i64<E: de::Error>(self, value: i64) -> Result<StatedLimit, E> {
+        self.visit_str(&value.to_string())
+    }
+
+    fn visit_f64<E: de::Error>(self, value: f64) -> Result<StatedLimit, E> {
+        self.visit_str(&value.to_string())
+    }
 }
 
 /// The rule of a name.
@@ -110,7 +155,10 @@ mod tests {
             ("{ face-wdth: 0.4..1.4 }", ["limits.face-wdth", "unknown key face-wdth; write face-width?"]),
             ("{ ripple: ..0.1 }", ["limits.ripple", "allowed: face-width, specific-sliding, "]),
             ("{ face-width: 1.4..0.4 }", ["limits.face-width", "write the smaller number first: 0.4..1.4"]),
-            ("{ face-width: .. }", ["limits.face-width", "is no range; write one such as 1.5..4"]),
+            (
+                "{ face-width: .. }",
+                ["limits.face-width", "is no range; write one such as 1.5..4, 2.. or ..10"],
+            ),
             ("{ face-width: wide }", ["limits.face-width", "wide"]),
             ("{ face-width: 0.4..1.2 mm }", ["limits.face-width", "have no unit; write 0.4..1.2"]),
             ("{ orbit-acceleration: ..100 g }", ["limits.orbit-acceleration", "have no unit; write ..100"]),
@@ -128,9 +176,10 @@ mod tests {
                 "{ bearing-life: 3000.. }",
                 [
                     "limits.bearing-life",
-                    "the limit of `bearing-life` follows from the gearbox: at least the required life",
+                    "`bearing-life` cannot be stated: it follows from the gearbox, at least the required `life`",
                 ],
             ),
+            ("{ bearing-life: 3000 h.. }", ["limits.bearing-life", "`bearing-life` cannot be stated"]),
             (
                 "{ load-sharing: 1.. }",
                 ["limits.load-sharing", "at least the usual factor of the number of planets"],

@@ -288,6 +288,8 @@ pub struct Found {
     pub left_out: LeftOut,
     /// A miss of the rule that left out most designs for the geometry of their gears.
     pub usual_fault: Option<String>,
+    /// The rule whose stated range left out most designs, and their number.
+    pub stated_limit: Option<(epicyclic_judge::Rule, u64)>,
     /// Designs whose objective is not below that of the last found.
     pub not_reached: u64,
     /// The best, in order.

@@ -42,8 +42,9 @@ pub(super) struct Misses {
     rules: u64,
     /// Whether any miss is an error.
     pub(super) is_error: bool,
-    /// Whether a value is outside a range that is stated: it is required, whatever the severity.
-    pub(super) is_against_stated: bool,
+    /// Rules with a value outside a range that is stated, which is required whatever the severity: a bit for
+    /// each.
+    against_stated: u64,
 }
 
 const _: () = assert!(Rule::ALL.len() <= u64::BITS as usize, "each rule has a bit");
@@ -52,11 +53,14 @@ impl Misses {
     fn of(verdicts: impl IntoIterator<Item = Verdict>) -> Self {
         verdicts.into_iter().fold(Self::default(), |all, one| match one.severity {
             None | Some(Severity::Remark) => all,
-            Some(severity) => Self {
-                rules: all.rules | 1 << one.rule as u32,
-                is_error: all.is_error || severity == Severity::Error,
-                is_against_stated: all.is_against_stated || one.is_against_stated,
-            },
+            Some(severity) => {
+                let bit = 1 << one.rule as u32;
+                Self {
+                    rules: all.rules | bit,
+                    is_error: all.is_error || severity == Severity::Error,
+                    against_stated: all.against_stated | if one.is_against_stated { bit } else { 0 },
+                }
+            }
         })
     }
 
@@ -71,7 +75,7 @@ impl Misses {
         Self {
             rules: self.rules | other.rules,
             is_error: self.is_error || other.is_error,
-            is_against_stated: self.is_against_stated || other.is_against_stated,
+            against_stated: self.against_stated | other.against_stated,
         }
     }
 
@@ -80,13 +84,28 @@ impl Misses {
         Self {
             rules: self.rules & other.rules,
             is_error: self.is_error && other.is_error,
-            is_against_stated: self.is_against_stated && other.is_against_stated,
+            against_stated: self.against_stated & other.against_stated,
         }
     }
 
     /// Whether gears and widths with these misses are left out.
     pub(super) const fn is_refused(self) -> bool {
-        self.is_error || self.is_against_stated
+        self.is_error || self.is_against_stated()
+    }
+
+    /// Whether a value is outside a range that is stated.
+    pub(super) const fn is_against_stated(self) -> bool {
+        self.against_stated != 0
+    }
+
+    /// Rules with a value outside a range that is stated.
+    pub(super) fn against_stated(self) -> impl Iterator<Item = Rule> {
+        Rule::ALL.iter().copied().filter(move |rule| self.against_stated & (1 << *rule as u32) != 0)
+    }
+
+    /// Misses of values that are kept though they are outside a stated range.
+    pub(super) const fn kept(self) -> Self {
+        Self { against_stated: 0, ..self }
     }
 
     /// Number of rules.

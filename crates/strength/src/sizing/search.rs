@@ -9,6 +9,7 @@ use crate::bearing::{BearingStep, Reliability, life_over_duty};
 use crate::tolerance::RIM;
 use crate::{Error, Quantity};
 use epicyclic_gears::geometry::GearKind;
+use epicyclic_judge::Rule;
 use epicyclic_units::Physical;
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
@@ -48,6 +49,7 @@ pub fn search(
         }),
         ratings: Ratings::new(task, layouts),
         left_out: tried.left_out,
+        against_stated: vec![],
     };
     let mut heap = BinaryHeap::new();
     for layout in 0..layouts.len() {
@@ -68,7 +70,7 @@ pub fn search(
             heap.extend(search.wider(&next).into_iter().map(Reverse));
         }
         if search.misses(next.layout, &search.widths(&next.widths)).0.is_refused() {
-            search.left_out.practice += 1;
+            search.refuse(search.misses(next.layout, &search.widths(&next.widths)).0, 1);
             continue;
         }
         let Some(design) = search.judged(&next)? else { continue };
@@ -97,6 +99,7 @@ pub fn search(
         not_reached: space - search.left_out.total() - found.len() as u64,
         left_out: search.left_out,
         usual_fault: tried.usual_fault(),
+        stated_limit: search.stated_limit(),
         nearest_miss: nearest.filter(|_| found.is_empty()),
         found,
     })
@@ -264,9 +267,27 @@ struct Search<'a> {
     practice: Vec<Practice>,
     ratings: Ratings<'a>,
     left_out: LeftOut,
+    /// Designs outside a stated range, by the rule.
+    against_stated: Vec<(Rule, u64)>,
 }
 
 impl Search<'_> {
+    /// Leaves out designs for what they miss of practice and of stated ranges.
+    fn refuse(&mut self, misses: Misses, designs: u64) {
+        self.left_out.practice += designs;
+        for rule in misses.against_stated() {
+            match self.against_stated.iter_mut().find(|(of, _)| *of == rule) {
+                Some((_, count)) => *count += designs,
+                None => self.against_stated.push((rule, designs)),
+            }
+        }
+    }
+
+    /// The rule whose stated range leaves out most designs, and their number.
+    fn stated_limit(&self) -> Option<(Rule, u64)> {
+        self.against_stated.iter().copied().max_by_key(|(_, count)| *count)
+    }
+
     fn objectives(&self, rules_missed: u32, layout: usize, gears: f64, widths: &[f64]) -> [f64; 3] {
         let masses = &self.masses[layout];
         let ring = masses.ring.map_or(0.0, Physical::si);
@@ -305,7 +326,9 @@ impl Search<'_> {
         let own = &self.practice[layout];
         let (mut of_widths, is_narrow) = own.of_widths(limits, widths);
         // Widths that are stated, too, are kept.
-        of_widths.is_against_stated &= self.task.face_widths.iter().any(|widths| widths.len() > 1);
+        if self.task.face_widths.iter().all(|widths| widths.len() <= 1) {
+            of_widths = of_widths.kept();
+        }
         (own.of_layout.with(of_widths), is_narrow)
     }
 
@@ -319,8 +342,9 @@ impl Search<'_> {
     /// The narrowest design of a layout; those that the width ratio or the rims leave out are counted.
     fn narrowest(&mut self, layout: usize) -> Vec<Candidate> {
         let all = self.task.designs_of_layout();
-        if self.practice.get(layout).is_some_and(|own| own.of_layout.is_refused()) {
-            self.left_out.practice += all;
+        let of_layout = self.practice.get(layout).map_or_else(Misses::default, |own| own.of_layout);
+        if of_layout.is_refused() {
+            self.refuse(of_layout, all);
             return vec![];
         }
         if self.masses[layout].largest_bore.contains(&f64::NEG_INFINITY) {
@@ -380,8 +404,8 @@ impl Search<'_> {
                 self.left_out.not_calculable += 1;
                 return Ok(None);
             }
-            Chosen::Refused => {
-                self.left_out.practice += 1;
+            Chosen::Refused(misses) => {
+                self.refuse(misses, 1);
                 return Ok(None);
             }
         };
@@ -492,7 +516,7 @@ impl Search<'_> {
         bearings.sort_by(|one, other| bore(other).total_cmp(&bore(one)));
         // The best that holds, and of the others the one that misses least.
         let (mut best, mut nearest): (Option<Held>, Option<(f64, Held)>) = (None, None);
-        let (is_none, mut is_refused) = (bearings.is_empty(), false);
+        let (is_none, mut refused) = (bearings.is_empty(), Misses::default());
         'bearings: for bearing in bearings {
             let bore = bore(bearing);
             let duty = |kind: &usize| {
@@ -520,8 +544,8 @@ impl Search<'_> {
             }
             let of_pins = duties.iter().map(|(kind, duty)| misses(*kind, Some(bearing), duty, bore));
             let mut held = Held { misses: of_pins.fold(Misses::default(), Misses::with), ..Held::default() };
-            if held.misses.is_against_stated {
-                is_refused = true;
+            if held.misses.is_against_stated() {
+                refused = refused.with(held.misses);
                 continue;
             }
             // A smaller bore is heavier: it helps only with fewer misses.
@@ -556,7 +580,7 @@ impl Search<'_> {
         Ok(match best.or(nearest.map(|(_, held)| held)) {
             Some(held) => Chosen::Planets(held),
             None if is_none => Chosen::TooWide,
-            None if is_refused => Chosen::Refused,
+            None if refused.is_against_stated() => Chosen::Refused(refused),
             None => Chosen::NotCalculable,
         })
     }
@@ -578,7 +602,7 @@ enum Chosen {
     /// Rims outside what the standard holds for.
     NotCalculable,
     /// Every bearing has values outside a range that is stated.
-    Refused,
+    Refused(Misses),
 }
 
 /// Loads and speeds of a planet's bearing over the duty.

@@ -12,10 +12,14 @@ use epicyclic_strength::series::KnownSets;
 use epicyclic_units::Physical;
 use std::ops::{ControlFlow, RangeInclusive};
 
-/// Tooth numbers of suns, planets and rings, and ring-to-sun ratios, that are tried.
-const SUNS: [u32; 2] = [12, 60];
-const PLANETS: [u32; 2] = [12, 120];
-const RINGS: [u32; 2] = [30, 250];
+/// Tooth numbers of suns that are tried for a ratio above 1: near 2 the sun is nearly as large as the ring.
+pub(crate) const fn suns(ratio: f64) -> [u32; 2] {
+    [12, if ratio < 3.0 { 80 } else { 60 }]
+}
+
+/// Tooth numbers of planets and rings, and ring-to-sun ratios, that are tried.
+pub(crate) const PLANETS: [u32; 2] = [12, 120];
+pub(crate) const RINGS: [u32; 2] = [30, 250];
 const RING_TO_SUN_RATIOS: RangeInclusive<f64> = 1.1..=15.0;
 
 /// Numbers of stages that are tried.
@@ -142,7 +146,7 @@ fn candidates(wanted: &WantedStages, has_many_trains: bool) -> Vec<RelaxedLimit>
             wanted.tolerance < GREATEST_TOLERANCE && !has_many_trains,
         ),
         (between(Limit::Stages, fewest, most), wanted.stages != STAGES),
-        of_teeth(Limit::SunTeeth, &teeth.suns, SUNS),
+        of_teeth(Limit::SunTeeth, &teeth.suns, suns(wanted.ratio)),
         of_teeth(Limit::PlanetTeeth, &teeth.planets, PLANETS),
         of_teeth(Limit::RingTeeth, &teeth.rings, RINGS),
         (between(Limit::RingToSunRatio, least_k, most_k), (least_k..=most_k) != *k),

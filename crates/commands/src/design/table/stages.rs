@@ -1,7 +1,7 @@
 //! Stages in series, asked and reached, with what came next.
 
 use crate::design::answer::stages::{Stages, TrainsOf};
-use crate::design::answer::stages_ways_out::STAGES;
+use crate::design::answer::stages_ways_out::{PLANETS, RINGS, STAGES, suns};
 use crate::design::answer::ways_out::WayOutOfStages;
 use crate::design::table::{
     ASSUMED, DIGITS, assumed, masses, of_found, of_sizes, options_of, parts_of_sizes,
@@ -70,9 +70,10 @@ fn in_the_way(stages: &Stages) -> Option<String> {
     } else if ways.is_empty() {
         text.push_str(&format!(
             " No limit relaxed alone gives stages that hold, nor do those of sizes, stages and tolerance together: the tolerance up to 10 %, {} to {} stages, \
-             tooth numbers, ring offsets and sizes were tried.",
+             {}, ring offsets and sizes were tried.",
             STAGES.start(),
-            STAGES.end()
+            STAGES.end(),
+            options_of_teeth([suns(asked.max(1.0 / asked)), PLANETS, RINGS])
         ));
     }
     Some(text.trim_start().to_owned())
@@ -83,9 +84,14 @@ const LEAST_RATIO: f64 = 2.0;
 
 /// Tooth numbers allowed, with their options.
 fn ranges(stages: &Stages) -> String {
-    let of = |option: &str, [least, most]: [u32; 2]| format!("--{option} {least}..{most}");
     let teeth = &stages.teeth;
-    format!("{}, {} and {}", of("sun", teeth.sun), of("planet", teeth.planet), of("ring", teeth.ring))
+    options_of_teeth([teeth.sun, teeth.planet, teeth.ring])
+}
+
+/// Options of tooth numbers of suns, planets and rings.
+fn options_of_teeth([sun, planet, ring]: [[u32; 2]; 3]) -> String {
+    let of = |option: &str, [least, most]: [u32; 2]| format!("--{option} {least}..{most}");
+    format!("{}, {} and {}", of("sun", sun), of("planet", planet), of("ring", ring))
 }
 
 /// Ratios that a number of stages reaches.
@@ -150,12 +156,15 @@ fn with_limits<'a>(
 /// The train with its ratio, ring, mass, least safeties and life.
 pub(crate) fn in_short(stages: &Stages) -> String {
     let asked = format!("{} ± {} %", of_ratio(stages.asked_ratio), trimmed(100.0 * stages.tolerance, DIGITS));
+    let steps_up = stages.asked_ratio.abs() < 1.0;
     let (Some(ratio), Some(sizes)) = (stages.ratio, &stages.sizes) else {
-        return format!("No stages in series with i = {asked} that hold were found.");
+        let steps_up = if steps_up { format!(", which {STEPS_UP},") } else { String::new() };
+        return format!("No stages in series with i = {asked}{steps_up} that hold were found.");
     };
     let count = count(sizes.sets.len());
     let mut all = vec![count];
     all.extend((ratio < 0.0).then(|| RINGS_TURN.to_owned()));
+    all.extend(steps_up.then(|| STEPS_UP.to_owned()));
     all.push(format!("i = {} (asked {asked})", of_ratio(ratio)));
     all.extend(stages.efficiency.map(|of| format!("η = {}", trimmed(of, 3))));
     all.extend(of_sizes(sizes, stages.masses.as_ref()));
@@ -170,6 +179,9 @@ fn of_ratio(ratio: f64) -> String {
     let sign = if ratio < 0.0 { "-" } else { "" };
     format!("{sign}1/{}", trimmed(1.0 / ratio.abs(), DIGITS))
 }
+
+/// What a ratio below 1 does: the output is faster than the input.
+const STEPS_UP: &str = "steps up";
 
 /// What makes the output turn against the input.
 const RINGS_TURN: &str = "rings turning with the slow shaft, its carrier held";

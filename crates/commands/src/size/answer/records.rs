@@ -10,6 +10,7 @@ use crate::strength::answer::prepared::SetToSize;
 use crate::strength::answer::records::{NotRated, Reason, Wear};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::InvoluteGear;
+use epicyclic_judge::Limits;
 use epicyclic_strength::factor::Side;
 use epicyclic_strength::sizing::{self, Design, DesignedPlanet, Found, Requirement};
 use epicyclic_strength::spectrum::{GearDuty, Worn};
@@ -47,8 +48,9 @@ pub struct Sought {
 }
 
 impl Sought {
-    pub(super) fn of(request: &Request) -> Self {
+    pub(super) fn of(request: &Request, limits: &Limits) -> Self {
         let space = request.space();
+        let [planet_rim_in_modules, ring_rim_in_modules] = request.rims(limits);
         let si = |lengths: &[Length]| lengths.iter().map(|length| length.si()).collect();
         Self {
             modules_m: si(&space.modules),
@@ -59,8 +61,8 @@ impl Sought {
             width_ratio: space.width_ratio,
             largest_ring_m: space.largest_ring.map(Physical::si),
             least_tip_thickness_in_modules: request.tip_thickness.get(),
-            planet_rim_in_modules: request.planet_rim.get(),
-            ring_rim_in_modules: request.ring_rim.get(),
+            planet_rim_in_modules,
+            ring_rim_in_modules,
             bearings: space.bearings.len(),
         }
     }
@@ -459,14 +461,22 @@ impl SizedSet {
     }
 
     /// Warning that the set has no size, with remedies; `None` if it has one.
-    pub(super) fn warning(&self, usual_fault: Option<&str>) -> Option<Warning> {
+    pub(super) fn warning(&self, of: &Found) -> Option<Warning> {
         if !self.found.is_empty() {
             return None;
         }
+        let stated = of.stated_limit.map(|(rule, designs)| {
+            format!(
+                "`{}` of `limits` in the file leaves out {designs} of {} designs; a wider range would help",
+                rule.name(),
+                self.designs
+            )
+        });
         // The remedy follows from the requirement that the closest design fails.
-        let why = match &self.nearest_miss {
-            None => self.why_unrated(usual_fault),
-            Some(miss) => {
+        let why = match (&self.nearest_miss, &stated) {
+            (None, Some(_)) => String::new(),
+            (None, None) => self.why_unrated(of.usual_fault.as_deref()),
+            (Some(miss), _) => {
                 let Governing { requirement, toothed_gear, value, required, .. } = &miss.governing;
                 match requirement {
                     Requirement::BearingLife => format!(
@@ -491,7 +501,11 @@ impl SizedSet {
                 }
             }
         };
-        Some(Warning { name: "no-size", message: format!("set {}: {why}", self.set) })
+        let all: Vec<String> = stated.into_iter().chain([why]).filter(|why| !why.is_empty()).collect();
+        Some(Warning {
+            name: "no-size",
+            message: format!("set {}: {}", self.set, all.join(". Of the others ")),
+        })
     }
 
     /// Why no teeth of the space could be rated: what left out most designs, and a remedy.
@@ -503,10 +517,6 @@ impl SizedSet {
         );
         let all = [
             (out.geometry, gears.as_str()),
-            (
-                out.spacing,
-                "the planets do not stand at equal angles: other numbers of planets or of teeth would help",
-            ),
             (out.planets_touch, "neighbouring planets touch, or nearly: fewer planets would help"),
             (
                 out.width_ratio,
@@ -520,9 +530,15 @@ impl SizedSet {
                 out.bearing_width,
                 "the planets are narrower than any bearing that leaves the least rim: wider faces would help",
             ),
+            (out.ring, "every ring is larger than allowed: a larger --max-ring would help"),
+            (out.practice, "usual practice refuses the gears: --beyond-practice would admit them"),
             (out.not_calculable, "the teeth are outside what ISO 6336 holds for"),
         ];
-        all.into_iter().max_by_key(|(count, _)| *count).map_or_else(String::new, |(_, why)| why.to_owned())
+        let most = all.into_iter().max_by_key(|(count, _)| *count).filter(|(count, _)| *count > 0);
+        // Other numbers of planets may leave out more: where some assemble, they are not in the way.
+        let spacing =
+            "the planets do not stand at equal angles: other numbers of planets or of teeth would help";
+        most.map_or(spacing, |(_, why)| why).to_owned()
     }
 }
 

@@ -6,16 +6,19 @@ use super::place::Fault;
 use super::rated_set::RatedSet;
 use super::records::{NotRated, Overloaded, Reason, Required};
 use crate::analyze::answer::{Input, Worked};
+use crate::answer::Warning;
 use crate::error::Error;
 use crate::shared::fault::{Fault as Refusal, Named, refused};
 use crate::shared::gearbox::Gearbox;
 use epicyclic_formats::Path;
-use epicyclic_formats::gearbox::OverloadEntry;
+use epicyclic_formats::gearbox::{GearboxFile, OverloadEntry};
 use epicyclic_strength::factor::Side;
 use epicyclic_strength::rating::overload;
 use epicyclic_strength::sizing::SetOverload;
 use epicyclic_train::InputLoad;
 use epicyclic_units::Physical;
+use epicyclic_units::format::trimmed;
+use std::collections::BTreeSet;
 use uom::si::f64::Time;
 
 /// Overload from the file, with the required safeties and its gear at that load.
@@ -70,6 +73,26 @@ pub(crate) fn peaks<'g>(
     };
     let all = all.iter().enumerate().map(peak).collect::<Result<Vec<_>, _>>()?;
     Ok(all.into_iter().filter(|peak| gear.is_none_or(|gear| peak.entry.gear == gear)).collect())
+}
+
+/// Warnings of gears whose greatest overload is below a torque of their duty.
+pub(crate) fn below_duty(file: &GearboxFile) -> Vec<Warning> {
+    let greatest = |torques: &mut dyn Iterator<Item = f64>| torques.map(f64::abs).fold(0.0, f64::max);
+    let gears: BTreeSet<&str> = file.overload.iter().map(|entry| entry.gear.as_str()).collect();
+    let of_gear = |gear: &str| {
+        let overloads = file.overload.iter().filter(|entry| entry.gear == gear);
+        let steps = file.duty.iter().filter(|step| step.gear == gear && step.share.0.si() > 0.0);
+        let overload = greatest(&mut overloads.map(|entry| entry.torque.0.si()));
+        let duty = greatest(&mut steps.map(|step| step.torque.0.si()));
+        let message = || {
+            let [overload, duty] = [overload, duty].map(|torque| trimmed(torque, 6));
+            format!(
+                "gear {gear}: the overload of {overload} N·m is below the {duty} N·m of the duty; it is the greatest torque of the life: write {duty} N·m or more"
+            )
+        };
+        (overload < duty).then(|| Warning { name: "overload-below-duty", message: message() })
+    };
+    gears.into_iter().filter_map(of_gear).collect()
 }
 
 /// Rates the meshes of a set against an overload. A set that does not roll carries its torque too.
