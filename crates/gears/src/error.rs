@@ -520,7 +520,7 @@ fn list_mm(values: &[f64]) -> String {
 
 /// What to write for a number that is most likely meant in percent.
 fn in_percent(eta: f64) -> String {
-    if (1.0..=100.0).contains(&eta) { format!("; write {}%", shown(eta)) } else { String::new() }
+    if (50.0..=100.0).contains(&eta) { format!("; write {}%", shown(eta)) } else { String::new() }
 }
 
 #[cfg(test)]
