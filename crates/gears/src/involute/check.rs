@@ -276,7 +276,8 @@ impl<P: fmt::Display> fmt::Display for Check<P> {
             ),
             Rule::PlanetGap => write!(
                 f,
-                "the tip circles of neighbours among {place} are {value:.3} modules apart, {limit} and more than 0 needed"
+                "the tip circles of neighbours among {place} are {value:.3} modules apart, {} {limit} needed",
+                if *limit > 0.0 { "at least" } else { "more than" }
             ),
         }
     }

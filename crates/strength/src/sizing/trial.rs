@@ -110,9 +110,9 @@ impl Sizing {
                     let [first, second] = over_full_overlap(pair, pair.overlap_ratio((*face / *module).si()));
                     match flank_safeties(&rated, &method, steps, self.life) {
                         Ok(safeties) => {
-                            weakest.iter_mut().zip(safeties).for_each(|(weakest, [one, other])| {
+                            for (weakest, [one, other]) in weakest.iter_mut().zip(safeties) {
                                 *weakest = weakest.min(one * first).min(other * second);
-                            })
+                            }
                         }
                         // Teeth that the standard does not hold for bear nothing.
                         Err(error) if error.is_beyond_standard() => weakest.fill(0.0),
