@@ -172,8 +172,8 @@ fn hunting_teeth_have_no_common_divisor() {
     assert!(seen > 0);
 }
 
-/// Bearings of planets that stand still in direct drive need no least load, power that circulates in a gearbox
-/// that turns as one costs nothing, and a gearbox with sizes is a basis that keeps none of them.
+/// In direct drive bearings of planets stand still and need no least load; power that circulates costs nothing. A
+/// gearbox with sizes is a basis without its rims.
 #[test]
 fn direct_drive_asks_nothing_of_what_stands_still_in_it() {
     let of = |words: &str| -> Request { request(words.split('|')).unwrap() };
@@ -193,7 +193,7 @@ fn direct_drive_asks_nothing_of_what_stands_still_in_it() {
     assert!(file.contains("planet_rim") && !format!("{:?}", basis.strength).contains("rim"), "{basis:?}");
 }
 
-/// Each train of a front is the best under its limit of the rings, and costs no less than the one before.
+/// A front has the best train under each limit of the rings, and smaller rings never cost less.
 #[test]
 fn a_front_has_the_best_train_of_each_ring() {
     let words = "--ratio=5|--power=20kW|--input=1475rpm|--sun=18..24|--planet=27..40|--modules=2mm, 2.5mm, 3mm|--face-widths=20mm, 30mm, 40mm";

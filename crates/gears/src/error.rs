@@ -518,7 +518,7 @@ fn list_mm(values: &[f64]) -> String {
     values.iter().map(|&value| format!("{} mm", shown(value))).collect::<Vec<_>>().join(", ")
 }
 
-/// What to write for a number that is most likely meant in percent.
+/// The percentage to write for a number that is most likely meant as one.
 fn in_percent(eta: f64) -> String {
     if (50.0..=100.0).contains(&eta) { format!("; write {}%", shown(eta)) } else { String::new() }
 }

@@ -15,7 +15,7 @@ use std::fmt;
 #[schemars(transparent)]
 pub struct StatedLimit(#[schemars(with = "Span<f64>")] Result<Span<f64>, RangeError>);
 
-/// Shown where a range is due; a number alone is none.
+/// Examples of ranges for messages; a single number is no range.
 const EXAMPLE: &str = "1.5..4, 2.. or ..10";
 
 impl GearboxFile {

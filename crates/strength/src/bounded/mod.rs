@@ -3,11 +3,11 @@
 //! Each set is tried at every centre distance. Its flanks there give the volume of teeth that a torque needs, its
 //! planets the bearings that fit: together a bound below its cost.
 //!
-//! Flanks bear more the larger the module and the faster they run, and the fewer turns they make. So the
-//! modules are in bands, of which each takes the flanks of its largest; and a load that is the least of several
-//! takes the greatest of their speeds with the fewest of their turns. Between two centre distances counts the
-//! better of both. A little room is left for teeth that more planets make otherwise, and for what is not
-//! monotone between two centre distances; it is no proof, so the bounds are compared with sizes in the tests.
+//! Flanks bear more the larger the module and the faster they run, and the fewer turns they make. So the modules
+//! are in bands, and the flanks of the largest module stand for the band. The least of several loads has the
+//! greatest of their speeds with the fewest of their turns. Between two neighbouring centre distances the better
+//! value of both counts. A little room is left for teeth that more planets make otherwise, and for values between
+//! centre distances that are better than both; it is no proof, so the tests compare the bounds with sizes.
 
 mod bearings;
 

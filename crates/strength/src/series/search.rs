@@ -39,8 +39,8 @@ fn levels(first: Cost, stages: usize) -> impl Iterator<Item = Cost> {
     levels.chain([Cost { unusual: f64::INFINITY, price: f64::INFINITY, ..first }])
 }
 
-/// What searches know of sets, whatever their torques: for orders that differ in numbers of stages, ratios by
-/// some per cent, torques and tooth numbers alone.
+/// Trials and gears of sets, which do not depend on their torques: several searches share them if their orders
+/// differ in numbers of stages, ratios by some per cent, torques and tooth numbers alone.
 #[derive(Debug, Default)]
 pub struct KnownSets {
     tried: HashMap<[ToothCount; 3], Option<TriedSet>>,
@@ -48,7 +48,7 @@ pub struct KnownSets {
 }
 
 /// The best `most` trains of each number of stages, unless `goes_on`, which is called now and then, breaks.
-/// What is known of the sets is used and added to.
+/// It uses the sets that are known and adds others.
 ///
 /// # Errors
 /// [`Error::NothingToSearch`] for a space without modules, face widths or planets; [`Error::Cancelled`]; those

@@ -180,10 +180,10 @@ fn of_ratio(ratio: f64) -> String {
     format!("{sign}1/{}", trimmed(1.0 / ratio.abs(), DIGITS))
 }
 
-/// What a ratio below 1 does: the output is faster than the input.
+/// Words for a ratio below 1: the output is faster than the input.
 const STEPS_UP: &str = "steps up";
 
-/// What makes the output turn against the input.
+/// Words for a negative ratio: the output turns against the input.
 const RINGS_TURN: &str = "rings turning with the slow shaft, its carrier held";
 
 fn asked(stages: &Stages) -> Section {
