@@ -10,6 +10,7 @@ use crate::error::Error;
 use epicyclic_strength::load::MOST_SHARING;
 use epicyclic_strength::series::KnownSets;
 use epicyclic_units::Physical;
+use std::cell::RefCell;
 use std::ops::{ControlFlow, RangeInclusive};
 
 /// Tooth numbers of suns that are tried for a ratio above 1: near 2 the sun is nearly as large as the ring.
@@ -50,7 +51,7 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
     let mut known = KnownSets::default();
     let mut stages = attempted(wanted, MOST, &mut known, goes_on)?;
     if stages.file.is_none() {
-        stages.ways_out = Some(of((wanted, &stages), goes_on)?);
+        stages.ways_out = Some(of((wanted, &stages), known, goes_on)?);
     } else if wanted.is_front_asked {
         stages.front = Some(front((wanted, &stages), &mut known, goes_on)?);
     }
@@ -102,9 +103,10 @@ fn way(limits: &[RelaxedLimit], stages: &Stages) -> Option<WayOutOfStages> {
 /// only if no other suffices; or else as few as possible of the others together.
 fn of(
     (wanted, found): (&WantedStages, &Stages),
+    known: KnownSets,
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<Vec<WayOutOfStages>, Error> {
-    let search = Search { wanted, goes_on };
+    let search = Search { wanted, known: RefCell::new(known), goes_on };
     let all = candidates(wanted, found.trains.iter().any(|trains| trains.compared > MANY));
     let (of_teeth, others): (Vec<_>, Vec<_>) = all.into_iter().partition(|one| is_of_teeth(one.limit));
     let mut ways = vec![];
@@ -174,9 +176,17 @@ const fn is_of_teeth(limit: Limit) -> bool {
     )
 }
 
+/// Whether a limit bounds the sizes of every set, so that what is known of the sets holds no longer.
+const fn is_of_sizes(limit: Limit) -> bool {
+    !is_of_teeth(limit)
+        && !matches!(limit, Limit::LargestRing | Limit::Tolerance | Limit::Stages | Limit::HuntingTeeth)
+}
+
 /// Search for stages with relaxed limits.
 struct Search<'a> {
     wanted: &'a WantedStages,
+    /// Of the order itself.
+    known: RefCell<KnownSets>,
     goes_on: &'a dyn Fn() -> ControlFlow<()>,
 }
 
@@ -185,7 +195,10 @@ impl Search<'_> {
     fn with(&self, limits: &[RelaxedLimit]) -> Result<Option<(WayOutOfStages, Stages)>, Error> {
         let mut wanted = self.wanted.clone();
         limits.iter().for_each(|limit| relax(*limit, &mut wanted));
-        let stages = attempted(&wanted, 1, &mut KnownSets::default(), self.goes_on)?;
+        let stages = match limits.iter().any(|limit| is_of_sizes(limit.limit)) {
+            true => attempted(&wanted, 1, &mut KnownSets::default(), self.goes_on)?,
+            false => attempted(&wanted, 1, &mut self.known.borrow_mut(), self.goes_on)?,
+        };
         Ok(way(limits, &stages).map(|way| (way, stages)))
     }
 
