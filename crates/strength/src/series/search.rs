@@ -1,6 +1,6 @@
 //! Trains in the order of their bounds, until the first are sized in full.
 
-use super::stage::Stages;
+use super::stage::{RANGE, Stages};
 use super::{Found, Order, Teeth, Train, Trains};
 use crate::Error;
 use crate::bounded::{Cost, Geometries, TriedSet};
@@ -10,9 +10,6 @@ use std::cmp::Reverse;
 use std::collections::hash_map::Entry;
 use std::collections::{BinaryHeap, HashMap};
 use std::ops::{Add, ControlFlow, RangeInclusive};
-
-/// Quotient of the ends of the ranges into which products of ratios are put.
-pub(super) const RANGE: f64 = 1.03;
 
 /// Growth of the bound up to which trains are listed, from one round to the next.
 const GROWTH: f64 = 1.06;

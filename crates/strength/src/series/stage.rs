@@ -1,12 +1,14 @@
 //! A stage of a train: its loads behind the stages before it.
 
-use super::search::RANGE;
 use super::{InputStep, Order};
 use crate::Error;
 use crate::bounded::{Cost, Geometries, Load, Sets, TriedSet};
 use crate::sizing::{SetOverload, SetStep};
 use epicyclic_gears::ToothCount;
 use std::ops::ControlFlow;
+
+/// Quotient of the ends of the ranges into which products of ratios are put.
+pub(super) const RANGE: f64 = 1.03;
 
 /// Ends of the bands of products for which flanks are tried: the greatest over the least.
 const BAND: f64 = 2.0;

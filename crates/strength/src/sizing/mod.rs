@@ -74,6 +74,7 @@
 //! by side (two: [`Bearing::pair`](bearing::Bearing::pair)).
 
 pub mod bearing;
+mod gear_masses;
 pub mod in_bore;
 pub(crate) mod practice;
 mod rated;

@@ -1,8 +1,8 @@
 //! Flanks and cross-sections of a set at one module and one face width, at every centre distance.
 
+use super::gear_masses::Masses;
 use super::practice::Misses;
 use super::rated::{Place, Ratings};
-use super::search::Masses;
 use super::simple::{SetStep, Sizing, layouts};
 use crate::Error;
 use crate::contact::over_full_overlap;

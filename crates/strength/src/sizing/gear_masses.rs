@@ -1,0 +1,126 @@
+//! Masses of the gears of a layout over their face width, and the bores of planets.
+
+use super::rated::rim_of;
+use super::task::{Body, Layout, Task};
+use crate::tolerance::RIM;
+use epicyclic_gears::geometry::GearKind;
+use epicyclic_units::Physical;
+use std::f64::consts::FRAC_PI_4;
+use uom::si::f64::Length;
+
+/// Masses of the gears of a layout over their face width.
+pub(super) struct Masses {
+    /// Gears of each family together, planets solid, kg/m.
+    pub(super) solid: Vec<f64>,
+    /// One solid planet of each kind, by family, kg/m.
+    planets: Vec<Vec<f64>>,
+    /// Number of planets times their density, of each kind and family, kg/m³.
+    bored: Vec<Vec<f64>>,
+    /// The largest bore that leaves each kind of planets its rim, m.
+    pub(super) largest_bore: Vec<f64>,
+    /// Reference diameter of the smallest sun of each family, or of its smallest gear, m.
+    pub(super) diameters: Vec<f64>,
+    pub(super) ring: Option<Length>,
+    /// Diameter of the ring, or of the largest gear, m.
+    largest: f64,
+}
+
+impl Masses {
+    pub(super) fn new(task: &Task, layout: &Layout) -> Self {
+        let families = task.face_widths.len();
+        let mut own = Self {
+            solid: vec![0.0; families],
+            planets: vec![vec![0.0; families]; task.planets.len()],
+            bored: vec![vec![0.0; families]; task.planets.len()],
+            largest_bore: vec![],
+            diameters: (0..families).map(|family| smallest(task, layout, family)).collect(),
+            ring: layout.ring_diameter(task),
+            largest: largest(task, layout),
+        };
+        for (place, gear) in layout.gears.iter().enumerate() {
+            let sized = &task.gears[place];
+            let (module, density) = (layout.module(task, place), sized.gear.material.density.si());
+            let filled = gear.filled_area() * module.si().powi(2);
+            let one = density
+                * match gear.kind() {
+                    GearKind::External => filled,
+                    GearKind::Internal => {
+                        let rim = task.ring_rim(place, module).si();
+                        FRAC_PI_4 * (gear.root_diameter() * module.si() + 2.0 * rim).powi(2) - filled
+                    }
+                };
+            own.solid[sized.family] += task.count(place, layout.planets) * one;
+            if let Body::Planet(planet) = sized.body {
+                own.planets[planet][sized.family] += one;
+                own.bored[planet][sized.family] += density;
+            }
+        }
+        let bore = |planet: usize| {
+            let bores = task.bores(planet).map(Physical::si);
+            bores.filter(|bore| leaves_rim(task, layout, planet, *bore)).fold(f64::NEG_INFINITY, f64::max)
+        };
+        own.largest_bore = (0..task.planets.len()).map(bore).collect();
+        own
+    }
+
+    /// Mass of all gears with these bores and widths, kg.
+    pub(super) fn all(&self, planets: u32, bores: impl Iterator<Item = f64>, widths: &[f64]) -> f64 {
+        let by_width = |of: &[f64]| of.iter().zip(widths).map(|(one, width)| one * width).sum::<f64>();
+        let bored: f64 =
+            self.bored.iter().zip(bores).map(|(of, bore)| FRAC_PI_4 * bore * bore * by_width(of)).sum();
+        by_width(&self.solid) - f64::from(planets) * bored
+    }
+
+    /// Mass of carrier and housing, kg.
+    pub(super) fn structure(&self, widths: &[f64]) -> f64 {
+        super::structure(self.largest, widths.iter().sum())
+    }
+
+    /// Mass of a planet, kg.
+    pub(super) fn planet(&self, planet: usize, bore: f64, widths: &[f64]) -> f64 {
+        let own = self.planets[planet].iter().zip(&self.bored[planet]).zip(widths);
+        own.map(|((solid, density), width)| width * (solid - FRAC_PI_4 * bore * bore * density)).sum()
+    }
+}
+
+/// Outside diameter of the ring in m; without a ring tip diameter of the largest gear.
+fn largest(task: &Task, layout: &Layout) -> f64 {
+    let tips = || {
+        layout
+            .gears
+            .iter()
+            .enumerate()
+            .map(|(place, gear)| gear.tip_diameter() * layout.module(task, place).si())
+    };
+    layout.ring_diameter(task).map_or_else(|| tips().fold(0.0, f64::max), Physical::si)
+}
+
+/// Reference diameter in m of the smallest sun of a family, or of its smallest gear.
+fn smallest(task: &Task, layout: &Layout, family: usize) -> f64 {
+    let gears = || (0..layout.gears.len()).filter(|gear| task.gears[*gear].family == family);
+    let is_sun = |gear: &usize| {
+        task.gears[*gear].body == Body::Central && layout.gears[*gear].kind() == GearKind::External
+    };
+    let diameter = |gear: usize| layout.gears[gear].reference_diameter() * layout.modules[family].si();
+    let of_sun = gears().filter(is_sun).map(diameter).reduce(f64::min);
+    of_sun.or_else(|| gears().map(diameter).reduce(f64::min)).unwrap_or(f64::INFINITY)
+}
+
+/// Whether a bore leaves each gear of the planets its rim; no bore always does.
+pub(super) fn leaves_rim(task: &Task, layout: &Layout, planet: usize, bore: f64) -> bool {
+    let least = |gear: usize| {
+        let stated = task.gears[gear].gear.rim.map_or(0.0, Physical::si);
+        (task.planet_rim * layout.module(task, gear).si()).max(stated)
+    };
+    let leaves = |gear: usize| rim_of(task, layout, gear, bore) >= least(gear) * (1.0 - RIM);
+    bore == 0.0 || task.gears_of(planet).all(leaves)
+}
+
+impl Task {
+    /// Bores that planets may have; 0 of solid ones.
+    pub(super) fn bores(&self, planet: usize) -> impl Iterator<Item = Length> + '_ {
+        let own = &self.planets[planet];
+        let alone = own.bearings.is_empty().then(|| own.bore.unwrap_or_default());
+        own.bearings.iter().map(|bearing| bearing.outside_diameter).chain(alone)
+    }
+}
