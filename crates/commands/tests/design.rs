@@ -289,8 +289,8 @@ fn a_list_of_gears_is_what_its_file_says() {
     }
 }
 
-/// Each of the three ways: every set of the file has the angle, `size` finds the same again, and centre
-/// distances are those of normal modules.
+/// In all three forms of the command every set of the file has the angle, `size` finds the same sizes again, and
+/// centre distances are those of normal modules.
 #[test]
 fn helical_teeth_are_those_of_every_set() {
     let more =

@@ -395,7 +395,7 @@ fn gear_report(gearbox: &Gearbox, gear: SchemeGear, wanted: f64) -> Result<GearR
         sun_torques: (0..gearbox.sets().len())
             .map(|set| loaded.and_then(|case| case.members[set].as_ref()).map_or(0.0, |torques| torques[0]))
             .collect(),
-        circulation: found.circulating(),
+        circulation: loaded.map(|case| found.circulating(case)),
     })
 }
 

@@ -260,9 +260,7 @@ impl GearRating {
             drag: open.filter_map(|place| slips[place]).map(f64::abs).sum(),
             link_speed: largest(&mut gearbox.link_ids().filter_map(|link| analysis.speed(link))),
             planet_speed: planet_speed(analysis),
-            circulation: load
-                .filter(|_| analysis.rolling_sets() > 0)
-                .map_or(0.0, |load| load.power.circulating),
+            circulation: load.map_or(0.0, |load| analysis.circulating(load)),
             slips,
         }
     }

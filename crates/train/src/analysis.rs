@@ -184,11 +184,11 @@ impl<'g> Analysis<'g> {
         self.sets().iter().filter(|set| set.relative.is_some_and(|speed| speed != 0.0)).count()
     }
 
-    /// Circulating power over the power that enters; 0 where everything turns as one, since no mesh loses any
-    /// of it. `None` where losses hold the gear.
+    /// Circulating power of a load of this gear, over the power that enters; 0 where everything turns as one,
+    /// since no mesh loses any of it.
     #[must_use]
-    pub fn circulating(&self) -> Option<f64> {
-        self.driving().map(|case| if self.rolling_sets() == 0 { 0.0 } else { case.power.circulating })
+    pub fn circulating(&self, case: &LoadCase) -> f64 {
+        if self.rolling_sets() == 0 { 0.0 } else { case.power.circulating }
     }
 
     /// Slip of each shift element, `ω_first − ω_second`: 0 when engaged, `None` where it does not follow.

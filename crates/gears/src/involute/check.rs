@@ -149,7 +149,6 @@ pub enum Place {
 }
 
 /// A check: `value` must be at least `limit`, a gap between planets also above 0.
-/// Checks of a simple set name its gears by their kind; other gear sets have places `P` of their own.
 /// Of a simple set it names its gears by their kind; others have places `P` of their own.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Check<P = Place> {

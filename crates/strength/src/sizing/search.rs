@@ -69,8 +69,9 @@ pub fn search(
         if !next.is_followed {
             heap.extend(search.wider(&next).into_iter().map(Reverse));
         }
-        if search.misses(next.layout, &search.widths(&next.widths)).0.is_refused() {
-            search.refuse(search.misses(next.layout, &search.widths(&next.widths)).0, 1);
+        let (misses, _) = search.misses(next.layout, &search.widths(&next.widths));
+        if misses.is_refused() {
+            search.refuse(misses, 1);
             continue;
         }
         let Some(design) = search.judged(&next)? else { continue };

@@ -39,17 +39,15 @@ impl Trial {
     /// The best of what sets between two neighbouring centre distances may have; rules that one of the ends
     /// holds may hold there.
     fn between([one, other]: [&Self; 2]) -> Self {
-        let both = |of: fn(&Self) -> &Vec<f64>, better: fn(f64, f64) -> f64| {
-            of(one).iter().zip(of(other)).map(|(one, other)| better(*one, *other)).collect()
-        };
-        let flanks = one.flanks.iter().zip(&other.flanks);
-        let greater = |(one, other): (&Vec<f64>, &Vec<f64>)| {
-            one.iter().zip(other).map(|(one, other)| one.max(*other)).collect()
+        let each = |better: fn(f64, f64) -> f64| {
+            move |(one, other): (&Vec<f64>, &Vec<f64>)| -> Vec<f64> {
+                one.iter().zip(other).map(|(one, other)| better(*one, *other)).collect()
+            }
         };
         Self {
             misses: one.misses.of_both(other.misses),
-            flanks: flanks.map(greater).collect(),
-            sections: both(|of| &of.sections, f64::min),
+            flanks: one.flanks.iter().zip(&other.flanks).map(each(f64::max)).collect(),
+            sections: each(f64::min)((&one.sections, &other.sections)),
             ring: one.ring.min(other.ring),
             bore: one.bore.max(other.bore),
             radius: one.radius.min(other.radius),

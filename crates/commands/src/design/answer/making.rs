@@ -117,7 +117,7 @@ pub(super) fn with_duty(file: &mut Value, basis: &Basis, gears: &[(&str, f64)], 
     }
 }
 
-/// Torque that teeth leave over that of the bearings from which on these decide the size of a set.
+/// Bearings decide the size of a set where the reserve of torque of its teeth is so many times theirs.
 const SPARE: f64 = 1.5;
 
 /// A remark where flanks and roots of sets have much to spare and their bearings, of those that may be chosen,

@@ -182,9 +182,14 @@ impl Answer for Stages {
 }
 
 impl WantedStages {
+    /// Input over output, from the quotient of fast and slow.
+    fn of_input(&self, quotient: f64) -> f64 {
+        if self.steps_up { 1.0 / quotient } else { quotient }
+    }
+
     /// Input speed over output speed, from the quotient of fast and slow by amount.
     fn over_output(&self, quotient: f64) -> f64 {
-        let amount = if self.steps_up { 1.0 / quotient } else { quotient };
+        let amount = self.of_input(quotient);
         if self.rings_turn { -amount } else { amount }
     }
 
@@ -244,10 +249,7 @@ impl TrainOfStages {
         if wanted.steps_up {
             stages.reverse();
         }
-        let ratio = |[sun, _, ring]: &[ToothCount; 3]| {
-            let ratio = 1.0 + ring.as_f64() / sun.as_f64();
-            if wanted.steps_up { 1.0 / ratio } else { ratio }
-        };
+        let ratio = |[sun, _, ring]: &[ToothCount; 3]| wanted.of_input(1.0 + ring.as_f64() / sun.as_f64());
         Self {
             teeth: stages.iter().map(|teeth| teeth.map(ToothCount::get)).collect(),
             ratios: stages.iter().map(ratio).collect(),

@@ -50,32 +50,13 @@ const MOST_SMALLER: usize = 12;
 pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Stages, Error> {
     let mut known = KnownSets::default();
     let mut stages = attempted(wanted, MOST, &mut known, goes_on)?;
+    let search = Search { wanted, known: RefCell::new(known), goes_on };
     if stages.file.is_none() {
-        stages.ways_out = Some(of((wanted, &stages), known, goes_on)?);
+        stages.ways_out = Some(search.ways_out(&stages)?);
     } else if wanted.is_front_asked {
-        stages.front = Some(front((wanted, &stages), &mut known, goes_on)?);
+        stages.front = Some(search.front(largest_ring(&stages))?);
     }
     Ok(stages)
-}
-
-/// The best trains under smaller and smaller limits of their rings, until none holds.
-fn front(
-    (wanted, found): (&WantedStages, &Stages),
-    known: &mut KnownSets,
-    goes_on: &dyn Fn() -> ControlFlow<()>,
-) -> Result<Vec<WayOutOfStages>, Error> {
-    let mut points: Vec<WayOutOfStages> = vec![];
-    let mut ring = largest_ring(found);
-    while points.len() < MOST_SMALLER {
-        let most = rounded(ring * (1.0 - SMALLER), f64::floor);
-        let limit = RelaxedLimit { greatest: Some(most), ..RelaxedLimit::lifted(Limit::LargestRing) };
-        let mut wanted = wanted.clone();
-        relax(limit, &mut wanted);
-        let Some(way) = way(&[limit], &attempted(&wanted, 1, known, goes_on)?) else { break };
-        ring = way.ring_diameter_m;
-        points.push(way);
-    }
-    Ok(points)
 }
 
 /// Greatest outside diameter of a ring of the train taken, in m; 0 without one.
@@ -97,29 +78,6 @@ fn way(limits: &[RelaxedLimit], stages: &Stages) -> Option<WayOutOfStages> {
         whole_kg: stages.masses.map(|of| of.whole_kg),
         rules_missed: train.rules_missed,
     })
-}
-
-/// Finds the ways out for an order without stages that hold: each limit relaxed alone, those of tooth numbers
-/// only if no other suffices; or else as few as possible of the others together.
-fn of(
-    (wanted, found): (&WantedStages, &Stages),
-    known: KnownSets,
-    goes_on: &dyn Fn() -> ControlFlow<()>,
-) -> Result<Vec<WayOutOfStages>, Error> {
-    let search = Search { wanted, known: RefCell::new(known), goes_on };
-    let all = candidates(wanted, found.trains.iter().any(|trains| trains.compared > MANY));
-    let (of_teeth, others): (Vec<_>, Vec<_>) = all.into_iter().partition(|one| is_of_teeth(one.limit));
-    let mut ways = vec![];
-    // More tooth numbers make the search many times longer.
-    for group in [&others, &of_teeth] {
-        if ways.is_empty() {
-            ways = search.of_each(group)?;
-        }
-    }
-    if ways.is_empty() && others.len() > 1 {
-        ways.extend(search.of_several(others)?);
-    }
-    Ok(ways)
 }
 
 /// Limits that can be relaxed, as far as possible; the tolerance only without many trains.
@@ -182,15 +140,46 @@ const fn is_of_sizes(limit: Limit) -> bool {
         && !matches!(limit, Limit::LargestRing | Limit::Tolerance | Limit::Stages | Limit::HuntingTeeth)
 }
 
-/// Search for stages with relaxed limits.
+/// Search for stages with other limits.
 struct Search<'a> {
     wanted: &'a WantedStages,
-    /// Of the order itself.
+    /// Sets of the order, as far as its searches know them.
     known: RefCell<KnownSets>,
     goes_on: &'a dyn Fn() -> ControlFlow<()>,
 }
 
 impl Search<'_> {
+    /// Finds the ways out for an order without stages that hold: each limit relaxed alone, those of tooth numbers
+    /// only if no other suffices; or else as few as possible of the others together.
+    fn ways_out(&self, found: &Stages) -> Result<Vec<WayOutOfStages>, Error> {
+        let all = candidates(self.wanted, found.trains.iter().any(|trains| trains.compared > MANY));
+        let (of_teeth, others): (Vec<_>, Vec<_>) = all.into_iter().partition(|one| is_of_teeth(one.limit));
+        let mut ways = vec![];
+        // More tooth numbers make the search many times longer.
+        for group in [&others, &of_teeth] {
+            if ways.is_empty() {
+                ways = self.of_each(group)?;
+            }
+        }
+        if ways.is_empty() && others.len() > 1 {
+            ways.extend(self.of_several(others)?);
+        }
+        Ok(ways)
+    }
+
+    /// The best trains whose rings are smaller and smaller than this one, until none holds.
+    fn front(&self, mut ring: f64) -> Result<Vec<WayOutOfStages>, Error> {
+        let mut points: Vec<WayOutOfStages> = vec![];
+        while points.len() < MOST_SMALLER {
+            let most = rounded(ring * (1.0 - SMALLER), f64::floor);
+            let limit = RelaxedLimit { greatest: Some(most), ..RelaxedLimit::lifted(Limit::LargestRing) };
+            let Some((way, _)) = self.with(&[limit])? else { break };
+            ring = way.ring_diameter_m;
+            points.push(way);
+        }
+        Ok(points)
+    }
+
     /// Stages with these limits; `None` if none hold.
     fn with(&self, limits: &[RelaxedLimit]) -> Result<Option<(WayOutOfStages, Stages)>, Error> {
         let mut wanted = self.wanted.clone();

@@ -68,8 +68,8 @@ fn of_gears(judge: &mut Judge, subject: &Gearbox) {
     for gear in subject.train.gears() {
         let Ok(worked) = Worked::new(&subject.train, gear.name(), Input::default()) else { continue };
         let name = format!("gear {}", gear.name());
-        if let Some(circulating) = worked.analysis.circulating() {
-            judge.see(Rule::CirculatingPower, &[&name], circulating);
+        if let Some(case) = worked.analysis.driving() {
+            judge.see(Rule::CirculatingPower, &[&name], worked.analysis.circulating(case));
         }
         // Sets that turn as one have no loss: the number of those that roll is that of the stages.
         let stages = worked.analysis.rolling_sets();
