@@ -14,6 +14,7 @@ use epicyclic_commands::report;
 use epicyclic_commands::shared::basis::Basis;
 use epicyclic_commands::shared::gearbox::Gearbox;
 use epicyclic_commands::size;
+use epicyclic_commands::strength;
 use epicyclic_commands::words::request;
 use epicyclic_formats::Document;
 use epicyclic_units::Physical;
@@ -132,6 +133,50 @@ fn turning_rings_are_held_rings_seen_from_them() {
         let [one, other] = [&turning, &held].map(|stages| ratios(&gearbox(stages.file.as_ref().unwrap()))[0]);
         assert!((one - (1.0 - other)).abs() < 1e-9 && (turning.ratio.unwrap() - one).abs() < 1e-9);
     }
+}
+
+/// Without a stated `K_Hβ` wide gears have that of their width, which the file states, so that `strength` finds
+/// the same safeties.
+#[test]
+fn wide_gears_have_the_face_load_of_their_width() {
+    let order = "--ratio=5|--power=30kW|--input=1500rpm|--planets=3|--modules=2.5mm|--face-widths=80mm|--bearing-type=full-complement";
+    let wide = stages(order);
+    let design = &wide.sizes.as_ref().unwrap().sets[0].found[0];
+    let family = &design.families[0];
+    let smaller = design.gears[..2].iter().map(|gear| gear.teeth).min().unwrap();
+    let ratio = family.face_width_m / (f64::from(smaller) * family.module_m);
+    let factor = family.face_load_factor.unwrap();
+    assert!(
+        ratio > 0.8 && (0.0..=1.001e-3).contains(&(factor - 1.0 - 0.4 * ratio * ratio)),
+        "{ratio} {factor}"
+    );
+    let told = strength::Request::default().answer(&gearbox(wide.file.as_ref().unwrap())).unwrap();
+    let flanks: Vec<f64> = told.over_duty.iter().map(|one| one.flank.as_ref().unwrap().safety).collect();
+    let own: Vec<f64> = design.over_duty.iter().map(|of| of.flank.safety).collect();
+    assert!(
+        flanks.iter().zip(&own).all(|(one, other)| (one / other - 1.0).abs() < 1e-9),
+        "{flanks:?} {own:?}"
+    );
+    let stated = stages(&format!("{order}|--factors=K_H_beta 1.25"));
+    let design = &stated.sizes.as_ref().unwrap().sets[0].found[0];
+    assert!(design.families[0].face_load_factor.is_none());
+    assert!(stated.warnings.iter().any(|warning| warning.name == "face-load"));
+}
+
+/// Orders beyond the largest bearings of the tables get rollers in the bores, those of little torque small gears
+/// whatever the least load of their bearings, and low ratios large suns.
+#[test]
+fn orders_of_every_size_have_an_answer() {
+    let ring = |words: &str| {
+        let found = stages(words);
+        let sizes = found.sizes.as_ref().unwrap_or_else(|| panic!("{words}: {:?}", found.trains));
+        let kinds = found.assumed.iter().find(|one| one.key == "bearings of the planets").unwrap();
+        (sizes.sets[0].found[0].ring_diameter_m.unwrap(), kinds.value.contains("rollers-in-bore"))
+    };
+    assert!(ring("--ratio=0.2|--power=2MW|--input=200rpm|--life=100000h").1);
+    let (small, is_in_bore) = ring("--ratio=5|--output-torque=1 N·m|--input=1000rpm");
+    assert!(small < 0.15 && !is_in_bore, "{small}");
+    assert!(ring("--ratio=3|--power=60kW|--input=1480rpm").0 < 0.3);
 }
 
 /// A servo gearbox has its flanges in the whole, of the usual mass of its size.

@@ -6,7 +6,7 @@
 //!   different units differ by a few units in the last place.
 //! - `ROUNDING`: a shortfall of a diameter, over the diameter; the rounding of a cube root.
 //! - `LEAST_EFFICIENCY`: an efficiency of a mesh, far below any gear.
-//! - `GAP`: a gap between planets short of its limit, in modules; rounding alone, since the rules of practice
+//! - `GAP`: a gap between planets short of its limit, in modules; rounding of lengths in a file, since the rules of practice
 //!   allow less than `TOUCH`.
 //! - `TOUCH`: a gap between two circles, in modules; rounding of a sine or cosine times a centre distance.
 //! - `PRESSED`: a backlash, in modules; shifts that leave none are sums of rounded involutes.
@@ -34,7 +34,7 @@ pub(crate) const LEAST_EFFICIENCY: f64 = 1e-6;
 pub(crate) const TOUCH: f64 = 1e-9;
 
 /// A gap between planets is its limit within this, in modules.
-pub(crate) const GAP: f64 = 1e-12;
+pub(crate) const GAP: f64 = 1e-10;
 
 /// Teeth thicker than their pitch by less than this many modules just fill it.
 pub(crate) const PRESSED: f64 = 1e-9;

@@ -72,6 +72,7 @@ fn set(teeth: [u32; 3], steps: [[f64; 4]; 3]) -> Sizing {
         ring_rim: 3.5,
         planet_bore: None,
         planet_mass: None,
+        widens_face_load: false,
         planet_pin: Pin::default(),
         least_planet_angle: None,
         objective: Objective::Mass,

@@ -282,7 +282,7 @@ impl<'a> Search<'a> {
 impl Least {
     fn of(set: &LoadedSet) -> Self {
         let LoadedSet { teeth, duty, overloads } = set.clone();
-        let load = Load { duty: 0, torque: 0.0, wear: [0.0; 4], carrier_speed: 0.0 };
+        let load = Load { duty: 0, torque: 0.0, wear: [[0.0; 4]; 2], carrier_speed: 0.0 };
         Self { teeth, duty, overloads, load, bound: None, sized: None }
     }
 

@@ -98,6 +98,7 @@ fn hoist() -> Sizing {
         ring_rim: 3.5,
         planet_bore: None,
         planet_mass: None,
+        widens_face_load: false,
         planet_pin: Pin::default(),
         least_planet_angle: None,
         objective: Objective::Mass,

@@ -38,6 +38,16 @@ pub enum QuantityError {
         /// The dimension of the quantity.
         dimension: Dimension,
     },
+    /// `1:50`, which is written of drives that reduce the speed fifty times, and means a fiftieth.
+    #[error("{text}: this is read in two ways; write {above_1} for a drive that reduces the speed, or {below_1}", text = one_line(text))]
+    EitherWay {
+        /// The text.
+        text: String,
+        /// The value above 1.
+        above_1: String,
+        /// The value below 1, as a fraction.
+        below_1: String,
+    },
     /// `106,5 kW`.
     #[error("{text}: decimal comma; write {corrected}{}", or_thousands(thousands.as_deref()), text = one_line(text), corrected = one_line(corrected))]
     DecimalComma {

@@ -1,5 +1,6 @@
 //! A number as written: a point for the decimals, no separators, finite.
 
+use crate::format::trimmed;
 use std::{borrow::Cow, fmt, str::FromStr};
 
 use serde::{Deserialize, Deserializer, Serialize, de};
@@ -128,6 +129,10 @@ impl schemars::JsonSchema for Number {
 /// [`QuantityError::UnexpectedUnit`] for `520 N·m`, and those of a number.
 pub fn parse_number(text: &str) -> Result<f64, QuantityError> {
     let lexed = lex(text)?;
+    if lexed.unit.is_empty() && lexed.number.contains(':') && lexed.value.abs() < 1.0 && lexed.value != 0.0 {
+        let [text, over] = [text.trim().to_owned(), lexed.number.replace(':', "/")];
+        return Err(QuantityError::EitherWay { text, above_1: trimmed(1.0 / lexed.value, 9), below_1: over });
+    }
     if lexed.unit.is_empty() || is_share(lexed.unit) {
         let one = super::unit::find_unit(lexed.unit).map_or(1.0, |unit| unit.factor);
         return within(lexed.value * one, || text.trim().to_owned());
@@ -370,6 +375,15 @@ mod tests {
             [("17/3", 17.0 / 3.0), ("6:1", 6.0), (" -17 / 3 ", -17.0 / 3.0), ("1.5:0.5", 3.0)]
         {
             assert_eq!(parse_number(text), Ok(value), "{text}");
+        }
+        for (text, above_1, below_1) in [("1:50", "50", "1/50"), (" -1:4", "-4", "-1/4")] {
+            let either = QuantityError::EitherWay {
+                text: text.trim().to_owned(),
+                above_1: above_1.to_owned(),
+                below_1: below_1.to_owned(),
+            };
+            assert_eq!(parse_number(text), Err(either), "{text}");
+            assert!(parse_number(above_1).is_ok() && parse_number(below_1).is_ok());
         }
         for text in ["17/", "/3", "1/0", "17/3/2", "6:1:2", "1/min", "3 mm/2"] {
             assert!(parse_number(text).is_err(), "{text}");

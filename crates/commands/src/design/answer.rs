@@ -158,6 +158,11 @@ fn attempted(wanted: &Wanted, watch: &Watch) -> Result<(Design, Vec<select::Rela
             design.masses = Masses::of(file, sizes, (wanted.size.application, wanted.overload))?;
         }
         (design.teeth, design.sizes, design.file, design.speeds) = (Some(teeth), sizes, file, speeds);
+        if design.file.is_none()
+            && let Some(size) = wanted.size.larger()
+        {
+            return attempted(&Wanted { size, ..wanted.clone() }, watch);
+        }
     }
     Ok((design, selected.relaxations))
 }

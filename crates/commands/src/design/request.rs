@@ -35,6 +35,7 @@ use crate::tolerance::SHARES;
 use epicyclic_formats::{Document, RangeError, Span};
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_selection::{Mechanism, Order, Rating, Signs};
+use epicyclic_strength::factor::Symbol;
 use epicyclic_strength::sizing::Objective as MinimisedSize;
 use epicyclic_units::format::trimmed;
 use epicyclic_units::{Number, Physical, Quantity};
@@ -398,7 +399,16 @@ impl Request {
 
     /// Space of the sizes; the whole is least unless something else is.
     pub(super) fn sized(&self) -> SizeRequest {
-        SizeRequest { minimise: self.sizes.minimise.or(Some(MinimisedSize::Whole)), ..self.sizes.clone() }
+        let is_face_load = |factor: &Factor| factor.symbol == Symbol::FaceContact;
+        let is_given = self.factors.iter().flat_map(|factors| &factors.0).any(is_face_load);
+        let is_stated = self.basis.as_ref().is_some_and(|basis| basis.has_factor(Symbol::FaceContact));
+        SizeRequest {
+            minimise: self.sizes.minimise.or(Some(MinimisedSize::Whole)),
+            widens_face_load: !is_given
+                && !is_stated
+                && !self.sizes.application.is_some_and(Application::corrects_flanks),
+            ..self.sizes.clone()
+        }
     }
 
     /// Shares of the time of so many gears, which are together all of it. Other numbers of shares are refused

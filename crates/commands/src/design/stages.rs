@@ -2,7 +2,7 @@
 
 use super::request::{Request, refuse_of};
 use crate::design::answer::stages::{MOST_STAGES, Stages, WantedStages};
-use crate::design::answer::stages_ways_out;
+use crate::design::answer::stages_ways_out::{self, LARGE_SUN, LOW_RATIO};
 use crate::error::Error;
 use crate::failure::Failure;
 use crate::select::answer::duty::{Duty, Load};
@@ -59,7 +59,11 @@ impl Request {
         let duty = Duty { input_speed: Some(speed), load };
         let tolerance = self.tolerance()?;
         self.refuse_ring()?;
-        let bounds = self.teeth([Application::suns(self.sizes.application), 17..=80, 50..=160])?;
+        let mut suns = Application::suns(self.sizes.application);
+        if quotient + f64::from(rings_turn) < LOW_RATIO {
+            suns = *suns.start()..=LARGE_SUN;
+        }
+        let bounds = self.teeth([suns, 17..=80, 50..=160])?;
         let stages = self.stages.clone().unwrap_or(1..=MOST_STAGES);
         Ok(WantedStages {
             ratio: quotient,

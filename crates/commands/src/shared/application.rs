@@ -132,6 +132,11 @@ impl Application {
         }
     }
 
+    /// Whether flanks are corrected along their width, so that wide ones need no greater `K_Hβ`.
+    pub(crate) fn corrects_flanks(self) -> bool {
+        self == Self::Robot
+    }
+
     /// Helix angle of the teeth; `None` of spur teeth. Those of cars are helical for their noise.
     pub(crate) fn helix_angle(self) -> Option<Quantity<Angle>> {
         (self == Self::Automatic).then(|| Quantity(Angle::from_degrees(AUTOMATIC_HELIX_DEG)))

@@ -135,6 +135,14 @@ impl Basis {
         own.chain(of_strength.map(|(of, value)| key(name(of), value))).chain(tools).collect()
     }
 
+    /// Whether a factor of all meshes is given.
+    pub(crate) fn has_factor(&self, symbol: Symbol) -> bool {
+        let factors = ["factors", "sun_mesh_factors", "sun_factors"].into_iter();
+        let mut names =
+            factors.filter_map(|key| self.strength.get(key)?.as_mapping()).flat_map(Mapping::keys);
+        names.any(|name| Symbol::named(&flow(name)) == Some(symbol))
+    }
+
     /// Replaces the value of a key.
     #[must_use]
     pub fn with(mut self, key: &str, value: Value) -> Self {

@@ -325,6 +325,7 @@ fn simple(
         ring_rim: task.ring_rim,
         planet_bore: own.bore,
         planet_mass: own.mass,
+        widens_face_load: task.widens_face_load,
         planet_pin: own.pin,
         least_planet_angle: set.set.least_planet_angle(),
         objective: task.objective,
@@ -426,6 +427,7 @@ fn task(
         objective: request.objective(),
         least_planet_angle: set.set.least_planet_angle(),
         has_stated_shifts: set.set.tooth_shape().shifts.is_some(),
+        widens_face_load: request.widens_face_load,
         practice: request.practice(limits),
     };
     (task, held.into_iter().filter(|(_, is_held)| *is_held).map(|(key, _)| key).collect())

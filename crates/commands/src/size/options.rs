@@ -33,7 +33,7 @@ const USUAL_RIMS: [f64; 2] = [3.0, 3.5];
 #[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "Sizes")]
 pub struct Request {
-    /// Modules. Default: series I of ISO 54 to 20 mm.
+    /// Modules. Default: series I of ISO 54 to 20 mm, of designs to 50 mm where none of these holds.
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     pub modules: Option<Quantities<Module>>,
 
@@ -77,7 +77,8 @@ pub struct Request {
     #[arg(long, value_name = "MODULES", allow_hyphen_values = true)]
     pub ring_rim: Option<Number>,
 
-    /// Kinds of bearings to choose from. Default: balls, rollers; with --application what is usual.
+    /// Kinds of bearings to choose from. Default: balls, rollers; with --application what is usual. Designs take
+    /// rollers-in-bore as well where none of these holds.
     #[arg(long, value_enum, value_name = "KINDS", value_delimiter = ',', conflicts_with_all = ["bearings", "no_bearings"])]
     pub bearing_type: Option<Vec<BearingType>>,
 
@@ -110,6 +111,14 @@ pub struct Request {
     #[arg(long, value_name = "N", default_value = "3")]
     pub most: usize,
 
+    /// Whether modules that are not stated go beyond the usual ones.
+    #[arg(skip)]
+    pub has_large_modules: bool,
+
+    /// Whether the given `K_Hβ` is a usual one, which grows with the face width.
+    #[arg(skip)]
+    pub widens_face_load: bool,
+
     /// Bearings of the planets to choose from, in place of those of the tables.
     #[arg(skip)]
     pub bearings: Option<Vec<Bearing>>,
@@ -119,7 +128,7 @@ impl Request {
     pub(crate) fn space(&self) -> Space {
         let usual = self.application;
         let modules = self.modules.as_ref().map_or_else(
-            || usual.and_then(Application::modules).unwrap_or_else(usual_modules),
+            || usual.and_then(Application::modules).unwrap_or_else(|| self.usual_modules()),
             |modules| modules.values().into_iter().map(Module::length).collect(),
         );
         let is_fine = modules.iter().any(|module| module.mm() < 1.0);
@@ -139,6 +148,12 @@ impl Request {
         }
     }
 
+    /// Modules of series I of ISO 54 that are allowed unless others are requested.
+    fn usual_modules(&self) -> Vec<Length> {
+        let is_usual = |module: &f64| self.has_large_modules || *module <= GREATEST_MODULE_MM;
+        STANDARD_MODULES_MM.into_iter().filter(is_usual).map(Length::from_mm).collect()
+    }
+
     /// Numbers of planets to choose from.
     pub(crate) fn planet_counts(&self) -> RangeInclusive<u32> {
         let usual = self.application.map_or(PLANETS, Application::planets);
@@ -149,6 +164,21 @@ impl Request {
     pub(crate) fn bearing_kinds(&self) -> &[BearingType] {
         let usual = self.application.map_or(&BearingType::USUAL[..], Application::bearings);
         self.bearing_type.as_deref().unwrap_or(usual)
+    }
+
+    /// The request with larger sizes where it states none: modules beyond the usual ones, and rollers in the bores
+    /// of planets, where the largest bearings of a table may be too small. `None` if there is nothing larger.
+    pub(crate) fn larger(&self) -> Option<Self> {
+        let kinds = self.bearing_kinds();
+        let is_open = self.bearing_type.is_none() && self.bearings.is_none() && !self.no_bearings;
+        let has_larger = is_open && !kinds.contains(&BearingType::RollersInBore);
+        let has_modules = self.modules.is_none() && !self.has_large_modules;
+        let bearing_type = if has_larger {
+            Some([kinds, &[BearingType::RollersInBore]].concat())
+        } else {
+            self.bearing_type.clone()
+        };
+        (has_larger || has_modules).then(|| Self { bearing_type, has_large_modules: true, ..self.clone() })
     }
 
     /// Bearings to choose from, alone and as pairs.
@@ -206,12 +236,6 @@ impl Request {
         }
         Ok(self.limits().check()?)
     }
-}
-
-/// Modules of series I of ISO 54 that are allowed unless others are requested.
-fn usual_modules() -> Vec<Length> {
-    let usual = STANDARD_MODULES_MM.into_iter().filter(|module| *module <= GREATEST_MODULE_MM);
-    usual.map(Length::from_mm).collect()
 }
 
 /// Face widths that are allowed unless others are requested.

@@ -94,10 +94,17 @@ pub fn width_diameters<G: PartialEq>(meshes: &[([G; 2], &Pair)]) -> Vec<Option<f
     meshes.iter().map(diameter).collect()
 }
 
+/// Least face load factor `K_Hβ = 1 + 0.4·(b/d)²` where it is not calculated, by the width ratio `b/d` of the
+/// mesh.
+#[must_use]
+pub fn least_face_load(width_ratio: f64) -> f64 {
+    1.0 + 0.4 * width_ratio * width_ratio
+}
+
 /// Judges a face load factor `K_Hβ` that is given, by the width ratio of the mesh.
 #[must_use]
 pub fn of_face_load(limits: &Limits, width_ratio: f64, given: f64) -> Verdict {
-    limits.judge_least(Rule::FaceLoad, 1.0 + 0.4 * width_ratio * width_ratio, given)
+    limits.judge_least(Rule::FaceLoad, least_face_load(width_ratio), given)
 }
 
 /// Judges the total contact ratio of helical gears; the face width is in modules.

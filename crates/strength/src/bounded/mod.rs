@@ -14,6 +14,7 @@ mod bearings;
 use crate::factor::{Side, Symbol};
 use crate::load::load_sharing;
 use crate::sizing::practice::priced;
+use crate::sizing::task::widened;
 use crate::sizing::trial::Trial;
 use crate::sizing::{Design, Layout, Objective, SetOverload, SetStep, Sizing, Space, structure, with_rest};
 use crate::tolerance::RIM;
@@ -43,6 +44,10 @@ const STEPS: f64 = 8.0;
 
 /// Face width over diameter of the smaller gear in a trial.
 const PROPORTION: f64 = 0.8;
+
+/// Radial force of the teeth against the centrifugal one over the tangential force, at most: half the difference of
+/// the tangents of the working pressure angles.
+const AGAINST_PULL: f64 = 0.1;
 
 /// Cost of a set or of several; the fields count in their order.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -113,6 +118,9 @@ pub(crate) struct TriedSet {
     bore: f64,
     /// Largest radius of the planets' centres, in modules.
     radius: f64,
+    /// Least centrifugal force of a planet over its face width and the square of the carrier's speed, for a module
+    /// of 1 m, kg.
+    pull: f64,
     /// The set at each centre distance.
     tried: Vec<Tried>,
 }
@@ -131,8 +139,8 @@ pub(crate) struct Load {
     pub(crate) duty: usize,
     /// Greatest torque of the sun, N·m.
     pub(crate) torque: f64,
-    /// Wear of the planets' bearings over the life.
-    pub(crate) wear: [f64; 4],
+    /// Wear of the planets' bearings over the life, by the torque and by the centrifugal force.
+    pub(crate) wear: [[f64; 4]; 2],
     /// Greatest speed of the carrier, rad/s.
     pub(crate) carrier_speed: f64,
 }
@@ -212,16 +220,23 @@ impl<'a> Sets<'a> {
         Load { duty: 0, torque: greatest(duty), wear: self.wear(teeth, duty), carrier_speed: fastest }
     }
 
-    /// Wear of the bearings of a set's planets over a duty.
-    fn wear(&self, [sun, planet, _]: [ToothCount; 3], duty: &[SetStep]) -> [f64; 4] {
-        let greatest = greatest(duty);
-        if greatest == 0.0 {
-            return [0.0; 4];
-        }
+    /// Wear of the bearings of a set's planets over a duty, by the torque and by the centrifugal force.
+    fn wear(&self, [sun, planet, _]: [ToothCount; 3], duty: &[SetStep]) -> [[f64; 4]; 2] {
         let millions = self.of_set.life.si() / TAU / 1e6 * sun.as_f64() / planet.as_f64();
-        self.bearings.wear(&duty.iter().map(|step| {
-            (step.share * step.sun_speed.si().abs() * millions, step.sun_torque.si().abs() / greatest)
-        }))
+        let torque = |step: &SetStep| step.sun_torque.si().abs();
+        let square = |step: &SetStep| step.carrier_speed.si().powi(2);
+        let forces: [&dyn Fn(&SetStep) -> f64; 2] = [&torque, &square];
+        forces.map(|force| {
+            let greatest = duty.iter().map(force).fold(0.0, f64::max);
+            if greatest == 0.0 {
+                return [0.0; 4];
+            }
+            self.bearings.wear(
+                &duty
+                    .iter()
+                    .map(|step| (step.share * step.sun_speed.si().abs() * millions, force(step) / greatest)),
+            )
+        })
     }
 
     /// Tries a set under several duties; `None` if its teeth have no room for one another, whatever the size.
@@ -280,9 +295,22 @@ impl<'a> Sets<'a> {
         // It moves the roots of the planets by its double at most.
         let bore = greatest_of(|trial| trial.bore) + 2.0 * beyond;
         let radius = greatest_of(|trial| trial.radius) + beyond;
+        let pull = |trial: &Trial| trial.planet * trial.radius.si() / (square * largest.si());
+        // Planets of a stated mass are not those of the trial.
+        let least = if of_set.planet_mass.is_some() { 0.0 } else { f64::INFINITY };
+        let pull = trials.iter().map(pull).fold(least, f64::min);
         let tried: Vec<Tried> = trials.into_iter().map(tried).collect();
         let placed = planets.iter().map(|planets| is_placed(*planets)).collect();
-        Ok((!tried.is_empty()).then_some(TriedSet { teeth, ratio, placed, smaller, bore, radius, tried }))
+        Ok((!tried.is_empty()).then_some(TriedSet {
+            teeth,
+            ratio,
+            placed,
+            smaller,
+            bore,
+            radius,
+            pull,
+            tried,
+        }))
     }
 
     /// Every number of planets and module that may hold under a load.
@@ -296,7 +324,7 @@ impl<'a> Sets<'a> {
             self.modules.iter().filter_map(move |module| {
                 let band = self.bands.partition_point(|largest| *largest >= *module) - 1;
                 let force = load.torque * share * (sun + ring) / (set.radius * module.si() * sun);
-                let least = self.bearings.width(set.bore * module.si(), force, load.wear)?;
+                let least = self.width_of_bearings(set, (*module, band), (force, share), load)?;
                 let tried = set.tried.iter().filter_map(|tried| {
                     let volume = tried.volumes[band][load.duty] * load.torque * share;
                     let acceleration = orbit_acceleration(tried.radius * module.si(), load.carrier_speed);
@@ -307,6 +335,31 @@ impl<'a> Sets<'a> {
                 Some(Choice { planets, module: *module, width, bound })
             })
         })
+    }
+
+    /// Width of the narrowest bearing that may live long enough under a force of the teeth and the pull of the
+    /// planets: these are as wide as bearings and flanks need.
+    fn width_of_bearings(
+        &self,
+        set: &TriedSet,
+        (module, band): (Length, usize),
+        (force, share): (f64, f64),
+        load: Load,
+    ) -> Option<f64> {
+        let (module, [of_torque, of_pull]) = (module.si(), load.wear);
+        let bore = set.bore * module;
+        let volumes = set.tried.iter().map(|tried| tried.volumes[band][load.duty]);
+        let face = volumes.fold(f64::INFINITY, f64::min) * load.torque * share / (module * module);
+        let mut least = self.bearings.width(bore, force, of_torque)?;
+        loop {
+            let pull = set.pull * module.powi(3) * least.max(face) * load.carrier_speed.powi(2);
+            let wider = self.bearings.width(bore, (pull - AGAINST_PULL * force).max(0.0), of_pull)?;
+            if wider <= least {
+                return Some(least);
+            }
+            // Wider planets are heavier.
+            least = wider;
+        }
     }
 
     /// Bound and narrowest face width of a set at a centre distance whose flanks need a volume, and whose
@@ -323,7 +376,13 @@ impl<'a> Sets<'a> {
             return None;
         }
         let module = module.si();
-        let width = self.widths.partition_point(|width| width.si() < least.max(volume / (module * module)));
+        let flanks = volume / (module * module);
+        let first = self.widths.partition_point(|width| width.si() < least.max(flanks));
+        let holds = |width: &usize| {
+            let width = self.widths[*width].si();
+            width >= flanks * self.wider_load(width / (module * set.smaller))
+        };
+        let width = (first..self.widths.len()).find(holds)?;
         let face = self.widths.get(width)?.si();
         let missed = tried.missed + missed + self.of_width(face / (module * set.smaller))?;
         let gears = tried.sections[planets] * module * module * face;
@@ -342,11 +401,22 @@ impl<'a> Sets<'a> {
         u32::from(!bearings.chain(alone).any(holds))
     }
 
+    /// `K_Hβ` that is given.
+    fn face_load(&self) -> Option<f64> {
+        self.of_set.methods[0].given.of(Side::First, Symbol::FaceContact)
+    }
+
+    /// `K_Hβ` of a face width over the diameter of the smaller gear, over the given one.
+    fn wider_load(&self, ratio: f64) -> f64 {
+        let given = self.face_load().filter(|_| self.of_set.widens_face_load);
+        given.map_or(1.0, |given| widened(given, ratio) / given)
+    }
+
     /// Rules missed by a face that is too wide; `None` if practice refuses it. A face that is too narrow may
     /// become wider.
     fn of_width(&self, ratio: f64) -> Option<u32> {
         let Some(limits) = &self.of_set.practice else { return Some(0) };
-        let given = self.of_set.methods[0].given.of(Side::First, Symbol::FaceContact);
+        let given = self.face_load().filter(|_| !self.of_set.widens_face_load);
         let of_load = given.map(|given| of_face_load(limits, ratio, given).severity);
         let of_width = limits.judge(Rule::FaceWidth, ratio);
         let of_width = Some(of_width).filter(|of| of.value > of.limit);

@@ -80,7 +80,7 @@ pub(crate) mod practice;
 mod rated;
 mod search;
 mod simple;
-mod task;
+pub(crate) mod task;
 pub(crate) mod trial;
 
 use bearing::Bearing;

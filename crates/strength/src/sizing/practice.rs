@@ -108,8 +108,14 @@ impl Misses {
         Self { against_stated: 0, ..self }
     }
 
-    /// Number of rules.
+    /// Number of rules that count against a design. Too little load on a bearing asks for a smaller bearing, never
+    /// for larger gears.
     pub(super) const fn count(self) -> u32 {
+        (self.rules & !(1 << Rule::BearingLeastLoad as u32)).count_ones()
+    }
+
+    /// Number of rules that count against a bearing.
+    pub(super) const fn of_bearing(self) -> u32 {
         self.rules.count_ones()
     }
 }
@@ -120,7 +126,7 @@ struct Width {
     family: usize,
     /// Reference diameter of the smaller gear, m; `None` where the mesh is judged by another one.
     diameter: Option<f64>,
-    /// Face load factor that is given.
+    /// Face load factor that is given for every width.
     face_load: Option<f64>,
     pair: Pair,
     module: f64,
@@ -144,7 +150,11 @@ impl Practice {
             Width {
                 family,
                 diameter: diameter.map(|diameter| diameter * module),
-                face_load: mesh.method.given.of(Side::First, Symbol::FaceContact),
+                face_load: mesh
+                    .method
+                    .given
+                    .of(Side::First, Symbol::FaceContact)
+                    .filter(|_| !task.widens_face_load),
                 pair: *pair,
                 module,
             }

@@ -3,6 +3,7 @@
 use super::Requirement;
 use super::task::{Body, Governing, Layout, MeshLoads, Task};
 use crate::Error;
+use crate::factor::Symbol;
 use crate::mesh::{Gear, Mesh, Method};
 use crate::rating::overload;
 use crate::spectrum::{GearDuty, Stresses, Worn, on_flank, rate_duty};
@@ -176,7 +177,11 @@ impl<'a> Ratings<'a> {
             gears: [gear(0), gear(1)],
             viscosity: task.viscosity,
         };
-        (mesh_of, Method { planets: Some(own.planets), ..task.meshes[mesh].method })
+        let mut method = Method { planets: Some(own.planets), ..task.meshes[mesh].method };
+        if let Some(factor) = task.face_load(own, family, mesh_of.face_width.si()) {
+            method.given = method.given.with(Symbol::FaceContact, factor);
+        }
+        (mesh_of, method)
     }
 
     /// Rating of a mesh, with the rims of planets that weaken their roots; each is made once.

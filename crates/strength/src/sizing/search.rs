@@ -7,14 +7,16 @@ use super::rated::{Place, Ratings, rim_of};
 use super::task::{Body, Design, DesignedPlanet, Governing, Layout, Task};
 use super::{Found, LeftOut, Objective, Requirement, Tried};
 use crate::bearing::{BearingStep, Reliability, life_over_duty};
-use crate::tolerance::RIM;
+use crate::tolerance::{RIM, SAME};
 use crate::{Error, Quantity};
 use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::life::Rolling;
 use epicyclic_judge::Rule;
 use epicyclic_units::Physical;
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 use std::ops::ControlFlow;
+use std::rc::Rc;
 use uom::si::f64::{Force, Length, Mass, Time};
 
 /// The best `most` designs of these layouts, unless `goes_on`, which is called now and then, breaks. `tried`
@@ -48,6 +50,7 @@ pub fn search(
             layouts.iter().map(|layout| Practice::of(task, layout, limits)).collect()
         }),
         ratings: Ratings::new(task, layouts),
+        bearings: task.planets.iter().map(|planet| by_bore(&planet.bearings)).collect(),
         left_out: tried.left_out,
         against_stated: vec![],
     };
@@ -150,6 +153,8 @@ struct Search<'a> {
     /// Empty where practice does not count.
     practice: Vec<Practice>,
     ratings: Ratings<'a>,
+    /// Bearings of each kind of planets, the largest outside diameter first.
+    bearings: Vec<Rc<[&'a Bearing]>>,
     left_out: LeftOut,
     /// Designs outside a stated range, by the rule.
     against_stated: Vec<(Rule, u64)>,
@@ -324,6 +329,7 @@ impl Search<'_> {
             rules_missed: misses.count(),
             mass: Mass::from_si(masses.all(own.planets, planets.iter().map(bore), &widths)),
             structure: Mass::from_si(masses.structure(&widths)),
+            face_loads: (0..widths.len()).map(|family| task.face_load(own, family, widths[family])).collect(),
             ring_diameter: masses.ring,
             rims: (0..own.gears.len()).map(rim).collect(),
             width_ratios: widths.iter().zip(&masses.diameters).map(ratio).collect(),
@@ -389,41 +395,48 @@ impl Search<'_> {
             return Ok(Chosen::Planets(held));
         }
         let bore = |bearing: &Bearing| bearing.outside_diameter.si();
-        let fits = |bearing: &&Bearing| {
+        let fits = |bearing: &Bearing| {
             kinds.iter().all(|kind| {
                 let width: f64 = task.gears_of(*kind).map(|gear| widths[task.gears[gear].family]).sum();
                 bearing.width.si() <= width && leaves_rim(task, own, *kind, bore(bearing))
             })
         };
-        let mut bearings: Vec<&Bearing> = sized.bearings.iter().filter(fits).collect();
-        // The sort is stable: of equal bores the first of the table stays first.
-        bearings.sort_by(|one, other| bore(other).total_cmp(&bore(one)));
         // The best that holds, and of the others the one that misses least.
         let (mut best, mut nearest): (Option<Held>, Option<(f64, Held)>) = (None, None);
-        let (is_none, mut refused) = (bearings.is_empty(), Misses::default());
-        'bearings: for bearing in bearings {
-            let bore = bore(bearing);
-            let duty = |kind: &usize| {
-                let own_mass = self.masses[one.layout].planet(*kind, bore, widths);
-                let mass = task.planets[*kind].mass.map_or(own_mass, Physical::si);
-                let sharing = task.planets[*kind].sharing.unwrap_or(own.sharing);
-                bearing_duty(own, *kind, (mass, sharing))
+        let (mut is_none, mut refused) = (true, Misses::default());
+        let mut alike: Option<Alike> = None;
+        let bearings = Rc::clone(&self.bearings[kinds[0]]);
+        'bearings: for bearing in bearings.iter().filter(|bearing| fits(bearing)) {
+            is_none = false;
+            let (bore, rolling) = (bore(bearing), bearing.rolling);
+            let carried = |life: &Time| libm::pow(life.hours() / task.life.hours(), 1.0 / rolling.exponent());
+            let known = match alike.take().filter(|of| of.bore == bore && of.rolling == rolling) {
+                Some(known) => alike.insert(known),
+                None => {
+                    let duty = |kind: &usize| {
+                        let own_mass = self.masses[one.layout].planet(*kind, bore, widths);
+                        let mass = task.planets[*kind].mass.map_or(own_mass, Physical::si);
+                        let sharing = task.planets[*kind].sharing.unwrap_or(own.sharing);
+                        bearing_duty(own, *kind, (mass, sharing))
+                    };
+                    let duties: Vec<_> = kinds.iter().map(|kind| (*kind, duty(kind))).collect();
+                    let lives = lives(&duties, bearing)?;
+                    let ratio = lives.iter().flatten().map(carried).fold(f64::INFINITY, f64::min);
+                    alike.insert(Alike { bore, rolling, duties, required: bearing.load_rating / ratio })
+                }
             };
-            let duties: Vec<_> = kinds.iter().map(|kind| (*kind, duty(kind))).collect();
-            let mut lives = vec![];
-            for (_, duty) in &duties {
-                lives.push(life_over_duty(
-                    bearing.rolling,
-                    bearing.load_rating,
-                    duty,
-                    Reliability::Percent90,
-                )?);
+            let is_miss = |ratio: f64| {
+                let is_no_nearer = |(least, _): &(f64, Held)| ratio <= *least;
+                ratio < 1.0 && (best.is_some() || nearest.as_ref().is_some_and(is_no_nearer))
+            };
+            // Most bearings of a table need no look at their lives.
+            if is_miss((bearing.load_rating / known.required).si() * (1.0 + SAME)) {
+                continue;
             }
-            let carried =
-                |life: &Time| libm::pow(life.hours() / task.life.hours(), 1.0 / bearing.rolling.exponent());
+            let (duties, lives) = (&known.duties, lives(&known.duties, bearing)?);
             let mut ratio = lives.iter().flatten().map(carried).fold(f64::INFINITY, f64::min);
-            // Teeth only lower it: most bearings of a table need no look at them.
-            if ratio < 1.0 && (best.is_some() || nearest.as_ref().is_some_and(|(least, _)| ratio <= *least)) {
+            // Teeth only lower it.
+            if is_miss(ratio) {
                 continue;
             }
             let of_pins = duties.iter().map(|(kind, duty)| misses(*kind, Some(bearing), duty, bore));
@@ -433,7 +446,7 @@ impl Search<'_> {
                 continue;
             }
             // A smaller bore is heavier: it helps only with fewer misses.
-            if best.as_ref().is_some_and(|best| best.misses.count() <= held.misses.count()) {
+            if best.as_ref().is_some_and(|best| best.misses.of_bearing() <= held.misses.of_bearing()) {
                 continue;
             }
             for (kind, life) in kinds.iter().copied().zip(lives) {
@@ -452,7 +465,7 @@ impl Search<'_> {
                 ratio = all.fold(ratio, f64::min);
             }
             if ratio >= 1.0 {
-                let is_first = held.misses.count() == 0;
+                let is_first = held.misses.of_bearing() == 0;
                 best = Some(held);
                 if is_first {
                     break;
@@ -468,6 +481,30 @@ impl Search<'_> {
             None => Chosen::NotCalculable,
         })
     }
+}
+
+/// Loads of bearings with one bore of the planets and one kind of rolling elements.
+struct Alike {
+    bore: f64,
+    rolling: Rolling,
+    duties: Vec<(usize, Vec<BearingStep>)>,
+    /// Load rating that lives as long as required.
+    required: Force,
+}
+
+/// The largest outside diameter first, of equal ones as the table has them.
+fn by_bore(all: &[Bearing]) -> Rc<[&Bearing]> {
+    let mut all: Vec<&Bearing> = all.iter().collect();
+    all.sort_by(|one, other| other.outside_diameter.si().total_cmp(&one.outside_diameter.si()));
+    all.into()
+}
+
+/// Lives of a bearing under the loads of each kind of planets.
+fn lives(duties: &[(usize, Vec<BearingStep>)], bearing: &Bearing) -> Result<Vec<Option<Time>>, Error> {
+    let life = |(_, duty): &(usize, Vec<BearingStep>)| {
+        life_over_duty(bearing.rolling, bearing.load_rating, duty, Reliability::Percent90)
+    };
+    duties.iter().map(life).collect()
 }
 
 /// Planets with what their bearings require, and the rules of practice that they miss.

@@ -129,6 +129,8 @@ pub struct Sizing {
     pub least_planet_angle: Option<Angle>,
     /// Objective that is minimized.
     pub objective: Objective,
+    /// Whether the given `K_Hβ` grows with the face width, as [`Task::widens_face_load`].
+    pub widens_face_load: bool,
     /// Limits of usual practice, as [`Task::practice`].
     pub practice: Option<judge::Limits>,
     /// The space.
@@ -190,6 +192,7 @@ impl Sizing {
             objective: self.objective,
             least_planet_angle: self.least_planet_angle,
             has_stated_shifts: self.held_shifts.is_some(),
+            widens_face_load: self.widens_face_load,
             practice: self.practice.clone(),
         }
     }

@@ -6,11 +6,13 @@
 use super::bearing::Bearing;
 use super::{Objective, Requirement};
 use crate::checks::{not_negative, positive, within};
+use crate::factor::{Side, Symbol};
 use crate::mesh::{Gear, Method};
 use crate::root::factors::MOST_ROOT_ROUGHNESS;
 use crate::spectrum::{GearDuty, Step, Worn, check_shares};
 use crate::{Error, Quantity};
 use epicyclic_gears::geometry::GearKind;
+use epicyclic_gears::involute::practice::least_face_load;
 use epicyclic_gears::involute::{InvoluteGear, Pair};
 use epicyclic_gears::life::Rolling;
 use epicyclic_judge::Limits;
@@ -170,12 +172,32 @@ pub struct Task {
     pub least_planet_angle: Option<Angle>,
     /// Whether the profile shifts are stated, not chosen.
     pub has_stated_shifts: bool,
+    /// Whether the given `K_Hβ` is the least one, which grows with the face width ([`Task::face_load`]).
+    pub widens_face_load: bool,
     /// Limits of usual practice: designs that miss fewer of its rules come first, and those with an error are
     /// left out. `None` does not look at them.
     pub practice: Option<Limits>,
 }
 
+/// `K_Hβ` that is at least a given one and fits a face width over the diameter of the smaller gear.
+pub(crate) fn widened(given: f64, width_ratio: f64) -> f64 {
+    given.max((1e3 * least_face_load(width_ratio)).ceil() / 1e3)
+}
+
 impl Task {
+    /// `K_Hβ` of a family at a face width in m, where the given one is the least: that of the
+    /// [width](least_face_load) of the smallest external gear, rounded up to thousandths. `None` where the given
+    /// factor holds for every width.
+    pub(super) fn face_load(&self, layout: &Layout, family: usize, width: f64) -> Option<f64> {
+        let own = |mesh: &&SizedMesh| self.gears[mesh.gears[0]].family == family;
+        let mesh = self.meshes.iter().find(own).filter(|_| self.widens_face_load)?;
+        let given = mesh.method.given.of(Side::First, Symbol::FaceContact)?;
+        let gears = self.gears.iter().zip(&layout.gears).filter(|(gear, _)| gear.family == family);
+        let external = gears.filter(|(_, gear)| gear.kind() == GearKind::External);
+        let smallest = external.map(|(_, gear)| gear.reference_diameter()).fold(f64::INFINITY, f64::min);
+        Some(widened(given, width / (smallest * layout.modules[family].si())))
+    }
+
     /// Refuses quantities that are no requirement.
     pub(super) fn check(&self) -> Result<(), Error> {
         positive(Quantity::Life, self.life.hours(), "h")?;
@@ -308,6 +330,8 @@ pub struct Design {
     pub rims: Vec<Option<Length>>,
     /// Face width of each family over the diameter that the width ratio counts on.
     pub width_ratios: Vec<f64>,
+    /// `K_Hβ` of each family where the given one is the least.
+    pub face_loads: Vec<Option<f64>>,
     /// Outside diameter of the largest ring; `None` of a set without one.
     pub ring_diameter: Option<Length>,
     /// Mass of all gears.

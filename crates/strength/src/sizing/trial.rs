@@ -4,6 +4,7 @@ use super::gear_masses::Masses;
 use super::practice::Misses;
 use super::rated::{Place, Ratings};
 use super::simple::{SetStep, Sizing, layouts};
+use super::task::Task;
 use crate::Error;
 use crate::contact::over_full_overlap;
 use crate::spectrum::flank_safeties;
@@ -22,6 +23,8 @@ pub(crate) struct Trial {
     /// Cross-section of all gears times their density for each number of planets, with planets of the largest
     /// bore that their rim allows, kg/m.
     pub(crate) sections: Vec<f64>,
+    /// Cross-section of a planet of this bore times its density, kg/m.
+    pub(crate) planet: f64,
     /// Outside diameter of the ring.
     pub(crate) ring: Length,
     /// Bore of the planets that leaves the least rim.
@@ -48,6 +51,7 @@ impl Trial {
             misses: one.misses.of_both(other.misses),
             flanks: one.flanks.iter().zip(&other.flanks).map(each(f64::max)).collect(),
             sections: each(f64::min)((&one.sections, &other.sections)),
+            planet: one.planet.min(other.planet),
             ring: one.ring.min(other.ring),
             bore: one.bore.max(other.bore),
             radius: one.radius.min(other.radius),
@@ -68,7 +72,9 @@ impl Sizing {
         duties: &[Vec<SetStep>],
         planets: &[u32],
     ) -> Result<Vec<Trial>, Error> {
-        let task = self.general(sizes.iter().map(|[_, face]| *face).collect());
+        let faces = sizes.iter().map(|[_, face]| *face).collect();
+        // Narrower faces have no more than the given factor.
+        let task = Task { widens_face_load: false, ..self.general(faces) };
         let modules_mm = [self.space.modules[0].mm()];
         let (mut all, _) = layouts(self, &modules_mm, &task, &|| ControlFlow::Continue(()))?;
         let mut trials = vec![];
@@ -87,6 +93,12 @@ impl Sizing {
                 misses,
                 flanks: vec![],
                 sections: planets.iter().map(section).collect(),
+                planet: {
+                    let planet = &own.gears[1];
+                    let square = planet.tip_diameter().powi(2) + planet.root_diameter().powi(2);
+                    let solid = FRAC_PI_4 * square / 2.0 * own.modules[0].si().powi(2);
+                    (solid * self.gears[1].material.density.si() - bored).max(0.0)
+                },
                 ring: own.ring_diameter(&task).unwrap_or_default(),
                 bore: own.modules[0] * bore,
                 radius: own.radii[0],

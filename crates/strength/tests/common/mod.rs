@@ -74,6 +74,7 @@ pub(crate) fn conveyor() -> Order {
         ring_rim: 3.5,
         planet_bore: None,
         planet_mass: None,
+        widens_face_load: true,
         planet_pin: Pin::default(),
         least_planet_angle: None,
         objective: Objective::Whole,

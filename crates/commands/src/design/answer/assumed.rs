@@ -3,10 +3,9 @@
 
 use crate::error::Error;
 use crate::shared::application::Application;
-use crate::shared::basis::{Basis, BasisKey, flow};
+use crate::shared::basis::{Basis, BasisKey};
 use crate::size::options::Request as SizeRequest;
 use clap::ValueEnum;
-use epicyclic_formats::yaml::Value;
 use epicyclic_strength::factor::{Edition, Symbol};
 use epicyclic_strength::load::{Floating, MOST_SHARING, load_sharing};
 use epicyclic_units::Physical;
@@ -42,11 +41,14 @@ pub(super) fn assumed(
         let brings = "usual K_A, life, safeties, planets, bearings where nothing else is asked for";
         assume("application", format!("{}: {brings}", named.get_name()));
     }
-    if !has_factor(basis, Symbol::LoadSharing) {
+    if !basis.has_factor(Symbol::LoadSharing) {
         assume("K_γ", sharing(size)?);
     }
+    if size.widens_face_load {
+        assume("K_Hβ", "1 + 0.4·(b/d)² of the smaller gear where that is more".to_owned());
+    }
     assume("duty", duty(load.spectrum));
-    if !has_factor(basis, Symbol::MeanStress) {
+    if !basis.has_factor(Symbol::MeanStress) {
         let both = "of one sign in each gear; where it reverses, Y_M is 0.7 of sun and ring as of planets";
         assume("torque", both.to_owned());
     }
@@ -104,14 +106,6 @@ fn of_application(size: &SizeRequest, assume: &mut impl FnMut(&str, String)) {
         let ends = [widths.first(), widths.last()].map(|of| of.map_or(0.0, |width| width.mm()));
         assume("face widths", format!("{}..{} mm", ends[0], ends[1]));
     }
-}
-
-/// Whether a factor of all meshes is given.
-fn has_factor(basis: &Basis, symbol: Symbol) -> bool {
-    let factors =
-        ["factors", "sun_mesh_factors", "sun_factors"].into_iter().filter_map(|key| basis.strength.get(key));
-    let mut names = factors.filter_map(Value::as_mapping).flat_map(|of| of.keys());
-    names.any(|name| Symbol::named(&flow(name)) == Some(symbol))
 }
 
 /// `K_γ` of the numbers of planets that are allowed.

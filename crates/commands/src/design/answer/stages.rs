@@ -25,6 +25,10 @@ use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
 use uom::si::f64::{AngularVelocity, Torque};
 
+/// Price of a train for each stage: what a stage fewer may cost, since gears, bearings and seals of one more have to
+/// be made, and it makes the gearbox longer.
+const STAGE: f64 = 1.15;
+
 /// Stages that are tried at most.
 pub(crate) const MOST_STAGES: u32 = 4;
 
@@ -282,8 +286,24 @@ impl TrainsOf {
 }
 
 /// Designs stages in series without ways out and front; `most` trains of each number of stages are listed.
-/// `known` is of orders that differ in limits of ratio, stages and rings alone.
+/// `known` is of orders that differ in limits of ratio, stages and rings alone: with the bearings of the order, and
+/// with those that follow where none of them holds. The sizes come back if they are these.
 pub(super) fn attempted(
+    wanted: &WantedStages,
+    most: usize,
+    [known, of_larger]: &mut [KnownSets; 2],
+    goes_on: &dyn Fn() -> ControlFlow<()>,
+) -> Result<(Stages, Option<SizeRequest>), Error> {
+    let stages = attempted_with(wanted, most, known, goes_on)?;
+    let Some(size) = wanted.size.larger().filter(|_| stages.file.is_none()) else {
+        return Ok((stages, None));
+    };
+    let with_larger = WantedStages { size: size.clone(), ..wanted.clone() };
+    Ok((attempted_with(&with_larger, most, of_larger, goes_on)?, Some(size)))
+}
+
+/// Designs stages in series with the sizes of the order and no larger ones.
+pub(super) fn attempted_with(
     wanted: &WantedStages,
     most: usize,
     known: &mut KnownSets,
@@ -311,7 +331,7 @@ pub(super) fn attempted(
     let mut trains: Vec<TrainsOf> = found.all.iter().map(|trains| TrainsOf::of(wanted, trains)).collect();
     let cost = |of: &TrainsOf| {
         let best = of.best.as_ref()?;
-        Some((best.unusual_stages, best.price_kg))
+        Some((best.unusual_stages, best.price_kg * STAGE.powi(of.stages as i32)))
     };
     let taken = (0..trains.len()).filter(|place| cost(&trains[*place]).is_some()).min_by(|one, other| {
         let [one, other] = [one, other].map(|place| cost(&trains[*place]).unwrap_or_default());

@@ -4,9 +4,10 @@
 //! Every way out is the result of the same search with the limit relaxed. The same command with the option
 //! finds the same train.
 
-use super::stages::{MOST_STAGES, Stages, WantedStages, attempted};
+use super::stages::{MOST_STAGES, Stages, WantedStages, attempted, attempted_with};
 use super::ways_out::{GREATEST_TOLERANCE, Limit, OFFSETS, RelaxedLimit, WayOutOfStages, rounded};
 use crate::error::Error;
+use crate::size::options::Request as SizeRequest;
 use epicyclic_strength::load::MOST_SHARING;
 use epicyclic_strength::series::KnownSets;
 use epicyclic_units::Physical;
@@ -15,8 +16,12 @@ use std::ops::{ControlFlow, RangeInclusive};
 
 /// Tooth numbers of suns that are tried for a ratio above 1: near 2 the sun is nearly as large as the ring.
 pub(crate) const fn suns(ratio: f64) -> [u32; 2] {
-    [12, if ratio < 3.0 { 80 } else { 60 }]
+    [12, if ratio < LOW_RATIO { LARGE_SUN } else { 60 }]
 }
+
+/// Ratio below which suns are nearly as large as their rings, and the teeth of the largest that are tried.
+pub(crate) const LOW_RATIO: f64 = 3.2;
+pub(crate) const LARGE_SUN: u32 = 80;
 
 /// Tooth numbers of planets and rings, and ring-to-sun ratios, that are tried.
 pub(crate) const PLANETS: [u32; 2] = [12, 120];
@@ -48,13 +53,13 @@ const MOST_SMALLER: usize = 12;
 /// # Errors
 /// As of [`size`](crate::size::options::Request::answer), which refer to the unfinished gearbox.
 pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Stages, Error> {
-    let mut known = KnownSets::default();
-    let mut stages = attempted(wanted, MOST, &mut known, goes_on)?;
+    let mut known = Default::default();
+    let (mut stages, larger) = attempted(wanted, MOST, &mut known, goes_on)?;
     let search = Search { wanted, known: RefCell::new(known), goes_on };
     if stages.file.is_none() {
         stages.ways_out = Some(search.ways_out(&stages)?);
     } else if wanted.is_front_asked {
-        stages.front = Some(search.front(largest_ring(&stages))?);
+        stages.front = Some(search.front(larger, largest_ring(&stages))?);
     }
     Ok(stages)
 }
@@ -122,6 +127,7 @@ fn candidates(wanted: &WantedStages, has_many_trains: bool) -> Vec<RelaxedLimit>
             *size.planet_counts().end() < MOST_SHARING,
         ),
         (lifted(Limit::WidthRatio), size.width_ratio.is_some()),
+        (lifted(Limit::Bearings), !size.no_bearings),
     ];
     all.into_iter().filter(|(_, is_narrow)| *is_narrow).map(|(limit, _)| limit).collect()
 }
@@ -144,7 +150,7 @@ const fn is_of_sizes(limit: Limit) -> bool {
 struct Search<'a> {
     wanted: &'a WantedStages,
     /// Sets of the order, as far as its searches know them.
-    known: RefCell<KnownSets>,
+    known: RefCell<[KnownSets; 2]>,
     goes_on: &'a dyn Fn() -> ControlFlow<()>,
 }
 
@@ -167,13 +173,19 @@ impl Search<'_> {
         Ok(ways)
     }
 
-    /// The best trains whose rings are smaller and smaller than this one, until none holds.
-    fn front(&self, mut ring: f64) -> Result<Vec<WayOutOfStages>, Error> {
+    /// The best trains whose rings are smaller and smaller than this one, until none holds: with the kinds of
+    /// bearings and modules of the best one, which may be the larger ones.
+    fn front(&self, larger: Option<SizeRequest>, mut ring: f64) -> Result<Vec<WayOutOfStages>, Error> {
         let mut points: Vec<WayOutOfStages> = vec![];
+        let known = &mut self.known.borrow_mut()[usize::from(larger.is_some())];
+        let mut wanted = self.wanted.clone();
+        wanted.size = larger.unwrap_or(wanted.size);
         while points.len() < MOST_SMALLER {
             let most = rounded(ring * (1.0 - SMALLER), f64::floor);
             let limit = RelaxedLimit { greatest: Some(most), ..RelaxedLimit::lifted(Limit::LargestRing) };
-            let Some((way, _)) = self.with(&[limit])? else { break };
+            relax(limit, &mut wanted);
+            let stages = attempted_with(&wanted, 1, known, self.goes_on)?;
+            let Some(way) = way(&[limit], &stages) else { break };
             ring = way.ring_diameter_m;
             points.push(way);
         }
@@ -184,8 +196,8 @@ impl Search<'_> {
     fn with(&self, limits: &[RelaxedLimit]) -> Result<Option<(WayOutOfStages, Stages)>, Error> {
         let mut wanted = self.wanted.clone();
         limits.iter().for_each(|limit| relax(*limit, &mut wanted));
-        let stages = match limits.iter().any(|limit| is_of_sizes(limit.limit)) {
-            true => attempted(&wanted, 1, &mut KnownSets::default(), self.goes_on)?,
+        let (stages, _) = match limits.iter().any(|limit| is_of_sizes(limit.limit)) {
+            true => attempted(&wanted, 1, &mut Default::default(), self.goes_on)?,
             false => attempted(&wanted, 1, &mut self.known.borrow_mut(), self.goes_on)?,
         };
         Ok(way(limits, &stages).map(|way| (way, stages)))

@@ -244,6 +244,11 @@ pub fn answer(
         warnings: vec![],
     };
     if let Some(taken) = all.into_iter().next() {
+        if taken.of.mass_kg.is_none()
+            && let Some(size) = wanted.size.larger()
+        {
+            return answer(&WantedTransmission { size, ..wanted.clone() }, goes_on);
+        }
         if taken.of.mass_kg.is_some() {
             transmission.file = Some(size::saved(&taken.document, &taken.size)?);
         }

@@ -110,6 +110,8 @@ pub enum Limit {
     Stages,
     /// Restriction to gears without common divisors; removed.
     HuntingTeeth,
+    /// Rolling bearings of the planets; none are sought.
+    Bearings,
 }
 
 /// Factors on a limit that is just sufficient for exact ratios. Real tooth numbers only come close and may
@@ -258,6 +260,7 @@ impl Search<'_> {
             (RelaxedLimit::lifted(Limit::FaceWidths), own.face_widths.is_some()),
             (RelaxedLimit::lifted(Limit::LargestRing), own.max_ring.is_some()),
             (planets, *own.planet_counts().end() < most),
+            (RelaxedLimit::lifted(Limit::Bearings), !own.no_bearings),
         ];
         let mut ways = vec![];
         for (limit, _) in all.into_iter().filter(|(_, is_narrow)| has_teeth && *is_narrow) {
@@ -337,7 +340,7 @@ impl RelaxedLimit {
                 wanted.bounds.planets = *wanted.bounds.planets.start()..=greatest as u32;
                 self.relax_size(&mut wanted.size);
             }
-            Limit::WidthRatio | Limit::Modules | Limit::FaceWidths | Limit::LargestRing => {
+            Limit::WidthRatio | Limit::Modules | Limit::FaceWidths | Limit::LargestRing | Limit::Bearings => {
                 self.relax_size(&mut wanted.size);
             }
             // Of stages in series.
@@ -353,6 +356,9 @@ impl RelaxedLimit {
             }
             Limit::Modules => size.modules = None,
             Limit::FaceWidths => size.face_widths = None,
+            Limit::Bearings => {
+                (size.no_bearings, size.bearing_type, size.bearings) = (true, None, None);
+            }
             Limit::LargestRing => {
                 size.max_ring = self.greatest.map(|greatest| Quantity(Length::from_si(greatest)));
             }

@@ -131,8 +131,8 @@ fn ways_out(ways: &[WayOutOfStages]) -> Records {
 fn smaller_rings(front: &[WayOutOfStages]) -> Records {
     with_limits("front", "Smaller rings, and the stages behind each", front)
         .note(
-            "Each line is the result of the same search with this option, whose ring is 5 % below that of the line before; the last is the \
-             smallest that holds, or the twelfth.",
+            "Each line is the result of the same search with this option, whose ring is 5 % below that of the line before. After the last no train \
+             holds with the same kinds of bearings, or it is the twelfth.",
         )
         .records()
 }

@@ -251,6 +251,8 @@ pub struct SizedFamily {
     pub face_width_m: f64,
     /// Face width over the reference diameter of the smallest sun, or of the smallest gear.
     pub face_width_over_diameter: f64,
+    /// `K_Hβ` by the face width; null where it is given for every width.
+    pub face_load_factor: Option<f64>,
 }
 
 /// Teeth of a gear beyond their number.
@@ -343,6 +345,7 @@ impl SizedDesign {
             module_m: layout.modules[family].si(),
             face_width_m: design.face_widths[family].si(),
             face_width_over_diameter: design.width_ratios[family],
+            face_load_factor: design.face_loads[family],
         };
         let teeth = |(gear, own): (usize, &InvoluteGear)| SizedTeeth {
             toothed_gear: gear_name(set, gear),

@@ -11,6 +11,9 @@ use epicyclic_units::format::trimmed;
 /// Millimetres in a metre.
 const MM: f64 = 1e3;
 
+/// Name of `K_Hβ` in the usual basis.
+const FACE_LOAD: &str = "K_H_beta";
+
 /// Significant digits of a length; more would show only the rounding of binary fractions.
 const DIGITS: usize = 14;
 
@@ -140,6 +143,10 @@ fn write(entry: &mut Mapping, is_short: bool, design: &SizedDesign) {
         }
     }
     if let Some(strength) = entry.get_mut("strength").and_then(Value::as_mapping_mut) {
+        let of_width = design.families.iter().filter_map(|family| family.face_load_factor);
+        if let Some(factor) = of_width.reduce(f64::max) {
+            inner(strength, "factors").insert(Value::from(FACE_LOAD), Value::from(factor));
+        }
         let is_simple = is_short && design.gears.len() == 3 && design.planet_sizes.len() == 1;
         for (gear, rim) in design.gears.iter().filter_map(|gear| Some((gear, gear.rim_m?))) {
             let of = if is_simple { &mut *strength } else { inner(strength, "rims") };
