@@ -184,6 +184,8 @@ mod tests {
         assert_eq!(margin(Rule::SpurContact, 1.0), None);
         assert_eq!(margin(Rule::SunShift, 0.1), None);
         assert_eq!(margin(Rule::SpecificSliding, 0.0), None);
+        assert_eq!(margin(Rule::SpecificSliding, -0.05), None);
+        assert_eq!(margin(Rule::BearingLeastLoad, 0.03), Some(1.5));
     }
 
     #[test]
@@ -209,6 +211,10 @@ mod tests {
         limits.state(Rule::FaceWidth, Range::between(0.2, 2.5));
         assert!(limits.judge(Rule::FaceWidth, 2.2).holds());
         assert_eq!(limits.judge(Rule::FaceWidth, 2.6).severity, Some(Severity::Error));
+        assert_eq!(limits.judge(Rule::FaceWidth, 0.1).severity, Some(Severity::Warning));
+        assert!(limits.judge(Rule::SpecificSliding, 3.5).holds(), "that of another rule remains");
+        limits.state(Rule::SpecificSliding, Range::at_most(3.2));
+        assert!(!limits.judge(Rule::SpecificSliding, 3.5).holds(), "the last one counts");
     }
 
     #[test]
@@ -222,8 +228,18 @@ mod tests {
             words(Rule::FaceWidth, 1.1),
             "face width over the diameter of the smaller gear 1.1, at most 1.2 by usual practice"
         );
+        assert_eq!(
+            words(Rule::HuntingTooth, 1.0),
+            "common divisor of the teeth 1, at most 1 by usual practice"
+        );
+        assert_eq!(
+            words(Rule::SpecificSliding, 3.123_45),
+            "specific sliding 3.123, at most 3 by usual practice"
+        );
+        let remedy = |value| Limits::default().judge(Rule::FaceWidth, value).remedy();
+        assert!(remedy(1.3).starts_with("narrower") && remedy(0.3).starts_with("wider"));
         assert!(!Limits::default().judge(Rule::FaceWidth, f64::NAN).holds());
         let asked = Limits::default().judge(Rule::RingShift, 1.3).no_worse_than(Severity::Warning);
-        assert_eq!(asked.severity, Some(Severity::Warning));
+        assert_eq!((asked.severity, asked.worst), (Some(Severity::Warning), Severity::Warning));
     }
 }

@@ -5,7 +5,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use Severity::{Error, Remark, Warning};
-use epicyclic_judge::{Limits, Rule, Severity, Verdict};
+use epicyclic_judge::{Limits, Range, Rule, Severity, Verdict};
 
 /// Rule, value inside, value outside, severity outside.
 const ENDS: &[(&str, f64, f64, Severity)] = &[
@@ -90,6 +90,11 @@ const ENDS: &[(&str, f64, f64, Severity)] = &[
     ("volumetric-efficiency", 0.851, 0.849, Warning),
     ("overlap", 0.0, -0.001, Error),
     ("chamber-area", 0.0, -0.001, Error),
+    // Rounding alone: a part of the width of the range, of its only end, or of 1 where this end is 0.
+    ("face-width", 0.5 - 5.7e-10, 0.5 - 6.3e-10, Remark),
+    ("specific-sliding", 2.0 + 1.9e-9, 2.0 + 2.1e-9, Remark),
+    ("bearing-least-load", 0.02 - 1.9e-11, 0.02 - 2.1e-11, Warning),
+    ("overlap", -9.5e-10, -1.05e-9, Error),
 ];
 
 /// Rule, the limit of the gearbox or motor, value inside, value outside, severity outside.
@@ -103,6 +108,32 @@ const OWN: &[(&str, f64, f64, f64, Severity)] = &[
     ("ratio-deviation", 0.4, 0.399, 0.401, Error),
     ("allowed-pressure", 21.0, 20.99, 21.01, Warning),
     ("trapped-pressure", 18.0, 17.99, 18.01, Warning),
+];
+
+/// Rule, by how much its bounds move, value inside, value outside, which gets a warning.
+const MOVED: [(&str, f64, f64, f64); 4] = [
+    ("external-angle", 2.5, 22.51, 22.49),
+    ("external-angle", 2.5, 30.99, 31.01),
+    ("internal-angle", -5.0, 10.01, 9.99),
+    ("internal-angle", -5.0, 16.99, 17.01),
+];
+
+/// Rule with the least and greatest value that its quantity can have; all others from 0 on.
+const VALUES: [(&str, f64, f64); 14] = [
+    ("sun-shift", f64::NEG_INFINITY, f64::INFINITY),
+    ("planet-shift", f64::NEG_INFINITY, f64::INFINITY),
+    ("ring-shift", f64::NEG_INFINITY, f64::INFINITY),
+    ("gear-shift", f64::NEG_INFINITY, f64::INFINITY),
+    ("shift-sum", f64::NEG_INFINITY, f64::INFINITY),
+    ("overlap", f64::NEG_INFINITY, f64::INFINITY),
+    ("oil-temperature", -273.15, f64::INFINITY),
+    ("external-angle", 0.0, 90.0),
+    ("internal-angle", 0.0, 90.0),
+    ("stage-efficiency", 0.0, 1.0),
+    ("volumetric-efficiency", 0.0, 1.0),
+    ("hunting-tooth", 1.0, f64::INFINITY),
+    ("dynamic-factor", 1.0, f64::INFINITY),
+    ("direction", -1.0, 1.0),
 ];
 
 /// Rules that nothing here calculates a value for.
@@ -123,6 +154,14 @@ fn every_limit_trips_outside_and_holds_inside() {
     for &(name, inside, outside, severity) in ENDS {
         let judged = |value| Limits::default().judge(named(name), value);
         trips(judged(inside), judged(outside), severity);
+        let worst = ENDS.iter().filter(|row| row.0 == name).map(|row| row.3).max().unwrap();
+        if named(name).own_limit().is_none() {
+            assert_eq!(judged(inside).worst, worst, "{name}");
+        }
+    }
+    for (name, by, inside, outside) in MOVED {
+        let judged = |value| Limits::default().judge_by(named(name), named(name).bounds().moved(by), value);
+        trips(judged(inside), judged(outside), Warning);
     }
     for &(name, limit, inside, outside, severity) in OWN {
         let judged = |value| match named(name).own_limit().unwrap().1.starts_with("at least") {
@@ -150,5 +189,15 @@ fn every_limit_has_a_row() {
         let is_listed = ENDS.iter().any(|row| named(row.0) == rule) || WITHOUT_VALUE.contains(&rule);
         assert!(is_listed || OWN.iter().any(|row| named(row.0) == rule), "{rule:?}");
         assert_eq!(rule.own_limit().is_some(), OWN.iter().any(|row| named(row.0) == rule), "{rule:?}");
+    }
+}
+
+#[test]
+fn values_that_quantities_can_have() {
+    for &rule in Rule::ALL {
+        let due =
+            VALUES.iter().find(|row| named(row.0) == rule).map_or((0.0, f64::INFINITY), |row| (row.1, row.2));
+        let Range { least, most } = rule.values();
+        assert_eq!((least, most), due, "{rule:?}");
     }
 }

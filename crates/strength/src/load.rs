@@ -531,6 +531,7 @@ mod tests {
         }
         assert_eq!(load_sharing(0, Floating::Yes).unwrap_err().name(), "not-positive");
         assert_eq!(load_sharing(8, Floating::Yes).unwrap_err().name(), "missing-factor");
+        assert_eq!(MOST_SHARING, 7);
     }
 
     #[test]

@@ -27,8 +27,7 @@ fn a_drive_that_does_not_start_forward_is_warned_of() {
         let motion = answer["start"]["with_losses"].clone();
         let outcome = motion["outcome"].as_str().unwrap().to_owned();
         let acceleration = motion["acceleration_sun_rad_s2"].as_f64().unwrap();
-        let warning =
-            answer["warnings"].as_array().unwrap().last().unwrap()["message"].as_str().unwrap().to_owned();
+        let warning = answer["warnings"].to_string();
         (outcome, acceleration, motion["starting_time_s"].as_f64(), warning)
     };
     // Between 3000.4 and 3264.7 N·m the meshes hold the drive.

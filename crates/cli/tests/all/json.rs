@@ -341,25 +341,12 @@ fn every_answer_is_one_by_its_schema_and_every_key_is_written() {
 }
 
 /// Answers without a judgement, and why.
-const WITHOUT_JUDGEMENT: [(&str, &[&str]); 6] = [
+const WITHOUT_JUDGEMENT: [(&str, &[&str]); 5] = [
     ("a refusal", &["error"]),
-    (
-        "a view of a gearbox whose overview is judged",
-        &[
-            "analyze-gear",
-            "analyze-inputs",
-            "analyze-map",
-            "analyze-shifts",
-            "analyze-formulas",
-            "analyze-combinations",
-            "losses-map",
-            "simulate-sweep",
-        ],
-    ),
-    ("names and schemes, no gearbox", &["transmissions", "schemes", "scheme"]),
+    ("gearboxes of a list, of which each is judged when it is named", &["transmissions"]),
+    ("schemes with formulas alone", &["schemes"]),
     ("machines", &["machines", "machine-speeds", "machine-drum", "machine-rotor", "machine-chain-cutter"]),
     ("arcs, no motor", &["motor-construction"]),
-    ("a drive with checks and warnings of its own", &["drive"]),
 ];
 
 /// The judgements of an answer, wherever they are.
@@ -392,6 +379,56 @@ fn every_answer_that_shows_a_gearbox_or_motor_is_judged() {
         .map(|(name, _)| *name)
         .collect();
     assert!(faults.is_empty(), "neither judged nor excused, or both: {faults:?}");
+}
+
+/// Answer, rule, factor and offset from the unit of the rule to that of the answer's own figure, its key.
+const FIGURES: [(&str, &str, f64, f64, &str); 17] = [
+    ("strength", "bearing-life", 3600.0, 0.0, "life_s"),
+    ("strength", "ball-load", 1e3, 0.0, "force_n"),
+    ("strength", "bearing-static-safety", 1.0, 0.0, "static_safety"),
+    ("strength", "flank-safety", 1.0, 0.0, "safety"),
+    ("strength", "root-safety", 1.0, 0.0, "safety"),
+    ("losses", "oil-temperature", 1.0, -20.0, "rise_k"),
+    ("drive", "stage-efficiency", 1.0, 0.0, "overall"),
+    ("drive", "neighbour-gap-length", 1e-3, 0.0, "tip_gap_m"),
+    ("motor", "motor-pressure", 1e6, 0.0, "pressure_pa"),
+    ("motor", "allowed-pressure", 1e6, 0.0, "pressure_pa"),
+    ("motor", "contact-stress", 1e6, 0.0, "alone_pa"),
+    ("motor", "chamber-area", 1e-6, 0.0, "least_chamber_m2"),
+    ("motor", "axial-gap", 1e-6, 0.0, "satellite_gap_m"),
+    ("motor", "volumetric-efficiency", 1.0, 0.0, "volumetric"),
+    ("motor", "overlap", 1.0, 0.0, "clearance_in_modules"),
+    ("motor", "trapped-pressure", 1e6, 0.0, "change_pa"),
+    ("motor", "ripple", 1.0, 0.0, "ripple"),
+];
+
+fn figures(json: &Value, name: &str, key: &str, found: &mut Vec<f64>) {
+    match json {
+        Value::Object(entries) => entries
+            .iter()
+            .filter(|(key, _)| *key != "judgement")
+            .for_each(|(own, value)| figures(value, own, key, found)),
+        Value::Array(entries) => entries.iter().for_each(|entry| figures(entry, name, key, found)),
+        _ => found.extend(json.as_f64().filter(|_| name == key)),
+    }
+}
+
+/// A limit is no better than the unit of what it is held against.
+#[test]
+fn judged_values_are_figures_of_the_answer() {
+    for (answer, rule, factor, offset, key) in FIGURES {
+        let is_met = ANSWERS.iter().filter(|(_, json)| json["answer"] == answer).any(|(_, json)| {
+            let mut found = vec![];
+            figures(json, "", key, &mut found);
+            let checks = json["judgement"]["checks"].as_array().unwrap().iter();
+            let values =
+                checks.filter(|check| check["name"] == rule).filter_map(|check| check["value"].as_f64());
+            let mut values = values.map(|value| value * factor + offset).filter(|value| *value != 0.0);
+            let is_own = |value: f64| found.iter().any(|own| (own.abs() / value.abs() - 1.0).abs() < 1e-9);
+            values.any(is_own)
+        });
+        assert!(is_met, "{answer}: {rule} is no {key}");
+    }
 }
 
 /// The book names every warning that is met here.

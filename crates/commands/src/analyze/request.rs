@@ -98,7 +98,7 @@ pub enum Analysis<'g> {
     /// One gear with one input.
     Gear(Box<OneGear>),
     /// One gear at speeds of several links.
-    Inputs(Inputs),
+    Inputs(Box<Inputs>),
     /// One gear over ranges of two speeds.
     Map(SpeedMap<'g>),
     /// Every combination of shift elements.
@@ -126,7 +126,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     match request.answer(&subject(choice, &read)?)? {
         Analysis::Overview(answer) => output.deliver(call, &*answer),
         Analysis::Gear(answer) => output.deliver(call, &*answer),
-        Analysis::Inputs(answer) => output.deliver(call, &answer),
+        Analysis::Inputs(answer) => output.deliver(call, &*answer),
         Analysis::Map(map) => deliver_map(call, output, &map),
         Analysis::Combinations(answer) => output.deliver(call, &answer),
         Analysis::Formulas(answer) => output.deliver(call, &answer),
@@ -161,7 +161,8 @@ impl Request {
                 Analysis::Formulas(if gearbox.is_sized { answer } else { answer.without_numbers() })
             })
         } else if let Some(gear) = gear.filter(is_given) {
-            answers::inputs::answer(gearbox, gear, &self.several.wanted()).map(Analysis::Inputs)
+            answers::inputs::answer(gearbox, gear, &self.several.wanted())
+                .map(|of| Analysis::Inputs(Box::new(of)))
         } else if let Some(gear) = gear {
             answers::gear::answer(gearbox, gear, input).map(|gear| Analysis::Gear(Box::new(gear)))
         } else if self.all_combinations {
@@ -172,7 +173,19 @@ impl Request {
             let factor = self.progression.map(Number::get);
             overview(gearbox, input, factor).map(|all| Analysis::Overview(Box::new(all)))
         };
-        answer.map_err(refuse)
+        let mut answer = answer.map_err(refuse)?;
+        let mut of_formulas = vec![];
+        let (judgement, warnings) = match &mut answer {
+            Analysis::Gear(of) => (&mut of.judgement, &mut of.warnings),
+            Analysis::Inputs(of) => (&mut of.judgement, &mut of.warnings),
+            Analysis::Combinations(of) => (&mut of.judgement, &mut of.warnings),
+            Analysis::Shifts(of) => (&mut of.judgement, &mut of.warnings),
+            Analysis::Formulas(of) if gearbox.is_sized => (&mut of.judgement, &mut of_formulas),
+            // Judged where they are made; formulas without numbers show no gearbox.
+            Analysis::Overview(_) | Analysis::Map(_) | Analysis::Formulas(_) => return Ok(answer),
+        };
+        *judgement = Judgement::added_to(warnings, gearbox);
+        Ok(answer)
     }
 }
 
@@ -182,8 +195,7 @@ impl Request {
 /// Those of [`answers::overview::answer`].
 pub fn overview(gearbox: &Gearbox, input: Input, factor: Option<f64>) -> Result<Overview, Error> {
     let mut overview = answers::overview::answer(gearbox, input, factor)?;
-    overview.judgement = Judgement::of(gearbox, None, None, None);
-    overview.judgement.add_to(&mut overview.warnings);
+    overview.judgement = Judgement::added_to(&mut overview.warnings, gearbox);
     Ok(overview)
 }
 

@@ -1,5 +1,6 @@
 //! Design of a planetary drive from power, speed and ratio to its starting time.
 
+mod judged;
 mod masses;
 mod warning;
 
@@ -7,6 +8,7 @@ pub use masses::{CarrierMass, CarrierShape, GearMass, Masses};
 
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::number::{maybe_si, plain, si};
 use crate::shared::records::Fraction;
 use epicyclic_dynamics::drive::{self as dynamics, Choice, DriveDesign, DriveSpec, Start};
@@ -44,6 +46,8 @@ pub struct Drive {
     pub equivalent_inertia: EquivalentInertia,
     /// The start from rest under constant torques.
     pub start: Starting,
+    /// Judgement of the drive by rules of practice.
+    pub judgement: Judgement,
     /// Warnings about the design.
     pub warnings: Vec<Warning>,
 }
@@ -354,7 +358,7 @@ impl Answer for Drive {
 /// ```
 pub fn answer(title: Option<String>, spec: &DriveSpec) -> Result<Drive, Error> {
     let design = dynamics::design(spec).map_err(|error| Error::Drive(Box::new(error)))?;
-    Ok(Drive::of(title, &design))
+    Ok(Drive::of(title, spec, &design))
 }
 
 /// Designs the drive of a file.
@@ -376,16 +380,16 @@ pub fn of_file(document: &Document) -> Result<Drive, Error> {
             _ => Error::Document(at),
         }
     })?;
-    Ok(Drive::of(file.title, &design))
+    Ok(Drive::of(file.title, &spec, &design))
 }
 
 impl Drive {
     /// Converts a design into a record.
     #[must_use]
-    pub fn of(title: Option<String>, design: &DriveDesign) -> Self {
+    pub fn of(title: Option<String>, spec: &DriveSpec, design: &DriveDesign) -> Self {
         let DriveDesign { speeds, torques, powers, forces, shafts, .. } = design;
         let parts = &design.equivalent_inertia;
-        Self {
+        let mut drive = Self {
             title,
             tooth_numbers: ToothNumbers::of(&design.teeth),
             efficiencies: Efficiencies {
@@ -449,8 +453,11 @@ impl Drive {
                 without_losses: Motion::of(&design.without_losses),
                 with_losses: Motion::of(&design.with_losses),
             },
+            judgement: Judgement::default(),
             warnings: warning::all(design),
-        }
+        };
+        judged::judge(&mut drive, spec);
+        drive
     }
 }
 

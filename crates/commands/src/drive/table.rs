@@ -1,6 +1,7 @@
 //! A drive, as tables.
 
 use crate::drive::answer::{Bearing, CarrierShape, Drive, Gear, GearMass, Motion, Outcome, Shaft};
+use crate::shared::judgement::table as judgement;
 use crate::table::figure::Figure;
 use crate::table::quantities::{optional, quantity, remarked};
 use crate::table::report::AsReport;
@@ -61,6 +62,7 @@ impl AsReport for Drive {
             section("start", "Start", &[], starting_torques(self)),
             section("start", "Motion from rest", MOTIONS, motions(self)),
         ]);
+        parts.extend(judgement::parts(&self.judgement));
         Report { title: self.title.clone(), parts, warnings: warned(&self.warnings) }
     }
 }

@@ -174,6 +174,8 @@ pub struct LossMap {
     pub torques_n_m: Vec<f64>,
     /// Places of the map: all torques at the first speed, then at the next.
     pub map: Vec<MapPlace>,
+    /// Judgement of the gearbox by rules of practice.
+    pub judgement: Judgement,
     /// Warnings about the gearbox.
     pub warnings: Vec<Warning>,
 }
@@ -301,13 +303,15 @@ pub(crate) fn map(
             });
         }
     }
+    let mut warnings = warned(subject);
     Ok(LossMap {
+        judgement: Judgement::added_to(&mut warnings, subject),
         gearbox: subject.train.name().to_owned(),
         gear: gear.to_owned(),
         speeds_rad_s: speeds.values().map(Physical::si).collect(),
         torques_n_m: torques.values().map(Physical::si).collect(),
         map,
-        warnings: warned(subject),
+        warnings,
     })
 }
 

@@ -151,7 +151,7 @@ impl AsReport for LossMap {
             .records();
         Report {
             title: Some(format!("{}, gear {}", self.gearbox, self.gear)),
-            parts: vec![Part::Records(records)],
+            parts: [Part::Records(records)].into_iter().chain(judgement::parts(&self.judgement)).collect(),
             warnings: warned(&self.warnings),
         }
     }

@@ -6,6 +6,7 @@ use crate::answer::{Answer, Warning};
 use crate::error::Error;
 pub use crate::refusal::{SizeName, SizeProblem};
 use crate::shared::catalogue::{KRange, SetLinks, SetSpeeds};
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::number::plain;
 use crate::shared::records::Motion;
 use epicyclic_gears::efficiency::MeshEfficiency;
@@ -153,6 +154,8 @@ pub struct Scheme {
     pub parameters: Option<Parameters>,
     /// Results for the gears; empty if no ring-to-sun ratios are given.
     pub gears: Vec<Gear>,
+    /// Judgement of the gearbox by rules of practice; empty without ring-to-sun ratios.
+    pub judgement: Judgement,
     /// Warnings about the given values.
     pub warnings: Vec<Warning>,
 }
@@ -251,6 +254,7 @@ pub(super) fn one(
         formulas: gear_formulas(scheme, range),
         parameters: None,
         gears: vec![],
+        judgement: Judgement::default(),
         warnings: vec![],
     };
     if let Some(sized) = sized(scheme, sizes, eta0)? {
@@ -261,7 +265,9 @@ pub(super) fn one(
             set_efficiency: eta0.get(),
         });
         found.gears = gears(&sized.gearbox)?;
+        found.judgement = Judgement::of_found(&sized.gearbox, &[], &[]);
         found.warnings = warnings(&sized.k, &found.gears);
+        found.judgement.add_to(&mut found.warnings);
     }
     Ok(found)
 }

@@ -2,6 +2,7 @@
 
 use crate::schemes::answer::{Connection, Gear, Parameters, Scheme, SchemeFormulas, Schemes};
 use crate::shared::catalogue::{KRange, SetLinks, SetSpeeds};
+use crate::shared::judgement::table as judgement;
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, text};
 use crate::table::report::AsReport;
@@ -61,6 +62,7 @@ impl AsReport for Scheme {
             parts.push(Part::Facts(parameters(numbers)));
             parts.push(Part::Records(gears(&self.gears)));
             parts.push(Part::Records(speeds(&self.sets, &self.gears)));
+            parts.extend(judgement::parts(&self.judgement));
             warnings = warned(&self.warnings);
         }
         Report { title: Some(format!("Scheme {}", self.scheme)), parts, warnings }

@@ -49,7 +49,7 @@ mod threads;
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::fault::{Fault, Named};
-use crate::shared::gearbox::{self, Choice};
+use crate::shared::gearbox::{self, Choice, Gearbox};
 use crate::shared::judgement::answer::Judgement;
 use crate::tolerance::RESIDUAL;
 pub use drags::{DragKind, DragResult, DragSamples};
@@ -303,15 +303,7 @@ pub fn answer_watched(
     beside: &Beside,
     mut goes_on: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Simulation, Error> {
-    let efficiency = file.efficiency.map(|eta| MeshEfficiency::new(eta.0.si())).transpose();
-    let efficiency = efficiency.map_err(|why| refused(document, &root("efficiency"), &why))?;
-    let subject = match &beside.gearbox {
-        Some(other) => {
-            let choice = Choice { transmission: file.transmission.clone(), efficiency };
-            gearbox::one(other, &choice).map_err(|why| of_choice(document, file, why))?
-        }
-        None => *gearbox::gearbox(document, root("gearbox"), efficiency)?,
-    };
+    let subject = subject(document, file, beside)?;
     let scenario = parts::Scenario { document, file, subject: &subject, texts: &beside.texts };
     let built = scenario.built()?;
     // The run is sampled more finely than the answer, because peaks are searched among its samples.
@@ -324,6 +316,19 @@ pub fn answer_watched(
     Ok(told(&scenario, &built, &run, every.kept))
 }
 
+/// Gearbox of a scenario.
+fn subject(document: &Document, file: &ScenarioFile, beside: &Beside) -> Result<Gearbox, Error> {
+    let efficiency = file.efficiency.map(|eta| MeshEfficiency::new(eta.0.si())).transpose();
+    let efficiency = efficiency.map_err(|why| refused(document, &root("efficiency"), &why))?;
+    match &beside.gearbox {
+        Some(other) => {
+            let choice = Choice { transmission: file.transmission.clone(), efficiency };
+            gearbox::one(other, &choice).map_err(|why| of_choice(document, file, why))
+        }
+        None => Ok(*gearbox::gearbox(document, root("gearbox"), efficiency)?),
+    }
+}
+
 fn told(scenario: &parts::Scenario<'_>, built: &Built, run: &Run, kept: usize) -> Simulation {
     let (file, gearbox) = (scenario.file, &scenario.subject.train);
     let instants = elements::instants(run);
@@ -331,8 +336,7 @@ fn told(scenario: &parts::Scenario<'_>, built: &Built, run: &Run, kept: usize) -
     let elements = elements::results(built, run, &instants);
     let energies = Energies::of(run);
     let mut warnings = warnings(scenario, run, &shifts, &energies);
-    let judgement = Judgement::of(scenario.subject, None, None, None);
-    judgement.add_to(&mut warnings);
+    let judgement = Judgement::added_to(&mut warnings, scenario.subject);
     Simulation {
         judgement,
         scenario: file.scenario.clone(),

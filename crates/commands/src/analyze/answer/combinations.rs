@@ -5,6 +5,7 @@ use super::{engaged, moving, warnings};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::gearbox::Gearbox;
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::records::Fraction;
 use epicyclic_train::{self as train, Analysis};
 use schemars::JsonSchema;
@@ -20,6 +21,8 @@ pub struct Combinations {
     pub with_ratio: usize,
     /// List of the combinations, those of fewer elements first.
     pub combinations: Vec<Combination>,
+    /// Judgement of the gearbox by rules of practice.
+    pub judgement: Judgement,
     /// Warnings about the gearbox.
     pub warnings: Vec<Warning>,
 }
@@ -63,6 +66,7 @@ pub fn answer(subject: &Gearbox) -> Result<Combinations, Error> {
         gearbox: gearbox.name().to_owned(),
         with_ratio: all.iter().filter(|analysis| analysis.state().has_ratio()).count(),
         combinations: all.iter().map(|analysis| Combination::of(gearbox, analysis)).collect(),
+        judgement: Judgement::default(),
         warnings: warnings::of_gearbox(subject),
     })
 }

@@ -7,6 +7,7 @@ use super::step_torques::StepTorques;
 use crate::answer::Answer;
 use crate::error::Error;
 use crate::shared::gearbox::Gearbox;
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::records::Fraction;
 use epicyclic_gears::teeth::ToothCount;
 use epicyclic_train::formula::polynomial::Polynomial;
@@ -28,6 +29,8 @@ pub struct Formulas {
     pub symbols: Vec<Symbol>,
     /// Gears with their formulas.
     pub gears: Vec<Gear>,
+    /// Judgement of the gearbox by rules of practice; empty without numbers.
+    pub judgement: Judgement,
 }
 
 /// Symbol for the absolute value of the basic ratio i₀ = (ω₁ − ω_H)/(ω₂ − ω_H) of two central gears 1 and 2
@@ -272,7 +275,7 @@ pub fn answer(subject: &Gearbox, gear: Option<&str>, with_steps: bool) -> Result
     }
     all.sort_by_key(Meaning::equation);
     let symbols = all.iter().map(|meaning| Symbol::of(gearbox, meaning)).collect();
-    Ok(Formulas { gearbox: gearbox.name().to_owned(), symbols, gears })
+    Ok(Formulas { gearbox: gearbox.name().to_owned(), symbols, gears, judgement: Judgement::default() })
 }
 
 impl Formulas {

@@ -9,6 +9,7 @@ use super::{Input, OperatingPoint, Worked, pins, warnings};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::gearbox::Gearbox;
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::records::Fraction;
 use crate::tolerance::ROUNDED;
 use epicyclic_train::error::Terminal;
@@ -53,6 +54,8 @@ pub struct OneGear {
     pub powers: Option<Powers>,
     /// Self-consistent sign patterns of the losses, the chosen one first.
     pub patterns: Vec<Pattern>,
+    /// Judgement of the gearbox by rules of practice; empty in a report.
+    pub judgement: Judgement,
     /// Warnings about the gear.
     pub warnings: Vec<Warning>,
 }
@@ -350,6 +353,7 @@ pub fn answer(subject: &Gearbox, gear: &str, input: Input) -> Result<OneGear, Er
         meshes: scene.meshes(),
         powers: scene.powers(),
         patterns: scene.patterns(),
+        judgement: Judgement::default(),
         warnings: scene.warnings(subject, &facts),
         gear: facts,
     })

@@ -10,6 +10,7 @@ use crate::error::Error;
 pub use crate::refusal::Given;
 use crate::shared::fault::Fault as _;
 use crate::shared::gearbox::Gearbox;
+use crate::shared::judgement::answer::Judgement;
 use crate::tolerance::ROUNDED;
 use epicyclic_formats::gearbox::gear_place;
 use epicyclic_train::inputs::{MultiLoad, MultiState, Terminal as End};
@@ -53,6 +54,8 @@ pub struct Inputs {
     pub meshes: Vec<Mesh>,
     /// Powers of the whole gearbox; null without torques.
     pub powers: Option<Powers>,
+    /// Judgement of the gearbox by rules of practice.
+    pub judgement: Judgement,
     /// Warnings about the gear.
     pub warnings: Vec<Warning>,
 }
@@ -320,6 +323,7 @@ impl<'a> Task<'a> {
             members: load.map_or_else(Vec::new, |load| self.members(load)),
             meshes: load.map_or_else(Vec::new, |load| self.meshes(load)),
             powers: load.map(powers),
+            judgement: Judgement::default(),
             warnings: all,
         }
     }

@@ -12,6 +12,7 @@ use super::warnings;
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::gearbox::Gearbox;
+use crate::shared::judgement::answer::Judgement;
 use epicyclic_train::{self as train, Analysis};
 use epicyclic_units::Physical;
 use schemars::JsonSchema;
@@ -32,6 +33,8 @@ pub struct Shifts {
     /// Shifts between gears of different ratios with the same input, output and direction of the output. The
     /// list includes shifts that skip gears.
     pub shifts: Vec<Shift>,
+    /// Judgement of the gearbox by rules of practice; empty in a report.
+    pub judgement: Judgement,
     /// Warnings about the gearbox.
     pub warnings: Vec<Warning>,
 }
@@ -118,6 +121,7 @@ pub fn answer(subject: &Gearbox, speed: Option<AngularVelocity>) -> Result<Shift
         gearbox: gearbox.name().to_owned(),
         input_speed_rad_s: speed.map(Physical::si),
         shifts: between(gearbox, &gears, &ordered(&gears), speed, usize::MAX),
+        judgement: Judgement::default(),
         warnings: warnings::of_gearbox(subject),
     })
 }

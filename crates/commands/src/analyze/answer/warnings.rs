@@ -4,6 +4,7 @@ use super::Worked;
 use super::records::{GearFacts, SelfLocking, State, beside};
 use crate::answer::Warning;
 use crate::shared::gearbox::Gearbox;
+use crate::shared::judgement::answer::TEETH;
 use epicyclic_train::one_way::Duty;
 use epicyclic_train::{self as train, Analysis, PlanetSet};
 use epicyclic_units::format::quantity;
@@ -121,7 +122,7 @@ pub(crate) fn of_gearbox(subject: &Gearbox) -> Vec<Warning> {
     let of_gearbox = gearbox.warnings().iter();
     let of_gearbox = of_gearbox.map(|warning| Warning { name: name(warning), message: warning.to_string() });
     let teeth: Vec<String> = subject.tooth_checks().warnings().collect();
-    let teeth = teeth.into_iter().map(|message| Warning { name: "teeth", message });
+    let teeth = teeth.into_iter().map(|message| Warning { name: TEETH, message });
     let ideal = subject.without_friction.iter().map(|(set, why)| {
         let message = format!(
             "the friction of the gearbox is not applied to set {set}, which runs without losses: {why}; efficiencies can be stated \

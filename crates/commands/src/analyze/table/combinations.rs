@@ -2,6 +2,7 @@
 
 use super::shared::{exact, state};
 use crate::analyze::answer::combinations::Combinations;
+use crate::shared::judgement::table as judgement;
 use crate::table::columns::Table;
 use crate::table::report::AsReport;
 use crate::table::report::{Part, Report, warned};
@@ -24,7 +25,7 @@ impl AsReport for Combinations {
             .records();
         Report {
             title: Some(self.gearbox.clone()),
-            parts: vec![Part::Records(records)],
+            parts: [Part::Records(records)].into_iter().chain(judgement::parts(&self.judgement)).collect(),
             warnings: warned(&self.warnings),
         }
     }

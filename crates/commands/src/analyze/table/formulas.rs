@@ -8,6 +8,7 @@ use crate::analyze::answer::records::ShiftElementKind;
 use crate::analyze::answer::step_losses::{MeshSteps, StepLosses};
 use crate::analyze::answer::step_torques::{MemberTorque, StepTorques, TorqueFrom};
 use crate::analyze::answer::warnings::state_in_words;
+use crate::shared::judgement::table as judgement;
 use crate::shared::records::Fraction;
 use crate::table::columns::Table;
 use crate::table::report::AsReport;
@@ -53,6 +54,7 @@ impl AsReport for Formulas {
                 parts.push(Part::Records(member_torques(gear, steps)));
             }
         }
+        parts.extend(judgement::parts(&self.judgement));
         Report { title: Some(self.gearbox.clone()), parts, warnings: None }
     }
 }

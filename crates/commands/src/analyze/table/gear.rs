@@ -7,6 +7,7 @@ use crate::analyze::answer::gear::{
     Link, Mesh, OneGear, Pattern, Powers, PowersOfEntering, RollingPower, Set, Torques, TorquesAtLoad,
     TorquesOfInput,
 };
+use crate::shared::judgement::table as judgement;
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, multiple, text};
 use crate::table::quantities::quantity;
@@ -42,6 +43,7 @@ impl AsReport for OneGear {
         if self.patterns.len() > 1 {
             parts.push(Part::Records(patterns(&self.patterns)));
         }
+        parts.extend(judgement::parts(&self.judgement));
         Report {
             title: Some(format!("{}, gear {}", self.gearbox, self.gear.gear)),
             parts,

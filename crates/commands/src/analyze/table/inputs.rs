@@ -3,6 +3,7 @@
 use super::shared::{engaged, joins, kind};
 use crate::analyze::answer::inputs::map::{Map, MapEntry, SpeedMap};
 use crate::analyze::answer::inputs::{Inputs, Member, Mesh, Planet, Powers};
+use crate::shared::judgement::table as judgement;
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, count, multiple, text};
 use crate::table::quantities::quantity;
@@ -31,6 +32,7 @@ impl AsReport for Inputs {
                 "--torques engine=100N·m, or torques of the gear in the file, adds torques and powers.",
             ))),
         }
+        parts.extend(judgement::parts(&self.judgement));
         Report {
             title: Some(format!("{}, gear {}", self.gearbox, self.gear.gear)),
             parts,
@@ -169,7 +171,7 @@ impl AsReport for Map {
             .records();
         Report {
             title: Some(format!("{}, gear {}", self.gearbox, self.gear)),
-            parts: vec![Part::Records(records)],
+            parts: [Part::Records(records)].into_iter().chain(judgement::parts(&self.judgement)).collect(),
             warnings: warned(&self.warnings),
         }
     }

@@ -1,6 +1,7 @@
 //! Shifts between gears.
 
 use crate::analyze::answer::shifts::{ElementInShift, Shift, Shifts, Transition};
+use crate::shared::judgement::table as judgement;
 use crate::table::columns::Table;
 use crate::table::figure::{Figure, multiple};
 use crate::table::quantities::column;
@@ -23,6 +24,7 @@ impl AsReport for Shifts {
             parts.push(Part::Records(changes(self)));
             parts.push(Part::Records(slips(self)));
         }
+        parts.extend(judgement::parts(&self.judgement));
         Report { title: Some(self.gearbox.clone()), parts, warnings: warned(&self.warnings) }
     }
 }

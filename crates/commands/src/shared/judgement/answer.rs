@@ -10,6 +10,9 @@ use serde::Serialize;
 /// Source of the limits of tooth checks.
 pub(crate) const GEOMETRY: &str = "geometry";
 
+/// Name of warnings about teeth that cannot be cut or collide.
+pub(crate) const TEETH: &str = "teeth";
+
 /// Rules that are named one by one at most; more are counted.
 const MOST_NAMED: usize = 2;
 
@@ -82,6 +85,13 @@ pub struct NotJudged {
     pub missing: Vec<String>,
 }
 
+impl Judged {
+    /// Whether one of these rules is judged.
+    pub(crate) fn is_of(&self, rules: &[Rule]) -> bool {
+        rules.iter().any(|rule| rule.name() == self.name)
+    }
+}
+
 impl Judgement {
     /// Misses by severity: errors, warnings, remarks.
     #[must_use]
@@ -94,21 +104,27 @@ impl Judgement {
     /// Misses as warnings, without remarks, tooth checks, and rules of which the caller warns in words of its
     /// own.
     pub(crate) fn warnings(&self, besides: &[Rule]) -> impl Iterator<Item = Warning> {
-        let is_due = |check: &&Judged| {
-            let is_own = check.source == GEOMETRY || besides.iter().any(|rule| rule.name() == check.name);
-            check.severity != Severity::Remark && !check.holds && !is_own
-        };
-        self.checks.iter().filter(is_due).filter_map(|check| {
+        self.warnings_but(|check| check.source == GEOMETRY || check.is_of(besides))
+    }
+
+    /// Misses as warnings, without remarks and those of which the caller warns in words of its own.
+    pub(crate) fn warnings_but(&self, is_own: impl Fn(&Judged) -> bool) -> impl Iterator<Item = Warning> {
+        let is_due = |check: &&Judged| check.severity != Severity::Remark && !check.holds;
+        self.checks.iter().filter(is_due).filter(move |check| !is_own(check)).filter_map(|check| {
             let message = format!("{}: {}: {}", check.of.join(", "), check.message.as_ref()?, check.remedy?);
-            Some(Warning { name: check.name, message })
+            let name = if check.source == GEOMETRY { TEETH } else { check.name };
+            Some(Warning { name, message })
         })
     }
 
-    /// Adds the misses to warnings of a gearbox, but for speeds of planets that it warns of in its own words.
+    /// Adds the misses to warnings of a gearbox, but for teeth and speeds of planets that it warns of in its
+    /// own words.
     pub(crate) fn add_to(&self, warnings: &mut Vec<Warning>) {
-        let is_told = warnings.iter().any(|warning| warning.name == "planet-speed");
-        let told: &[Rule] = if is_told { &OF_PINS } else { &[] };
-        warnings.extend(self.warnings(told));
+        let told = |name| warnings.iter().any(|warning| warning.name == name);
+        let (teeth, pins) = (told(TEETH), told("planet-speed"));
+        warnings.extend(
+            self.warnings_but(|check| teeth && check.source == GEOMETRY || pins && check.is_of(&OF_PINS)),
+        );
     }
 
     /// Warnings of a list of designs: the worst miss of each rule, with the number of others.

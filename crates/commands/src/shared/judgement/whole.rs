@@ -3,6 +3,7 @@
 use super::answer::Judgement;
 use super::judge::Judge;
 use super::{loads, teeth};
+use crate::answer::Warning;
 use crate::losses::answer::Heat;
 use crate::shared::gearbox::Gearbox as Subject;
 use crate::shared::tooth_checks::answer::ToothChecks;
@@ -39,9 +40,23 @@ impl Judgement {
         Self::collected(subject, set, strength, heat).judgement()
     }
 
+    /// Judges a gearbox, and adds the misses to the warnings of an answer about it.
+    #[must_use]
+    pub(crate) fn added_to(warnings: &mut Vec<Warning>, subject: &Subject) -> Self {
+        let judgement = Self::of(subject, None, None, None);
+        judgement.add_to(warnings);
+        judgement
+    }
+
     /// Judges a gearbox that a search found by what its file would say, and its ratios by those asked for.
     pub(crate) fn of_found(train: &Gearbox, sizes: &[WrittenSize], ratios: &[FoundRatio]) -> Self {
         let text = written_with_sizes(train, sizes, &[]).map_err(|error| error.to_string());
+        Self::of_written(train.name(), text, ratios)
+    }
+
+    /// Judges a gearbox by the text of its file, or with the reason why there is none, and its ratios by those
+    /// asked for.
+    pub(crate) fn of_written(name: &str, text: Result<String, String>, ratios: &[FoundRatio]) -> Self {
         let subject = text.and_then(|text| {
             Subject::parse("found.yaml", text.as_bytes()).map_err(|error| error.to_string())
         });
@@ -49,7 +64,7 @@ impl Judgement {
             Ok(subject) => Self::collected(&subject, None, None, None),
             Err(why) => {
                 let mut judge = Judge::default();
-                judge.lacks(train.name(), &[Rule::CirculatingPower, Rule::StageEfficiency], vec![why]);
+                judge.lacks(name, &[Rule::CirculatingPower, Rule::StageEfficiency], vec![why]);
                 judge
             }
         };

@@ -1,6 +1,7 @@
 //! Tooth checks of a gearbox: the results, and the keys missing for checks that could not be made.
 
 use crate::answer::Warning;
+use crate::shared::judgement::answer::TEETH;
 use epicyclic_gears::involute::check::Severity;
 use epicyclic_gears::involute::left_out::LeftOut;
 use epicyclic_train::tooth_checks::{SetCheck, SetChecks, Subject as CheckSubject};
@@ -117,7 +118,7 @@ impl ToothChecks {
         let missed = self.checks.iter().filter(|check| check.severity != Severity::Remark);
         missed.filter_map(|check| {
             let message = format!("set `{}`: {}", check.set, check.message.as_ref()?);
-            Some(Warning { name: "teeth", message })
+            Some(Warning { name: TEETH, message })
         })
     }
 }

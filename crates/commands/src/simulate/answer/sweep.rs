@@ -1,8 +1,9 @@
 //! Sweep of a scenario over values of one key.
 
-use super::{Beside, ElementResult, LinkAtEnd, ShiftResult, Simulation, answer_watched, threads};
+use super::{Beside, ElementResult, LinkAtEnd, ShiftResult, Simulation, answer_watched, subject, threads};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
+use crate::shared::judgement::answer::Judgement;
 use epicyclic_formats::Document;
 use epicyclic_formats::scenario::{changed, path_of, read_changed};
 use epicyclic_units::visible::one_line;
@@ -64,6 +65,8 @@ pub struct Sweep {
     pub unit: Option<String>,
     /// Runs in order of their values, without those that were not computed after an interruption.
     pub runs: Vec<SweptRun>,
+    /// Judgement of the gearbox by rules of practice.
+    pub judgement: Judgement,
     /// Warnings about the sweep.
     pub warnings: Vec<Warning>,
 }
@@ -160,7 +163,10 @@ pub(crate) fn sweep(
         let message = format!("{refused} of {} runs are refused", files.len());
         warnings.push(Warning { name: "refused", message });
     }
-    Ok(Sweep { scenario, key: key.clone(), unit: unit.map(str::to_owned), runs, warnings })
+    // The gearbox is that of all runs; where it is refused, each of them says so.
+    let gearbox = files.first().and_then(|(_, file)| subject(document, file, beside).ok());
+    let judgement = gearbox.map(|gearbox| Judgement::added_to(&mut warnings, &gearbox)).unwrap_or_default();
+    Ok(Sweep { scenario, key: key.clone(), unit: unit.map(str::to_owned), runs, judgement, warnings })
 }
 
 impl SweptRun {

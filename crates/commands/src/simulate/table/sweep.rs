@@ -1,6 +1,7 @@
 //! Several runs of a scenario as tables.
 
 use super::per_cent;
+use crate::shared::judgement::table as judgement;
 use crate::simulate::answer::sweep::Sweep;
 use crate::simulate::answer::{ElementKind, ElementResult};
 use crate::table::columns::Table;
@@ -13,7 +14,10 @@ impl AsReport for Sweep {
     fn report(&self) -> Report {
         Report {
             title: Some(format!("{}: {}", self.scenario, self.key)),
-            parts: vec![Part::Records(records(self))],
+            parts: [Part::Records(records(self))]
+                .into_iter()
+                .chain(judgement::parts(&self.judgement))
+                .collect(),
             warnings: warned(&self.warnings),
         }
     }

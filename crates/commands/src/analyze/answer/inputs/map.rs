@@ -7,6 +7,7 @@ use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::finite;
 use crate::shared::gearbox::Gearbox;
+use crate::shared::judgement::answer::Judgement;
 use crate::shared::places::Places;
 use epicyclic_train::inputs::MultiState;
 use epicyclic_train::{InputsFault, LinkId};
@@ -36,6 +37,8 @@ pub struct Map<Entries = Vec<MapEntry>> {
     pub torques: Vec<GivenTorque>,
     /// Entries for every link at every place of the map, row by row.
     pub map: Entries,
+    /// Judgement of the gearbox by rules of practice.
+    pub judgement: Judgement,
     /// Warnings about the gear.
     pub warnings: Vec<Warning>,
 }
@@ -157,14 +160,16 @@ impl SpeedMap<'_> {
             link: gearbox.link_name(*link).to_owned(),
             torque_n_m: torque.si(),
         };
+        let mut warnings = warnings::of_gearbox(subject);
         Map {
+            judgement: Judgement::added_to(&mut warnings, subject),
             gearbox: gearbox.name().to_owned(),
             gear: gear.name().to_owned(),
             first_link: self.ranges[0].0.clone(),
             second_link: self.ranges[1].0.clone(),
             torques: self.torques.iter().map(given).collect(),
             map,
-            warnings: warnings::of_gearbox(subject),
+            warnings,
         }
     }
 
