@@ -295,7 +295,7 @@ fn stages_that_are_not_found_name_the_limits_in_the_way() {
     let orders: &[(&[&str], &str)] = &[
         (&["--ratio=5", "--max-ring=100mm"], "largest_ring"),
         (&["--ratio=20", "--stages=1"], "stages"),
-        (&["--ratio=2.5"], "sun_teeth"),
+        (&["--ratio=2.5", "--sun=17..30"], "sun_teeth"),
         (&["--ratio=5.013", "--stages=1", "--tolerance=0"], "tolerance"),
     ];
     for (order, limit) in orders {
@@ -325,7 +325,7 @@ fn stages_that_are_not_found_name_the_limits_in_the_way() {
         assert!(!shown.contains("No warnings"), "{shown}");
     }
     let shown: Vec<&str> = STAGES.iter().copied().filter(|word| *word != "--format=json").collect();
-    let up = text(&output(here().path(), &[&shown[..], &["--ratio=1:5"]].concat()).stdout);
+    let up = text(&output(here().path(), &[&shown[..], &["--ratio=1/5"]].concat()).stdout);
     assert!(up.lines().next().is_some_and(|line| line.contains("steps up")), "{up}");
     let (code, answer, said) = stages(&["--ratio=1.5"]);
     assert!(code == 1 && answer["ways_out"].as_array().is_some(), "{said}");
