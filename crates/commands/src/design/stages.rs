@@ -48,6 +48,11 @@ impl Request {
             let option = if self.ratio.is_some() { "--ratio" } else { "--output-speed" };
             return Err(Failure::invalid(option, message));
         }
+        let is_wrong = |torque: f64| torque == 0.0 || torque < 0.0 && !rings_turn;
+        if self.output_torque.is_some_and(|torque| is_wrong(torque.0.si())) {
+            let message = "the torque on the output is above 0; its direction is that of --ratio";
+            return Err(Failure::invalid("--output-torque", message));
+        }
         let load = match (self.torque, self.output_torque, self.power) {
             (Some(torque), ..) => Some(Load::Torque(torque.0)),
             // The torque on an output that turns backward may be written with its sign or without.

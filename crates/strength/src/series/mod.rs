@@ -25,7 +25,7 @@
 //! # Objective
 //! First the number of stages with warnings by usual practice, then the mass, a quarter more for each warning:
 //! of the gears, or by [`Objective::Whole`](crate::sizing::Objective::Whole) of gears, carriers and housing.
-//! Both are sums over the stages.
+//! Both are sums over the stages. Between numbers of stages [`STAGE_PRICE`] counts too.
 //!
 //! # How the best train is found
 //! Each set is tried at every centre distance. Its flanks there give the volume of teeth that a torque needs, its
@@ -47,6 +47,10 @@ pub use search::{KnownSets, search};
 use std::f64::consts::{FRAC_PI_4, PI};
 use std::ops::RangeInclusive;
 use uom::si::f64::{AngularVelocity, Mass, Torque};
+
+/// Factor of a train's price for each of its stages, by this program: what a stage fewer may cost. One more has to be
+/// made, with its bearings, and makes the gearbox longer.
+pub const STAGE_PRICE: f64 = 1.15;
 
 /// Torsional stress of a slow shaft in N/m², under the torque of the duty and under the greatest one.
 const TORSION: [f64; 2] = [40e6, 80e6];

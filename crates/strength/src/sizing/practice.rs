@@ -1,7 +1,8 @@
 //! Usual practice in a search: the rules that gears, widths and bearings of a design miss.
 //!
 //! Designs without warnings come first. For the others mass, or ring, is multiplied by [`PRICE`] for each rule
-//! with a warning. Remarks do not count. Errors of gears and widths leave designs out, and so does every
+//! with a warning. Remarks do not count, nor does [`Rule::BearingLeastLoad`], which only chooses among
+//! bearings. Errors of gears and widths leave designs out, and so does every
 //! value outside a range that is stated in place of a usual one. The rules are those of
 //! [`practice`](epicyclic_gears::involute::practice) for gears, meshes, widths, gaps and speeds,
 //! [`Rule::LoadSharing`], the rims, and for bearings

@@ -395,18 +395,17 @@ impl Search<'_> {
             return Ok(Chosen::Planets(held));
         }
         let bore = |bearing: &Bearing| bearing.outside_diameter.si();
-        let fits = |bearing: &Bearing| {
-            kinds.iter().all(|kind| {
-                let width: f64 = task.gears_of(*kind).map(|gear| widths[task.gears[gear].family]).sum();
-                bearing.width.si() <= width && leaves_rim(task, own, *kind, bore(bearing))
-            })
-        };
+        let of_kind = |kind: &usize| task.gears_of(*kind).map(|gear| widths[task.gears[gear].family]).sum();
+        let width: f64 = kinds.iter().map(of_kind).fold(f64::INFINITY, f64::min);
+        let is_too_large =
+            |bearing: &&Bearing| !kinds.iter().all(|kind| leaves_rim(task, own, *kind, bore(bearing)));
         // The best that holds, and of the others the one that misses least.
         let (mut best, mut nearest): (Option<Held>, Option<(f64, Held)>) = (None, None);
         let (mut is_none, mut refused) = (true, Misses::default());
         let mut alike: Option<Alike> = None;
         let bearings = Rc::clone(&self.bearings[kinds[0]]);
-        'bearings: for bearing in bearings.iter().filter(|bearing| fits(bearing)) {
+        let bearings = &bearings[bearings.partition_point(is_too_large)..];
+        'bearings: for bearing in bearings.iter().filter(|bearing| bearing.width.si() <= width) {
             is_none = false;
             let (bore, rolling) = (bore(bearing), bearing.rolling);
             let carried = |life: &Time| libm::pow(life.hours() / task.life.hours(), 1.0 / rolling.exponent());

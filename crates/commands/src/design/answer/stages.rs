@@ -18,16 +18,14 @@ use crate::tolerance::ROUNDED;
 use epicyclic_formats::Document;
 use epicyclic_formats::yaml::{Value, to_string};
 use epicyclic_gears::ToothCount;
-use epicyclic_strength::series::{Found, InputStep, KnownSets, Order, Teeth, Train, Trains, search};
+use epicyclic_strength::series::{
+    Found, InputStep, KnownSets, Order, STAGE_PRICE, Teeth, Train, Trains, search,
+};
 use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
 use uom::si::f64::{AngularVelocity, Torque};
-
-/// Price of a train for each stage: what a stage fewer may cost, since gears, bearings and seals of one more have to
-/// be made, and it makes the gearbox longer.
-const STAGE: f64 = 1.15;
 
 /// Stages that are tried at most.
 pub(crate) const MOST_STAGES: u32 = 4;
@@ -331,7 +329,7 @@ pub(super) fn attempted_with(
     let mut trains: Vec<TrainsOf> = found.all.iter().map(|trains| TrainsOf::of(wanted, trains)).collect();
     let cost = |of: &TrainsOf| {
         let best = of.best.as_ref()?;
-        Some((best.unusual_stages, best.price_kg * STAGE.powi(of.stages as i32)))
+        Some((best.unusual_stages, best.price_kg * STAGE_PRICE.powi(of.stages as i32)))
     };
     let taken = (0..trains.len()).filter(|place| cost(&trains[*place]).is_some()).min_by(|one, other| {
         let [one, other] = [one, other].map(|place| cost(&trains[*place]).unwrap_or_default());

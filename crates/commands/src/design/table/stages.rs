@@ -64,7 +64,7 @@ fn in_the_way(stages: &Stages) -> Option<String> {
     let asked = stages.asked_ratio.abs();
     if stages.asked_ratio > 0.0 && asked.max(1.0 / asked) <= LEAST_RATIO {
         text.push_str(&format!(
-            " A stage with a held ring has a ratio above {LEAST_RATIO}; --ratios {} designs schemes with other members held.",
+            " A stage with a held ring has a ratio above {LEAST_RATIO}; --ratios {} designs a gearbox of two gears, this one and direct drive, with other members held.",
             trimmed(asked, 6)
         ));
     } else if ways.is_empty() {
@@ -274,7 +274,7 @@ fn trains(stages: &Stages) -> Records {
         .number("rules_missed", "rules missed", |(_, train, _)| train.map(|train| f64::from(train.rules_missed)))
         .view("The best trains of each number of stages", "stages taken teeth ratio mass rules_missed")
         .note(format!(
-            "The teeth are those of {}. Trains that keep to usual practice come first, then less mass, of which each rule missed counts a quarter: \
+            "The teeth are those of {}. Trains that keep to usual practice come first, then less mass, of which each rule missed counts a quarter and each stage 15 %: \
              of gears, carriers and housing by a rule, or what --minimise says. Slow shaft and flanges are not in this mass. \
              --stages decides otherwise.",
             ranges(stages)
