@@ -7,6 +7,7 @@
 //! | [`linear`] | dense linear equations, triangles of a matrix, independent rows |
 //! | [`quadrature`] | integrals by Gauss–Legendre rules |
 //! | [`roots`] | roots of functions of one variable, the end of a property, arguments of a value |
+//! | [`threads`] | work on many items, with the feature `parallel` on all threads |
 //! | [`values`] | products, largest sizes, the larger and the smaller of two numbers |
 
 pub mod extremes;
@@ -14,4 +15,5 @@ pub mod front;
 pub mod linear;
 pub mod quadrature;
 pub mod roots;
+pub mod threads;
 pub mod values;

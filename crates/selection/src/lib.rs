@@ -46,7 +46,6 @@ pub mod quantity;
 pub mod requirements;
 pub mod search;
 pub mod size;
-mod threads;
 mod tolerance;
 
 pub use candidate::{Candidate, Criterion, Engagement, Evidence, GearReport, Verdict};

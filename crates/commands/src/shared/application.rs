@@ -7,6 +7,7 @@ use crate::strength::answer::factors::KEYS;
 use crate::table::figure::hours;
 use crate::tolerance::SAME;
 use epicyclic_formats::yaml::{Mapping, Value};
+use epicyclic_judge::Rule;
 use epicyclic_strength::factor::Symbol;
 use epicyclic_strength::masses::{CAR_DISCS, INDUSTRIAL_DISCS};
 use epicyclic_units::{Physical, Quantity};
@@ -25,6 +26,12 @@ const FIRST: f64 = 0.02;
 
 /// Helix angle of automatic transmissions in degrees: practice, without a source.
 const AUTOMATIC_HELIX_DEG: f64 = 20.0;
+
+/// Face widths of servo drives over the diameter of the smaller gear: wider than of others.
+const SERVO_WIDTHS: &str = "0.4..1.4";
+
+/// `Y_M` of roots that are bent both ways alike.
+const BENT_BOTH_WAYS: f64 = 0.7;
 
 /// Face widths of servo drives in mm.
 const FINE_WIDTHS_MM: RangeInclusive<u32> = 5..=40;
@@ -205,14 +212,26 @@ impl Application {
         })
     }
 
+    /// Whether the torque reverses often, so that roots of all gears are bent both ways.
+    const fn reverses(self) -> bool {
+        matches!(self, Self::Travel | Self::Slewing | Self::Robot | Self::Automatic)
+    }
+
     /// The default basis with the values of the application.
     pub(crate) fn basis(self) -> Basis {
         let Usual { k_a, life_h, safeties: [flank, root] } = self.usual();
+        let mut factors = vec![("K_A".to_owned(), k_a)];
+        factors.extend(self.reverses().then(|| ("Y_M".to_owned(), BENT_BOTH_WAYS)));
         let required = [("flank", flank), ("root", root)];
         let required = required.map(|(key, value)| (Value::from(key), Value::from(value)));
-        Basis::default()
-            .with_factors(&[("K_A".to_owned(), k_a)])
+        let basis = Basis::default()
+            .with_factors(&factors)
             .with("life", format!("{life_h} h").into())
-            .with("required", Value::Mapping(required.into_iter().collect::<Mapping>()))
+            .with("required", Value::Mapping(required.into_iter().collect::<Mapping>()));
+        if self != Self::Robot {
+            return basis;
+        }
+        let widths = (Value::from(Rule::FaceWidth.name()), Value::from(SERVO_WIDTHS));
+        basis.with("limits", Value::Mapping([widths].into_iter().collect::<Mapping>()))
     }
 }

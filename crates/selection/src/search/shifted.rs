@@ -13,12 +13,12 @@
 
 use super::MOST_TOOTH_SETS;
 use crate::Error;
-use crate::threads::map;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::involute::left_out::LeftOut;
 use epicyclic_gears::involute::plain;
 use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
+use epicyclic_numerics::threads::map;
 use std::ops::ControlFlow;
 
 /// Number of suns that are closed between two reports of progress.

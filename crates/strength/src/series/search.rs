@@ -6,8 +6,8 @@ use crate::Error;
 use crate::bounded::{Cost, Geometries, TriedSet};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::teeth::gcd;
+use epicyclic_numerics::threads::map;
 use std::cmp::Reverse;
-use std::collections::hash_map::Entry;
 use std::collections::{BinaryHeap, HashMap};
 use std::ops::{Add, ControlFlow, RangeInclusive};
 
@@ -23,6 +23,9 @@ const MOST: u64 = 3000;
 
 /// Trains that are listed at most at a time.
 const MOST_LISTED: usize = 2_000_000;
+
+/// Sets that are tried between two questions whether to go on.
+const AT_A_TIME: usize = 64;
 
 /// Bounds up to which trains are listed, round by round; the last has no end.
 fn levels(first: Cost, stages: usize) -> impl Iterator<Item = Cost> {
@@ -58,17 +61,18 @@ pub fn search(
 ) -> Result<Found, Error> {
     order.of_stage.space.check()?;
     let stages = Stages::new(order);
-    let mut sets = vec![];
-    for teeth in order.teeth.sets(&order.ratio, order.stages.clone()) {
+    let all = order.teeth.sets(&order.ratio, order.stages.clone());
+    let is_new = |teeth: &&[ToothCount; 3]| !known.tried.contains_key(*teeth);
+    let new: Vec<[ToothCount; 3]> = all.iter().filter(is_new).copied().collect();
+    for some in new.chunks(AT_A_TIME) {
         if goes_on().is_break() {
             return Err(Error::Cancelled);
         }
-        let set = match known.tried.entry(teeth) {
-            Entry::Occupied(known) => known.into_mut(),
-            Entry::Vacant(place) => place.insert(stages.stage(teeth)?),
-        };
-        sets.extend(set.clone());
+        for (teeth, tried) in some.iter().zip(map(some, |teeth| stages.stage(*teeth))) {
+            known.tried.insert(*teeth, tried?);
+        }
     }
+    let mut sets: Vec<TriedSet> = all.iter().filter_map(|teeth| known.tried[teeth].clone()).collect();
     sets.sort_by(|one, other| one.ratio.total_cmp(&other.ratio));
     let table = Table::new(&stages, &sets, *order.stages.end());
     let (in_range, exact, geometries) = (HashMap::new(), HashMap::new(), &mut known.geometries);
@@ -172,9 +176,10 @@ impl Table {
             let is_part = before[0] * set.ratio <= allowed[1];
             is_part.then(|| stages.bound(set, before)).flatten()
         };
-        let bounds = |of: usize| sets.iter().map(|set| bound(set, ends(of))).collect();
+        let bounds = |of: &usize| sets.iter().map(|set| bound(set, ends(*of))).collect();
+        let all: Vec<usize> = (0..ranges).collect();
         let mut table = Self {
-            own: (0..ranges).map(bounds).collect(),
+            own: map(&all, bounds),
             rest: vec![],
             ratios: sets.iter().map(|set| set.ratio).collect(),
             allowed,

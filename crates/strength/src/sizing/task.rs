@@ -172,7 +172,7 @@ pub struct Task {
     pub least_planet_angle: Option<Angle>,
     /// Whether the profile shifts are stated, not chosen.
     pub has_stated_shifts: bool,
-    /// Whether the given `K_Hβ` is the least one, which grows with the face width ([`Task::face_load`]).
+    /// Whether the given `K_Hβ` is the least one, which grows with the face width, to `1 + 0.4·(b/d)²`.
     pub widens_face_load: bool,
     /// Limits of usual practice: designs that miss fewer of its rules come first, and those with an error are
     /// left out. `None` does not look at them.
