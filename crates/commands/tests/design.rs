@@ -265,9 +265,16 @@ fn a_front_has_the_best_train_of_each_ring() {
 fn bearings_that_decide_a_size_are_told() {
     let words =
         "--ratio=5|--torque=30 kN·m|--input=60rpm|--life=60000h|--sun=20..22|--planet=28..36|--planets=3";
-    let is_told = |words: &str| stages(words).warnings.iter().any(|one| one.name == "bearings-decide");
-    assert!(is_told(words));
-    assert!(!is_told(&format!("{words}|--bearing-type=rollers,rollers-in-bore,full-complement")));
+    let of = |kinds: &str| stages(&format!("{words}{kinds}"));
+    let is_told = |of: &Stages| of.warnings.iter().any(|one| one.name == "bearings-decide");
+    let whole = |of: &Stages| of.masses.unwrap().whole_kg;
+    let of_tables = of("|--bearing-type=balls,rollers");
+    assert!(is_told(&of_tables));
+    assert!(!is_told(&of("|--bearing-type=rollers,rollers-in-bore,full-complement")));
+    // Where no kinds are asked for, rollers in the bores are taken if they save a fifth of the mass.
+    let open = of("");
+    assert!(whole(&open) < 0.8 * whole(&of_tables), "{:?} {:?}", open.masses, of_tables.masses);
+    assert_eq!(open.masses, of("|--bearing-type=balls,rollers,rollers-in-bore").masses);
 }
 
 /// Analysis, sizes and the page of a gearbox warn of roots that a duty bends both ways, as its strength does.

@@ -2,7 +2,7 @@
 
 use super::request::{Request, refuse_of};
 use crate::design::answer::stages::{MOST_STAGES, Stages, WantedStages};
-use crate::design::answer::stages_ways_out::{self, LARGE_SUN, LOW_RATIO};
+use crate::design::answer::stages_ways_out::{self, LARGE_SUNS};
 use crate::error::Error;
 use crate::failure::Failure;
 use crate::select::answer::duty::{Duty, Load};
@@ -65,8 +65,11 @@ impl Request {
         let tolerance = self.tolerance()?;
         self.refuse_ring()?;
         let mut suns = Application::suns(self.sizes.application);
-        if quotient + f64::from(rings_turn) < LOW_RATIO {
-            suns = *suns.start()..=LARGE_SUN;
+        let product = quotient + f64::from(rings_turn);
+        let larger = LARGE_SUNS.iter().find(|(below, _)| product < *below);
+        // The suns of servo drives stay small.
+        if let Some((_, most)) = larger.filter(|_| self.sizes.application != Some(Application::Robot)) {
+            suns = *suns.start()..=*most;
         }
         let bounds = self.teeth([suns, 17..=80, 50..=160])?;
         let stages = self.stages.clone().unwrap_or(1..=MOST_STAGES);

@@ -61,8 +61,10 @@ impl Request {
         let mut strength = answers::answer(gearbox, &Self { factors: true, ..self.clone() })?;
         strength.judgement = Judgement::of(gearbox, None, Some(&strength), None);
         let teeth = ToothChecks::of(gearbox.tooth_checks(), |_| true);
-        // Safeties, lives and speeds of planets have warnings of their own.
-        let own = [&[Rule::FlankSafety, Rule::RootSafety, Rule::BearingLife], &OF_PINS[..]].concat();
+        // Safeties and lives have warnings of their own, and so have speeds of planets on bearings.
+        let is_told = strength.warnings.iter().any(|warning| warning.name == "planet-speed");
+        let of_pins = if is_told { &OF_PINS[..] } else { &[] };
+        let own = [&[Rule::FlankSafety, Rule::RootSafety, Rule::BearingLife], of_pins].concat();
         let judged = strength.judgement.warnings(&own);
         strength.warnings.extend(teeth.warnings().chain(judged));
         if !self.factors {

@@ -120,13 +120,20 @@ pub(super) fn with_duty(file: &mut Value, basis: &Basis, gears: &[(&str, f64)], 
 /// Bearings decide the size of a set where the reserve of torque of its teeth is so many times theirs.
 const SPARE: f64 = 1.5;
 
+/// Name of the remark that bearings decide a size.
+pub(super) const BEARINGS_DECIDE: &str = "bearings-decide";
+
 /// A remark where flanks and roots of sets have much to spare and their bearings, of those that may be chosen,
-/// have not; `None` where planets may have their own bore as a raceway.
+/// have not; `None` where planets may have a full complement of rollers or needles in their bore.
 fn bearings_decide(size: &Size, file: &GearboxFile, request: &SizeRequest) -> Option<Warning> {
     let is_bought = |kind: &BearingType| matches!(kind, BearingType::Balls | BearingType::Rollers);
-    if request.bearings.is_some() || !request.bearing_kinds().iter().all(is_bought) {
+    let has_more = |kind: &BearingType| is_bought(kind) || *kind == BearingType::RollersInBore;
+    let kinds = request.bearing_kinds();
+    if request.bearings.is_some() || !kinds.iter().all(has_more) {
         return None;
     }
+    let more =
+        if kinds.iter().all(is_bought) { "rollers-in-bore,full-complement" } else { "full-complement" };
     let required = file.required.as_ref()?;
     let is_decided = |design: &SizedDesign| {
         let teeth = design.over_duty.iter().map(|of| {
@@ -139,10 +146,10 @@ fn bearings_decide(size: &Size, file: &GearboxFile, request: &SizeRequest) -> Op
     let sets = size.sets.iter().filter(|set| set.found.first().is_some_and(is_decided));
     let sets: Vec<&str> = sets.map(|set| set.set.as_str()).collect();
     (!sets.is_empty()).then(|| Warning {
-        name: "bearings-decide",
+        name: BEARINGS_DECIDE,
         message: format!(
-            "the bearings decide the size of {}, whose teeth have much to spare: --bearing-type \
-             rollers,rollers-in-bore,full-complement, or larger bearings of --bearings, may make it smaller",
+            "the bearings decide the size of {}, whose teeth have much to spare: --bearing-type rollers,{more}, or larger \
+             bearings of --bearings, may make it smaller",
             sets.join(", ")
         ),
     })

@@ -2,7 +2,7 @@
 
 use super::assumed::{AssumedLoad, assumed};
 use super::attempt::CLASSES;
-use super::making::{Load, MAKING, mapping, warnings, with_load};
+use super::making::{BEARINGS_DECIDE, Load, MAKING, mapping, warnings, with_load};
 use super::masses::Masses;
 use super::records::SizesStep;
 use super::ways_out::WayOutOfStages;
@@ -26,6 +26,9 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
 use uom::si::f64::{AngularVelocity, Torque};
+
+/// Mass with rollers in the bores over that with bearings of the tables, up to which they are taken.
+const BEARINGS_PAY: f64 = 0.8;
 
 /// Stages that are tried at most.
 pub(crate) const MOST_STAGES: u32 = 4;
@@ -293,11 +296,17 @@ pub(super) fn attempted(
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<(Stages, Option<SizeRequest>), Error> {
     let stages = attempted_with(wanted, most, known, goes_on)?;
-    let Some(size) = wanted.size.larger().filter(|_| stages.file.is_none()) else {
-        return Ok((stages, None));
-    };
+    // Bearings of a table that are just large enough may make a gearbox several times heavier.
+    let is_decided = stages.warnings.iter().any(|warning| warning.name == BEARINGS_DECIDE);
+    let is_open = stages.file.is_none() || is_decided;
+    let Some(size) = wanted.size.larger().filter(|_| is_open) else { return Ok((stages, None)) };
     let with_larger = WantedStages { size: size.clone(), ..wanted.clone() };
-    Ok((attempted_with(&with_larger, most, of_larger, goes_on)?, Some(size)))
+    let other = attempted_with(&with_larger, most, of_larger, goes_on)?;
+    let whole = |of: &Stages| of.masses.map_or(f64::INFINITY, |masses| masses.whole_kg);
+    if stages.file.is_none() || whole(&other) < BEARINGS_PAY * whole(&stages) {
+        return Ok((other, Some(size)));
+    }
+    Ok((stages, None))
 }
 
 /// Designs stages in series with the sizes of the order and no larger ones.

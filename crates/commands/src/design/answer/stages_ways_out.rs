@@ -14,14 +14,15 @@ use epicyclic_units::Physical;
 use std::cell::RefCell;
 use std::ops::{ControlFlow, RangeInclusive};
 
-/// Tooth numbers of suns that are tried for a ratio above 1: near 2 the sun is nearly as large as the ring.
+/// Tooth numbers of suns that are tried for a ratio above 1.
 pub(crate) const fn suns(ratio: f64) -> [u32; 2] {
-    [12, if ratio < LOW_RATIO { LARGE_SUN } else { 60 }]
+    [12, if ratio < LARGE_SUNS[0].0 { LARGE_SUNS[0].1 } else { LARGE_SUNS[1].1 }]
 }
 
-/// Ratio below which suns are nearly as large as their rings, and the teeth of the largest that are tried.
-pub(crate) const LOW_RATIO: f64 = 3.2;
-pub(crate) const LARGE_SUN: u32 = 80;
+/// Ratios of trains below which suns have more teeth than usual, and their most. Below 3.2 they are nearly as large
+/// as their rings; small planets of low ratios have room for their bearings only with many teeth and small modules.
+/// Larger trains would take long.
+pub(crate) const LARGE_SUNS: [(f64, u32); 2] = [(3.2, 80), (40.0, 60)];
 
 /// Tooth numbers of planets and rings, and ring-to-sun ratios, that are tried.
 pub(crate) const PLANETS: [u32; 2] = [12, 120];
