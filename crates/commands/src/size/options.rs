@@ -78,7 +78,7 @@ pub struct Request {
     pub ring_rim: Option<Number>,
 
     /// Kinds of bearings to choose from. Default: balls, rollers; with --application what is usual. Designs take
-    /// rollers-in-bore as well where none of these holds.
+    /// rollers-in-bore as well where none of these holds, or where it saves a fifth of the mass.
     #[arg(long, value_enum, value_name = "KINDS", value_delimiter = ',', conflicts_with_all = ["bearings", "no_bearings"])]
     pub bearing_type: Option<Vec<BearingType>>,
 

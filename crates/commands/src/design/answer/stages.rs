@@ -288,7 +288,8 @@ impl TrainsOf {
 
 /// Designs stages in series without ways out and front; `most` trains of each number of stages are listed.
 /// `known` is of orders that differ in limits of ratio, stages and rings alone: with the bearings of the order, and
-/// with those that follow where none of them holds. The sizes come back if they are these.
+/// with larger ones, which are taken where none of them holds or where they save a fifth of the mass. These sizes come
+/// back if they are taken.
 pub(super) fn attempted(
     wanted: &WantedStages,
     most: usize,
@@ -303,7 +304,10 @@ pub(super) fn attempted(
     let with_larger = WantedStages { size: size.clone(), ..wanted.clone() };
     let other = attempted_with(&with_larger, most, of_larger, goes_on)?;
     let whole = |of: &Stages| of.masses.map_or(f64::INFINITY, |masses| masses.whole_kg);
-    if stages.file.is_none() || whole(&other) < BEARINGS_PAY * whole(&stages) {
+    let taken = |of: &Stages| of.trains.iter().find(|trains| trains.taken)?.best.clone();
+    let missed = |of: &Stages| taken(of).map_or(u32::MAX, |train| train.rules_missed);
+    let is_better = missed(&other) <= missed(&stages) && whole(&other) < BEARINGS_PAY * whole(&stages);
+    if stages.file.is_none() || is_better {
         return Ok((other, Some(size)));
     }
     Ok((stages, None))
