@@ -5,7 +5,7 @@ use crate::{documents, layouts};
 use epicyclic_commands::adjust::AdjustableNumber;
 use epicyclic_commands::analyze::answer as analyze;
 use epicyclic_commands::analyze::answer::Input;
-use epicyclic_commands::analyze::request::overview;
+use epicyclic_commands::analyze::request::{self, overview};
 use epicyclic_commands::shared::drawability::table as drawability;
 use epicyclic_commands::shared::gearbox::{Choice, Content, Gearbox, read};
 use epicyclic_commands::shared::transmissions::answer as transmissions;
@@ -147,7 +147,7 @@ fn of_one(subject: &Gearbox, question: &Question) -> Result<String, Failure> {
                 parts.push(("gear_tables", text(&answer.report().html())));
             }
         } else {
-            let answer = analyze::gear::answer(subject, gear, question.input()?).map_err(refused)?;
+            let answer = request::gear(subject, gear, question.input()?).map_err(refused)?;
             parts.push(("gear", json(&answer)?));
             if question.gear_tables {
                 parts.push(("gear_tables", text(&answer.report().html())));

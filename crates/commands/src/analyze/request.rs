@@ -189,6 +189,16 @@ impl Request {
     }
 }
 
+/// One gear with its judgement.
+///
+/// # Errors
+/// Those of [`answers::gear::answer`].
+pub fn gear(gearbox: &Gearbox, name: &str, input: Input) -> Result<OneGear, Error> {
+    let mut gear = answers::gear::answer(gearbox, name, input)?;
+    gear.judgement = Judgement::added_to(&mut gear.warnings, gearbox);
+    Ok(gear)
+}
+
 /// The overview of a gearbox, and what practice says of it.
 ///
 /// # Errors
