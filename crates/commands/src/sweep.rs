@@ -6,6 +6,7 @@
 pub mod points;
 
 use crate::error::Error;
+use epicyclic_numerics::threads::map;
 use epicyclic_train::sweep::{StateName, Sweep, Swept};
 use epicyclic_train::{Gear, Gearbox};
 use std::ops::ControlFlow;
@@ -143,15 +144,9 @@ fn gears(gearbox: &Gearbox, names: &[String]) -> Result<Vec<Gear>, Error> {
 
 type Piece<One> = Result<Option<Vec<One>>, Error>;
 
-#[cfg(feature = "parallel")]
 fn pieces<One: Send>(count: usize, piece: &(dyn Fn(usize) -> Piece<One> + Sync)) -> Vec<Piece<One>> {
-    use rayon::prelude::*;
-    (0..count).into_par_iter().map(piece).collect()
-}
-
-#[cfg(not(feature = "parallel"))]
-fn pieces<One: Send>(count: usize, piece: &(dyn Fn(usize) -> Piece<One> + Sync)) -> Vec<Piece<One>> {
-    (0..count).map(piece).collect()
+    let places: Vec<usize> = (0..count).collect();
+    map(&places, |place| piece(*place))
 }
 
 #[cfg(test)]

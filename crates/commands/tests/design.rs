@@ -135,8 +135,8 @@ fn turning_rings_are_held_rings_seen_from_them() {
     }
 }
 
-/// Without a stated `K_Hβ` wide gears have that of their width, which the file states, so that `strength` finds
-/// the same safeties.
+/// Without a stated `K_Hβ` wide gears have that of their width, which the file states, so that `strength`
+/// finds the same safeties.
 #[test]
 fn wide_gears_have_the_face_load_of_their_width() {
     let order = "--ratio=5|--power=30kW|--input=1500rpm|--planets=3|--modules=2.5mm|--face-widths=80mm|--bearing-type=full-complement";
@@ -163,8 +163,8 @@ fn wide_gears_have_the_face_load_of_their_width() {
     assert!(stated.warnings.iter().any(|warning| warning.name == "face-load"));
 }
 
-/// Orders beyond the largest bearings of the tables get rollers in the bores, those of little torque small gears
-/// whatever the least load of their bearings, and low ratios large suns.
+/// Orders beyond the largest bearings of the tables get rollers in the bores. Little torque has small
+/// gears, whatever the least load of their bearings. Low ratios have large suns.
 #[test]
 fn orders_of_every_size_have_an_answer() {
     let ring = |words: &str| {

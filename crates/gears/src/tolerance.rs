@@ -6,8 +6,8 @@
 //!   different units differ by a few units in the last place.
 //! - `ROUNDING`: a shortfall of a diameter, over the diameter; the rounding of a cube root.
 //! - `LEAST_EFFICIENCY`: an efficiency of a mesh, far below any gear.
-//! - `GAP`: a gap between planets short of its limit, in modules; rounding of lengths in a file, since the rules of practice
-//!   allow less than `TOUCH`.
+//! - `GAP`: a gap between planets short of its limit, in modules; rounding of lengths in a file, since the
+//!   rules of practice allow less than `TOUCH`.
 //! - `TOUCH`: a gap between two circles, in modules; rounding of a sine or cosine times a centre distance.
 //! - `PRESSED`: a backlash, in modules; shifts that leave none are sums of rounded involutes.
 //! - `AT_POSITION`: a stated angle beside an assembly position, in positions; degrees with two decimals, of

@@ -90,7 +90,6 @@ mod reason;
 pub mod satellites;
 pub mod search;
 pub mod second_harmonic;
-mod threads;
 mod tolerance;
 pub mod two_arc_fit;
 mod two_arcs;

@@ -14,14 +14,30 @@ pub fn map<T, R>(items: &[T], work: impl Fn(&T) -> R) -> Vec<R> {
     items.iter().map(work).collect()
 }
 
+/// The answer to each item, which the work may change.
+#[cfg(feature = "parallel")]
+pub fn map_mut<T: Send, R: Send>(items: &mut [T], work: impl Fn(&mut T) -> R + Sync + Send) -> Vec<R> {
+    use rayon::prelude::*;
+    items.par_iter_mut().map(work).collect()
+}
+
+/// The answer to each item, which the work may change.
+#[cfg(not(feature = "parallel"))]
+pub fn map_mut<T, R>(items: &mut [T], work: impl Fn(&mut T) -> R) -> Vec<R> {
+    items.iter_mut().map(work).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn answers_come_in_the_order_of_the_items_with_threads_and_without() {
-        let items: Vec<u64> = (0..5000).collect();
+        let mut items: Vec<u64> = (0..5000).collect();
         let squares: Vec<u64> = items.iter().map(|item| item * item).collect();
         assert_eq!(map(&items, |item| item * item), squares);
+        let before = map_mut(&mut items, |item| std::mem::replace(item, *item * *item));
+        assert_eq!(before, (0..5000).collect::<Vec<u64>>());
+        assert_eq!(items, squares);
     }
 }

@@ -345,7 +345,7 @@ fn every_answer_is_one_by_its_schema_and_every_key_is_written() {
 /// Answers without a judgement, and why.
 const WITHOUT_JUDGEMENT: [(&str, &[&str]); 5] = [
     ("a refusal", &["error"]),
-    ("gearboxes of a list, of which each is judged when it is named", &["transmissions"]),
+    ("gearboxes of a list; each is judged when it is named", &["transmissions"]),
     ("schemes with formulas alone", &["schemes"]),
     ("machines", &["machines", "machine-speeds", "machine-drum", "machine-rotor", "machine-chain-cutter"]),
     ("arcs, no motor", &["motor-construction"]),

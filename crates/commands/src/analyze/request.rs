@@ -164,7 +164,7 @@ impl Request {
             answers::inputs::answer(gearbox, gear, &self.several.wanted())
                 .map(|of| Analysis::Inputs(Box::new(of)))
         } else if let Some(gear) = gear {
-            answers::gear::answer(gearbox, gear, input).map(|gear| Analysis::Gear(Box::new(gear)))
+            self::gear(gearbox, gear, input).map(|gear| Analysis::Gear(Box::new(gear)))
         } else if self.all_combinations {
             answers::combinations::answer(gearbox).map(Analysis::Combinations)
         } else if self.shifts {
@@ -176,13 +176,14 @@ impl Request {
         let mut answer = answer.map_err(refuse)?;
         let mut of_formulas = vec![];
         let (judgement, warnings) = match &mut answer {
-            Analysis::Gear(of) => (&mut of.judgement, &mut of.warnings),
             Analysis::Inputs(of) => (&mut of.judgement, &mut of.warnings),
             Analysis::Combinations(of) => (&mut of.judgement, &mut of.warnings),
             Analysis::Shifts(of) => (&mut of.judgement, &mut of.warnings),
             Analysis::Formulas(of) if gearbox.is_sized => (&mut of.judgement, &mut of_formulas),
             // Judged where they are made; formulas without numbers show no gearbox.
-            Analysis::Overview(_) | Analysis::Map(_) | Analysis::Formulas(_) => return Ok(answer),
+            Analysis::Overview(_) | Analysis::Gear(_) | Analysis::Map(_) | Analysis::Formulas(_) => {
+                return Ok(answer);
+            }
         };
         *judgement = Judgement::added_to(warnings, gearbox);
         Ok(answer)

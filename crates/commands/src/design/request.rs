@@ -149,7 +149,8 @@ pub struct Request {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub tooth_design: Option<u64>,
 
-    /// Teeth of the suns. Default: 17..60; of stages in series whose ratio is 40 or more 17..30, below 3.2 17..80.
+    /// Teeth of the suns. Default: 17..60; of stages in series whose ratio is 40 or more 17..30, below 3.2
+    /// 17..80.
     #[arg(long, value_name = "RANGE")]
     pub sun: Option<Span<u32>>,
 

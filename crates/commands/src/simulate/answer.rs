@@ -44,7 +44,6 @@ mod shifts;
 pub mod sweep;
 #[cfg(test)]
 mod tests;
-mod threads;
 
 use crate::answer::{Answer, Warning};
 use crate::error::Error;

@@ -77,8 +77,8 @@ pub struct Request {
     #[arg(long, value_name = "MODULES", allow_hyphen_values = true)]
     pub ring_rim: Option<Number>,
 
-    /// Kinds of bearings to choose from. Default: balls, rollers; with --application what is usual. Designs take
-    /// rollers-in-bore as well where none of these holds, or where it saves a fifth of the mass.
+    /// Kinds of bearings to choose from. Default: balls, rollers; with --application what is usual. Designs
+    /// take rollers-in-bore as well where none of these holds, or where it saves a fifth of the mass.
     #[arg(long, value_enum, value_name = "KINDS", value_delimiter = ',', conflicts_with_all = ["bearings", "no_bearings"])]
     pub bearing_type: Option<Vec<BearingType>>,
 
@@ -166,8 +166,9 @@ impl Request {
         self.bearing_type.as_deref().unwrap_or(usual)
     }
 
-    /// The request with larger sizes where it states none: modules beyond the usual ones, and rollers in the bores
-    /// of planets, where the largest bearings of a table may be too small. `None` if there is nothing larger.
+    /// The request with larger sizes where it states none: modules beyond the usual ones, and rollers in
+    /// the bores of planets, where the largest bearings of a table may be too small. `None` if there is
+    /// nothing larger.
     pub(crate) fn larger(&self) -> Option<Self> {
         let kinds = self.bearing_kinds();
         let is_open = self.bearing_type.is_none() && self.bearings.is_none() && !self.no_bearings;

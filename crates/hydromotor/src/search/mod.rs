@@ -100,6 +100,7 @@ mod point;
 mod requirements;
 
 use crate::quantity::{Choice, Quantity};
+use epicyclic_numerics::threads::{map, map_mut};
 use epicyclic_units::Physical;
 use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -110,7 +111,6 @@ use crate::checks::{ToothHeights, finite_heights};
 use crate::closure::Family;
 use crate::numbers::{Bounds, MotorNumbers};
 use crate::ranges::positive;
-use crate::threads::{map, map_mut};
 use branch::Branch;
 use front::{Cover, Value, apart, front};
 use point::Yardstick;

@@ -45,8 +45,8 @@ const STEPS: f64 = 8.0;
 /// Face width over diameter of the smaller gear in a trial.
 const PROPORTION: f64 = 0.8;
 
-/// Radial force of the teeth against the centrifugal one over the tangential force, at most: half the difference of
-/// the tangents of the working pressure angles.
+/// Radial force of the teeth against the centrifugal one over the tangential force, at most: half the
+/// difference of the tangents of the working pressure angles.
 const AGAINST_PULL: f64 = 0.1;
 
 /// Cost of a set or of several; the fields count in their order.
@@ -118,8 +118,8 @@ pub(crate) struct TriedSet {
     bore: f64,
     /// Largest radius of the planets' centres, in modules.
     radius: f64,
-    /// Least centrifugal force of a planet over its face width and the square of the carrier's speed, for a module
-    /// of 1 m, kg.
+    /// Least centrifugal force of a planet over its face width and the square of the carrier's speed, for a
+    /// module of 1 m, kg.
     pull: f64,
     /// The set at each centre distance.
     tried: Vec<Tried>,
@@ -337,8 +337,8 @@ impl<'a> Sets<'a> {
         })
     }
 
-    /// Width of the narrowest bearing that may live long enough under a force of the teeth and the pull of the
-    /// planets: these are as wide as bearings and flanks need.
+    /// Width of the narrowest bearing that may live long enough under a force of the teeth and the pull of
+    /// the planets: these are as wide as bearings and flanks need.
     fn width_of_bearings(
         &self,
         set: &TriedSet,

@@ -48,8 +48,8 @@ use std::f64::consts::{FRAC_PI_4, PI};
 use std::ops::RangeInclusive;
 use uom::si::f64::{AngularVelocity, Mass, Torque};
 
-/// Factor of a train's price for each of its stages, by this program: what a stage fewer may cost. One more has to be
-/// made, with its bearings, and makes the gearbox longer.
+/// Factor of a train's price for each of its stages, by this program: what a stage fewer may cost. One more
+/// has to be made, with its bearings, and makes the gearbox longer.
 pub const STAGE_PRICE: f64 = 1.15;
 
 /// Torsional stress of a slow shaft in N/m², under the torque of the duty and under the greatest one.

@@ -109,8 +109,8 @@ impl Misses {
         Self { against_stated: 0, ..self }
     }
 
-    /// Number of rules that count against a design. Too little load on a bearing asks for a smaller bearing, never
-    /// for larger gears.
+    /// Number of rules that count against a design. Too little load on a bearing asks for a smaller
+    /// bearing, never for larger gears.
     pub(super) const fn count(self) -> u32 {
         (self.rules & !(1 << Rule::BearingLeastLoad as u32)).count_ones()
     }

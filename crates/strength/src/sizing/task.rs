@@ -186,8 +186,8 @@ pub(crate) fn widened(given: f64, width_ratio: f64) -> f64 {
 
 impl Task {
     /// `K_Hβ` of a family at a face width in m, where the given one is the least: that of the
-    /// [width](least_face_load) of the smallest external gear, rounded up to thousandths. `None` where the given
-    /// factor holds for every width.
+    /// [width](least_face_load) of the smallest external gear, rounded up to thousandths. `None` where the
+    /// given factor holds for every width.
     pub(super) fn face_load(&self, layout: &Layout, family: usize, width: f64) -> Option<f64> {
         let own = |mesh: &&SizedMesh| self.gears[mesh.gears[0]].family == family;
         let mesh = self.meshes.iter().find(own).filter(|_| self.widens_face_load)?;

@@ -9,7 +9,6 @@ use crate::Error;
 use crate::contact::over_full_overlap;
 use crate::spectrum::flank_safeties;
 use epicyclic_units::Physical;
-use std::f64::consts::FRAC_PI_4;
 use std::ops::ControlFlow;
 use uom::si::f64::Length;
 
@@ -82,25 +81,18 @@ impl Sizing {
             let limits = task.practice.as_ref();
             let misses =
                 limits.map_or_else(Misses::default, |limits| Misses::of_geometry(&task, own, limits));
-            let bore = (own.gears[1].root_diameter() - 2.0 * self.planet_rim).max(0.0);
-            let bored =
-                FRAC_PI_4 * (bore * own.modules[0].si()).powi(2) * self.gears[1].material.density.si();
+            let bore = own.modules[0] * (own.gears[1].root_diameter() - 2.0 * self.planet_rim).max(0.0);
             let section = |count: &u32| {
                 let layout = super::Layout { planets: *count, ..own.clone() };
-                Masses::new(&task, &layout).solid[0] - f64::from(*count) * bored
+                Masses::new(&task, &layout).all(*count, [bore.si()].into_iter(), &[1.0])
             };
             trials.push(Trial {
                 misses,
                 flanks: vec![],
                 sections: planets.iter().map(section).collect(),
-                planet: {
-                    let planet = &own.gears[1];
-                    let square = planet.tip_diameter().powi(2) + planet.root_diameter().powi(2);
-                    let solid = FRAC_PI_4 * square / 2.0 * own.modules[0].si().powi(2);
-                    (solid * self.gears[1].material.density.si() - bored).max(0.0)
-                },
+                planet: Masses::new(&task, own).planet(0, bore.si(), &[1.0]).max(0.0),
                 ring: own.ring_diameter(&task).unwrap_or_default(),
-                bore: own.modules[0] * bore,
+                bore,
                 radius: own.radii[0],
             });
         }

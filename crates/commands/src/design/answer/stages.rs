@@ -287,9 +287,9 @@ impl TrainsOf {
 }
 
 /// Designs stages in series without ways out and front; `most` trains of each number of stages are listed.
-/// `known` is of orders that differ in limits of ratio, stages and rings alone: with the bearings of the order, and
-/// with larger ones, which are taken where none of them holds or where they save a fifth of the mass. These sizes come
-/// back if they are taken.
+/// `known` is of orders that differ in limits of ratio, stages and rings alone: with the bearings of the
+/// order, and with larger ones, which are taken where none of them holds or where they save a fifth of the
+/// mass. These sizes come back if they are taken.
 pub(super) fn attempted(
     wanted: &WantedStages,
     most: usize,

@@ -19,9 +19,9 @@ pub(crate) const fn suns(ratio: f64) -> [u32; 2] {
     [12, if ratio < LARGE_SUNS[0].0 { LARGE_SUNS[0].1 } else { LARGE_SUNS[1].1 }]
 }
 
-/// Ratios of trains below which suns have more teeth than usual, and their most. Below 3.2 they are nearly as large
-/// as their rings; small planets of low ratios have room for their bearings only with many teeth and small modules.
-/// Larger trains would take long.
+/// Ratios of trains below which suns have more teeth than usual, and their most. Below 3.2 they are nearly
+/// as large as their rings; small planets of low ratios have room for their bearings only with many teeth
+/// and small modules. Larger trains would take long.
 pub(crate) const LARGE_SUNS: [(f64, u32); 2] = [(3.2, 80), (40.0, 60)];
 
 /// Tooth numbers of planets and rings, and ring-to-sun ratios, that are tried.

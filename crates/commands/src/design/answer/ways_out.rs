@@ -110,7 +110,7 @@ pub enum Limit {
     Stages,
     /// Restriction to gears without common divisors; removed.
     HuntingTeeth,
-    /// Rolling bearings of the planets; none are sought.
+    /// Rolling bearings of the planets: planets without bearings.
     Bearings,
 }
 

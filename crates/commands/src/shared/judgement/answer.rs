@@ -107,7 +107,7 @@ impl Judgement {
         self.warnings_but(|check| check.source == GEOMETRY || check.is_of(besides))
     }
 
-    /// Misses as warnings, without remarks and those of which the caller warns in words of its own.
+    /// Warnings of checks that do not hold, but for remarks and the checks of `is_own`.
     pub(crate) fn warnings_but(&self, is_own: impl Fn(&Judged) -> bool) -> impl Iterator<Item = Warning> {
         let is_due = |check: &&Judged| check.severity != Severity::Remark && !check.holds;
         self.checks.iter().filter(is_due).filter(move |check| !is_own(check)).filter_map(|check| {

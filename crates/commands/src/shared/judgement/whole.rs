@@ -54,8 +54,8 @@ impl Judgement {
         Self::of_written(train.name(), text, ratios)
     }
 
-    /// Judges a gearbox by the text of its file, or with the reason why there is none, and its ratios by those
-    /// asked for.
+    /// Judges a gearbox by the text of its file, and its ratios by those asked for. Without a text no rule
+    /// is judged, and the reason is told.
     pub(crate) fn of_written(name: &str, text: Result<String, String>, ratios: &[FoundRatio]) -> Self {
         let subject = text.and_then(|text| {
             Subject::parse("found.yaml", text.as_bytes()).map_err(|error| error.to_string())

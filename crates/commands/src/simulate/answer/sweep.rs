@@ -1,11 +1,12 @@
 //! Sweep of a scenario over values of one key.
 
-use super::{Beside, ElementResult, LinkAtEnd, ShiftResult, Simulation, answer_watched, subject, threads};
+use super::{Beside, ElementResult, LinkAtEnd, ShiftResult, Simulation, answer_watched, subject};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::judgement::answer::Judgement;
 use epicyclic_formats::Document;
 use epicyclic_formats::scenario::{changed, path_of, read_changed};
+use epicyclic_numerics::threads::map;
 use epicyclic_units::visible::one_line;
 use epicyclic_units::{self as quantity, Dimension, Measured};
 use schemars::JsonSchema;
@@ -138,7 +139,7 @@ pub(crate) fn sweep(
     })?;
     let scenario = files.first().map(|(_, file)| file.scenario.clone()).unwrap_or_default();
     let done = AtomicUsize::new(0);
-    let runs = threads::map(&files, |(value, file)| {
+    let runs = map(&files, |(value, file)| {
         let goes_on = || goes_on(done.load(Ordering::Relaxed) as f64 / files.len() as f64);
         let mut asked = goes_on();
         if asked.is_break() {

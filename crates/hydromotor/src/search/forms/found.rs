@@ -1,5 +1,6 @@
 //! Result of a search with free tooth forms.
 
+use epicyclic_numerics::threads::map;
 use uom::si::f64::Length;
 
 use super::super::dimensions::Dimensions;
@@ -16,7 +17,6 @@ use crate::motor::Motor;
 use crate::numbers::MotorNumbers;
 use crate::profile::{Profile, ToothForm};
 use crate::reason::{Reason, Refusals};
-use crate::threads::map;
 
 /// The answer of a search.
 #[derive(Debug, Clone, PartialEq)]
