@@ -14,7 +14,9 @@ use epicyclic_strength::material;
 use epicyclic_strength::mesh::{Gear, Method};
 use epicyclic_strength::root::{factors::Bending, section::Shaper};
 use epicyclic_strength::sizing::bearing::listed;
-use epicyclic_strength::sizing::{Objective, Pin, STANDARD_MODULES_MM, SetStep, Sizing, Space, size};
+use epicyclic_strength::sizing::{
+    Objective, Pin, STANDARD_MODULES_MM, SetStep, SetTeeth, Sizing, Space, size,
+};
 use std::hint::black_box;
 use std::ops::ControlFlow;
 use uom::si::angular_velocity::revolution_per_minute;
@@ -44,7 +46,7 @@ fn set(teeth: [u32; 3], steps: [[f64; 4]; 3]) -> Sizing {
     let methods = [given, given.with(Symbol::StaticNotchSensitivity, 1.0)];
     let mm = |value: f64| Length::new::<millimeter>(value);
     Sizing {
-        teeth: teeth.map(|count| ToothCount::new(count).expect("teeth")),
+        teeth: SetTeeth::Simple(teeth.map(|count| ToothCount::new(count).expect("teeth"))),
         profiles: Profiles::cut(Profile::default(), [Cutting::default(), Cutting::default(), shaped()]),
         aim: Aim::BalancedSliding,
         held_shifts: None,

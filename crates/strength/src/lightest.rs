@@ -14,8 +14,7 @@
 
 use crate::Error;
 use crate::bounded::{Cost, Geometries, Load, Sets, TriedSet, greatest};
-use crate::sizing::{SetOverload, SetStep, Sizing};
-use epicyclic_gears::ToothCount;
+use crate::sizing::{SetOverload, SetStep, SetTeeth, Sizing};
 use epicyclic_units::Physical;
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap};
@@ -30,8 +29,8 @@ const MOST_FOR_OTHERS: u64 = 40;
 /// Set of a gearbox with its loads.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadedSet {
-    /// Teeth of sun, planets and ring.
-    pub teeth: [ToothCount; 3],
+    /// Teeth of its gears.
+    pub teeth: SetTeeth,
     /// Steps of the duty, as many as of every other set of the gearbox's group.
     pub duty: Vec<SetStep>,
     /// The overloads.
@@ -162,7 +161,7 @@ enum Known {
 /// Set under the least of the loads that it has in the gearboxes of a group.
 #[derive(Debug, Clone)]
 struct Least {
-    teeth: [ToothCount; 3],
+    teeth: SetTeeth,
     duty: Vec<SetStep>,
     overloads: Vec<SetOverload>,
     load: Load,
@@ -172,12 +171,12 @@ struct Least {
 }
 
 /// Group, place and teeth of a set.
-type Key = (usize, usize, [ToothCount; 3]);
+type Key = (usize, usize, SetTeeth);
 
 struct Search<'a> {
     gearboxes: &'a [Gearbox],
     sets: Sets<'a>,
-    tried: HashMap<[ToothCount; 3], Option<TriedSet>>,
+    tried: HashMap<SetTeeth, Option<TriedSet>>,
     least: Vec<Least>,
     /// Places of the sets of each gearbox in `least`.
     of_gearbox: Vec<Vec<usize>>,
@@ -208,7 +207,7 @@ impl<'a> Search<'a> {
             }
             of_gearbox.push(own);
         }
-        let mut by_teeth = HashMap::<[ToothCount; 3], Vec<usize>>::new();
+        let mut by_teeth = HashMap::<SetTeeth, Vec<usize>>::new();
         for (place, one) in least.iter().enumerate().filter(|(_, one)| greatest(&one.duty) > 0.0) {
             by_teeth.entry(one.teeth).or_default().push(place);
         }

@@ -8,7 +8,7 @@ use common::{conveyor, helical, helix_angles, mm};
 use epicyclic_gears::ToothCount;
 use epicyclic_strength::lightest::{Costed, Gearbox, LoadedSet, lightest};
 use epicyclic_strength::sizing::bearing::listed_rollers;
-use epicyclic_strength::sizing::{Objective, SetOverload, SetStep, Sizing, Space, size};
+use epicyclic_strength::sizing::{Objective, SetOverload, SetStep, SetTeeth, Sizing, Space, size};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
 use uom::si::angular_velocity::revolution_per_minute;
@@ -60,7 +60,7 @@ fn gearbox((group, sets): &Drawn, torque: f64) -> Gearbox {
         };
         let overload = SetOverload { sun_torque: torque * 1.5, required_contact: 1.0, required_root: 1.2 };
         LoadedSet {
-            teeth: teeth.map(|teeth| ToothCount::new(teeth).unwrap()),
+            teeth: SetTeeth::Simple(teeth.map(|teeth| ToothCount::new(teeth).unwrap())),
             duty: vec![step(0.6, 1.0, [900.0, 200.0]), step(0.4, 0.3, [0.0, 700.0])],
             overloads: vec![overload],
         }

@@ -6,9 +6,11 @@ mod common;
 
 use common::{conveyor, helical, helix_angles, mm};
 use epicyclic_gears::ToothCount;
-use epicyclic_strength::series::{InputStep, KnownSets, Order, Teeth, search};
+use epicyclic_strength::factor::Given;
+use epicyclic_strength::mesh::Method;
+use epicyclic_strength::series::{FirstPair, InputStep, KnownSets, Order, Teeth, search};
 use epicyclic_strength::sizing::bearing::listed_rollers;
-use epicyclic_strength::sizing::{Objective, SetOverload, SetStep, Sizing, Space, size};
+use epicyclic_strength::sizing::{Objective, SetOverload, SetStep, SetTeeth, Sizing, Space, size};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
 use uom::si::f64::{Mass, Time, Torque};
@@ -16,12 +18,17 @@ use uom::si::mass::kilogram;
 use uom::si::{time::hour, torque::newton_meter};
 
 /// Cost of a stage by its size alone, for loads written once more.
-fn alone(order: &Order, teeth: [ToothCount; 3], [before, product]: [f64; 2]) -> Option<[f64; 2]> {
-    let k = teeth[2].as_f64() / teeth[0].as_f64();
+fn alone(order: &Order, teeth: SetTeeth, [before, product]: [f64; 2]) -> Option<[f64; 2]> {
     // Speeds over that of the input by Willis: the rings stand still, or turn as the output against it.
     let ring = if order.rings_turn { -1.0 / (product - 1.0) } else { 0.0 };
     let sun = ring + (1.0 - ring) / before;
-    let carrier = (sun + k * ring) / (1.0 + k);
+    let (carrier, of_stage) = match (teeth, &order.first_pair) {
+        (SetTeeth::Pair(_), Some(pair)) => (0.0, &pair.of_pair),
+        _ => {
+            let k = teeth.ratio() - 1.0;
+            ((sun + k * ring) / (1.0 + k), &order.of_stage)
+        }
+    };
     let step = |step: &InputStep| SetStep {
         share: step.share,
         sun_torque: step.torque * before,
@@ -29,7 +36,6 @@ fn alone(order: &Order, teeth: [ToothCount; 3], [before, product]: [f64; 2]) -> 
         carrier_speed: step.speed * carrier,
     };
     let overload = |one: &SetOverload| SetOverload { sun_torque: one.sun_torque * before, ..*one };
-    let of_stage = &order.of_stage;
     let sizing = Sizing {
         teeth,
         duty: order.duty.iter().map(step).collect(),
@@ -56,26 +62,38 @@ fn every_train(order: &Order, stages: usize) -> Vec<[f64; 2]> {
                 continue;
             }
             if rings.contains(&ring) && ring_to_sun_ratio.contains(&(f64::from(ring) / f64::from(sun))) {
-                sets.push([sun, planet, ring].map(|teeth| ToothCount::new(teeth).unwrap()));
+                sets.push(SetTeeth::Simple([sun, planet, ring].map(|teeth| ToothCount::new(teeth).unwrap())));
             }
         }
     }
-    let of = |teeth: &[ToothCount; 3]| 1.0 + teeth[2].as_f64() / teeth[0].as_f64();
+    let pairs = order.first_pair.as_ref().map(|pair| {
+        let teeth = pair.pinions.clone().flat_map(|one| pair.wheels.clone().map(move |other| [one, other]));
+        let all = teeth.map(|teeth| SetTeeth::Pair(teeth.map(|teeth| ToothCount::new(teeth).unwrap())));
+        let allowed = all.filter(|teeth| {
+            let divisors = 2..=teeth.gears()[0].get();
+            let is_common = |of: u32| teeth.gears().iter().all(|teeth| teeth.get() % of == 0);
+            pair.ratio.contains(&teeth.ratio())
+                && !(order.teeth.is_hunting && divisors.into_iter().any(is_common))
+        });
+        allowed.collect::<Vec<_>>()
+    });
     let mut trains = vec![(1.0, vec![])];
-    for _ in 0..stages {
-        let longer = |(ratio, train): (f64, Vec<[ToothCount; 3]>)| {
-            sets.iter().map(move |set| (ratio * of(set), [&train[..], &[*set]].concat())).collect::<Vec<_>>()
+    for place in 0..stages {
+        let of_place = pairs.as_ref().filter(|_| place == 0).unwrap_or(&sets);
+        let longer = |(ratio, train): (f64, Vec<SetTeeth>)| {
+            let with = move |set: &SetTeeth| (ratio * set.ratio(), [&train[..], &[*set]].concat());
+            of_place.iter().map(with).collect::<Vec<_>>()
         };
         trains = trains.into_iter().flat_map(longer).collect();
     }
     trains.retain(|(ratio, _)| order.ratio.contains(ratio));
-    let cost = |(product, train): &(f64, Vec<[ToothCount; 3]>)| {
+    let cost = |(product, train): &(f64, Vec<SetTeeth>)| {
         let mut before = 1.0;
         let mut sum = [0.0, 0.0];
         for teeth in train {
             let [warnings, mass] = alone(order, *teeth, [before, *product])?;
             sum = [sum[0] + warnings, sum[1] + mass];
-            before *= of(teeth);
+            before *= teeth.ratio();
         }
         Some(sum)
     };
@@ -132,6 +150,7 @@ fn small(
         stages: 1..=2,
         ratio: ratio * 0.97..=ratio * 1.03,
         rings_turn: false,
+        first_pair: None,
         teeth: Teeth {
             suns: suns..=suns + 4,
             planets: 27..=45,
@@ -169,13 +188,44 @@ proptest! {
     }
 }
 
+/// The order with a pair as the first stage, whose mesh shares no load.
+fn behind_a_pair(order: Order, pinions: u32) -> Order {
+    let given = Given::load_factors([1.5, 1.0, 1.1, 1.25, 1.0]);
+    let space = Space { planets: vec![1], bearings: vec![], ..order.of_stage.space.clone() };
+    let methods = [Method { given, ..Method::default() }; 2];
+    let of_pair = Sizing { methods, space, ..order.of_stage.clone() };
+    let first_pair = FirstPair { pinions: pinions..=pinions + 2, wheels: 30..=80, ratio: 1.5..=3.5, of_pair };
+    Order { first_pair: Some(first_pair), ..order }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 8, ..ProptestConfig::default() })]
+
+    #[test]
+    fn the_best_train_behind_a_pair_is_that_of_every_trial(
+        ratio in prop_oneof![1.5..3.5, 9.0..14.0],
+        torque in 5.0..150.0,
+        faster in prop_oneof![Just(1.0), 1.0..6.0],
+        suns in 18_u32..26,
+        pinions in 17_u32..24,
+        whole in any::<bool>(),
+        helix in helix_angles(),
+        sizes in sizes(),
+    ) {
+        let objective = if whole { Objective::Whole } else { Objective::Mass };
+        let mut order = small((ratio, torque, suns), sizes, objective);
+        order.duty.iter_mut().for_each(|step| step.speed *= faster);
+        let order = Order { of_stage: helical(order.of_stage.clone(), helix), ..order };
+        agrees(&behind_a_pair(order, pinions))?;
+    }
+}
+
 /// The order of a conveyor gets the split that engineers give it.
 #[test]
 fn a_conveyor_has_two_stages_of_usual_split() {
     let found = search(&conveyor(), 1, &mut KnownSets::default(), &|| ControlFlow::Continue(())).unwrap();
     let train = &found.all[0].found[0];
-    let ratios: Vec<f64> =
-        train.stages.iter().map(|[sun, _, ring]| 1.0 + ring.as_f64() / sun.as_f64()).collect();
+    let ratios: Vec<f64> = train.stages.iter().map(SetTeeth::ratio).collect();
     assert!((5.5..7.2).contains(&ratios[0]) && (4.4..5.6).contains(&ratios[1]), "{ratios:?}");
     assert!(train.rules_missed <= 1 && found.all[0].is_complete, "{train:?}");
 }

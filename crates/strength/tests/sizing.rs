@@ -17,8 +17,8 @@ use epicyclic_strength::rating::overload;
 use epicyclic_strength::root::{factors::Bending, section::Shaper};
 use epicyclic_strength::sizing::bearing::{Bearing, listed, listed_rollers};
 use epicyclic_strength::sizing::{
-    Design, DesignedPlanet, Found, HeldShifts, Objective, Pin, Requirement, SetOverload, SetStep, Sizing,
-    Space, size,
+    Design, DesignedPlanet, Found, HeldShifts, Objective, Pin, Requirement, SetOverload, SetStep, SetTeeth,
+    Sizing, Space, size,
 };
 use epicyclic_strength::spectrum::{Step, rate_duty};
 use proptest::prelude::*;
@@ -60,6 +60,11 @@ fn step(share: f64, sun_torque: f64, sun_rpm: f64, carrier_rpm: f64) -> SetStep 
     }
 }
 
+/// Teeth of sun, planets and ring.
+fn teeth_of(task: &Sizing) -> [ToothCount; 3] {
+    task.teeth.gears().try_into().unwrap()
+}
+
 /// A set of 24, 30 and 84 teeth with a small space.
 fn hoist() -> Sizing {
     let gear = |designation, bending, shaper| Gear {
@@ -73,7 +78,7 @@ fn hoist() -> Sizing {
     let given = Given::load_factors([1.25, 1.1, 1.05, 1.2, 1.0]);
     let ring = given.with(Symbol::StaticNotchSensitivity, 1.0);
     Sizing {
-        teeth: [24, 30, 84].map(|teeth| ToothCount::new(teeth).unwrap()),
+        teeth: SetTeeth::Simple([24, 30, 84].map(|teeth| ToothCount::new(teeth).unwrap())),
         profiles: Profiles::cut(Profile::default(), [Cutting::default(), Cutting::default(), shaped()]),
         aim: Aim::BalancedSliding,
         held_shifts: None,
@@ -134,7 +139,7 @@ fn every_design(task: &Sizing) -> (u64, Vec<Tried>) {
         0 => none.to_vec(),
         _ => task.space.bearings.iter().map(Some).collect(),
     };
-    let natural = natural_centre_distance(task.teeth, *task.profiles.shared()).unwrap();
+    let natural = natural_centre_distance(teeth_of(task), *task.profiles.shared()).unwrap();
     for &planets in &task.space.planets {
         for (module_place, &module) in task.space.modules.iter().enumerate() {
             let module = in_mm(module);
@@ -145,8 +150,9 @@ fn every_design(task: &Sizing) -> (u64, Vec<Tried>) {
                     continue;
                 }
                 count += task.space.face_widths.len() as u64;
-                let equal = PlanetSpacing::least_unequal(task.teeth[0], task.teeth[2], planets).is_equal();
-                let family = Family::new(task.teeth, planets, task.profiles, centre / module);
+                let equal =
+                    PlanetSpacing::least_unequal(teeth_of(task)[0], teeth_of(task)[2], planets).is_equal();
+                let family = Family::new(teeth_of(task), planets, task.profiles, centre / module);
                 let Ok(choice) = family.and_then(|family| family.choose(task.aim, &task.limits)) else {
                     continue;
                 };
@@ -196,7 +202,7 @@ fn rank(
         let natural = (other + sign * one).abs() / 2.0;
         libm::acos(natural / set.centre_distance() * libm::cos(20.0_f64.to_radians())).to_degrees()
     };
-    let [z_a, z_g, z_b] = task.teeth.map(ToothCount::as_f64);
+    let [z_a, z_g, z_b] = teeth_of(task).map(ToothCount::as_f64);
     let slides = [set.sun_mesh(), set.ring_mesh()]
         .iter()
         .any(|pair| pair.specific_sliding().into_iter().flatten().any(|sliding| sliding.abs() > 3.0));
@@ -237,7 +243,7 @@ fn rank(
     ];
     if let Some(bearing) = bearing {
         let kg = planet_kg(task, set, module, width, in_mm(bearing.outside_diameter));
-        let load = |step: &SetStep| bearing_load(set, step, planets, task.teeth, (centre_mm / 1e3, kg));
+        let load = |step: &SetStep| bearing_load(set, step, planets, teeth_of(task), (centre_mm / 1e3, kg));
         let loads = || task.duty.iter().map(load);
         let peaks = task.overloads.iter().map(|one| {
             load(&SetStep { sun_torque: one.sun_torque, carrier_speed: rpm(0.0), ..task.duty[0] })
@@ -324,7 +330,7 @@ fn tried(
     let own = Gear { rim: bearing.map(|_| mm(rim)), ..task.gears[1] };
     let ring_gear = Gear { rim: Some(mm(task.ring_rim * module)), ..task.gears[2] };
     let inner = Pair::at_centre_distance(*planet, *ring, set.centre_distance()).unwrap();
-    let [zs, zp, _] = task.teeth.map(ToothCount::as_f64);
+    let [zs, zp, _] = teeth_of(task).map(ToothCount::as_f64);
     let p = f64::from(planets);
     let mesh = |pair, gears| Mesh {
         pair,
@@ -387,8 +393,13 @@ fn tried(
             .duty
             .iter()
             .map(|step| {
-                let load =
-                    Force::new::<newton>(bearing_load(set, step, planets, task.teeth, (centre, planet_kg)));
+                let load = Force::new::<newton>(bearing_load(
+                    set,
+                    step,
+                    planets,
+                    teeth_of(task),
+                    (centre, planet_kg),
+                ));
                 let speed = step.sun_speed * (zs / zp);
                 let life = basic_rating_life(bearing.rolling, bearing.load_rating, load, speed).unwrap();
                 life.map_or(0.0, |life| step.share / life.get::<hour>())
@@ -532,8 +543,8 @@ fn an_overload_asks_for_more() {
 #[test]
 fn shifts_that_are_held_fix_the_centre_distance() {
     let mut task = hoist();
-    let natural = natural_centre_distance(task.teeth, *task.profiles.shared()).unwrap();
-    let family = Family::new(task.teeth, 3, task.profiles, natural + 0.1).unwrap();
+    let natural = natural_centre_distance(teeth_of(&task), *task.profiles.shared()).unwrap();
+    let family = Family::new(teeth_of(&task), 3, task.profiles, natural + 0.1).unwrap();
     let set = family.choose(task.aim, &task.limits).unwrap().set;
     task.held_shifts = Some(HeldShifts {
         profile: set.gears().map(InvoluteGear::shift),
@@ -622,7 +633,7 @@ proptest! {
     ) {
         let ring_teeth = (sun + 2 * planet).checked_add_signed(offset).unwrap();
         let mut task = hoist();
-        task.teeth = [sun, planet, ring_teeth].map(|teeth| ToothCount::new(teeth).unwrap());
+        task.teeth = SetTeeth::Simple([sun, planet, ring_teeth].map(|teeth| ToothCount::new(teeth).unwrap()));
         task.duty = vec![step(0.5, torque, 700.0, 150.0), step(0.5, torque * 0.6, 300.0, 50.0)];
         task.life = Time::new::<hour>(life);
         task.planet_rim = rim;

@@ -12,11 +12,14 @@
 
 mod assumed;
 mod attempt;
+pub(crate) mod axes;
 mod loaded;
 mod making;
 pub mod masses;
 pub mod records;
 pub mod stages;
+mod stages_file;
+pub mod stages_wanted;
 pub mod stages_ways_out;
 pub mod transmission;
 pub mod ways_out;

@@ -2,6 +2,7 @@
 
 use crate::answer::Warning;
 use crate::design::Factor;
+use crate::design::answer::axes::Axes;
 use crate::design::answer::stages::MOST_STAGES;
 use crate::design::answer::transmission::Transmission;
 use crate::design::answer::{Design, Wanted, answer};
@@ -112,9 +113,14 @@ pub struct Request {
     #[arg(long, value_name = "TORQUE", conflicts_with_all = ["speeds", "ratios"], allow_hyphen_values = true, help_heading = STAGES)]
     pub output_torque: Option<Quantity<Torque>>,
 
-    /// Numbers of stages, from 1 to 4. Default: 1..4.
+    /// Numbers of stages, from 1 to 4. Default: 1..4; with --application wind 1..3.
     #[arg(long, value_name = "RANGE", conflicts_with_all = ["speeds", "ratios"], value_parser = stages, help_heading = STAGES)]
     pub stages: Option<RangeInclusive<u32>>,
+
+    /// How the fast shaft stands to the slow one. Parallel: the smaller gear of the pair has 17 to 30 teeth, the
+    /// larger one up to 150 and 1.1 to 5 times as many. Default: coaxial; with --application wind either.
+    #[arg(long, value_name = "AXES", conflicts_with_all = ["speeds", "ratios"], value_enum, help_heading = STAGES)]
+    pub axes: Option<Axes>,
 
     /// Only gears that have no common divisor with their mates, as is usual of wind turbines.
     #[arg(long, conflicts_with_all = ["speeds", "ratios"], help_heading = STAGES)]

@@ -1,7 +1,9 @@
 //! Requests for one ratio: stages in series.
 
 use super::request::{Request, refuse_of};
-use crate::design::answer::stages::{MOST_STAGES, Stages, WantedStages};
+use crate::design::answer::axes::Axes;
+use crate::design::answer::stages::{MOST_STAGES, Stages};
+use crate::design::answer::stages_wanted::WantedStages;
 use crate::design::answer::stages_ways_out::{self, LARGE_SUNS};
 use crate::error::Error;
 use crate::failure::Failure;
@@ -38,7 +40,16 @@ impl Request {
                 "the output must turn; write a speed other than 0",
             ));
         }
-        let rings_turn = ratio < 0.0;
+        let turns_back = ratio < 0.0;
+        let axes = self.axes.unwrap_or(match turns_back {
+            true => Axes::Coaxial,
+            false => Axes::usual(self.sizes.application),
+        });
+        if turns_back && axes == Axes::Either {
+            let message = "where the housing turns, or behind a pair of gears, the output turns against the input; \
+                           write --axes coaxial or --axes parallel";
+            return Err(Failure::invalid("--axes", message));
+        }
         // A quotient of the fast speed over the slow one.
         let steps_up = ratio.abs() < 1.0;
         let quotient = if steps_up { 1.0 / ratio.abs() } else { ratio.abs() };
@@ -48,7 +59,7 @@ impl Request {
             let option = if self.ratio.is_some() { "--ratio" } else { "--output-speed" };
             return Err(Failure::invalid(option, message));
         }
-        let is_wrong = |torque: f64| torque == 0.0 || torque < 0.0 && !rings_turn;
+        let is_wrong = |torque: f64| torque == 0.0 || torque < 0.0 && !turns_back;
         if self.output_torque.is_some_and(|torque| is_wrong(torque.0.si())) {
             let message = "the torque on the output is above 0; its direction is that of --ratio";
             return Err(Failure::invalid("--output-torque", message));
@@ -56,7 +67,7 @@ impl Request {
         let load = match (self.torque, self.output_torque, self.power) {
             (Some(torque), ..) => Some(Load::Torque(torque.0)),
             // The torque on an output that turns backward may be written with its sign or without.
-            (_, Some(torque), _) if rings_turn => Some(Load::Torque((torque.0 / ratio).abs())),
+            (_, Some(torque), _) if turns_back => Some(Load::Torque((torque.0 / ratio).abs())),
             (_, Some(torque), _) => Some(Load::Torque(torque.0 / ratio)),
             (.., power) => power.map(|power| Load::Power(power.0)),
         };
@@ -65,18 +76,21 @@ impl Request {
         let tolerance = self.tolerance()?;
         self.refuse_ring()?;
         let mut suns = Application::suns(self.sizes.application);
-        let product = quotient + f64::from(rings_turn);
+        let product = quotient + f64::from(turns_back);
         let larger = LARGE_SUNS.iter().find(|(below, _)| product < *below);
         // The suns of servo drives stay small.
         if let Some((_, most)) = larger.filter(|_| self.sizes.application != Some(Application::Robot)) {
             suns = *suns.start()..=*most;
         }
         let bounds = self.teeth([suns, 17..=80, 50..=160])?;
-        let stages = self.stages.clone().unwrap_or(1..=MOST_STAGES);
+        // Gearboxes of wind turbines have three stages at most.
+        let most = if self.sizes.application == Some(Application::Wind) { 3 } else { MOST_STAGES };
+        let stages = self.stages.clone().unwrap_or(1..=most);
         Ok(WantedStages {
             ratio: quotient,
             steps_up,
-            rings_turn,
+            turns_back,
+            axes,
             tolerance,
             stages: *stages.start() as usize..=*stages.end() as usize,
             teeth: Teeth {

@@ -265,6 +265,7 @@ fn option(one: &RelaxedLimit) -> String {
         Limit::Stages => format!("--stages {}", range()),
         Limit::HuntingTeeth => "without --hunting-teeth".to_owned(),
         Limit::Bearings => "--no-bearings".to_owned(),
+        Limit::Axes => "--axes either".to_owned(),
     }
 }
 

@@ -41,6 +41,32 @@ pub struct BasisKey {
 const KEYS: [&str; 8] =
     ["life", "oil", "required", "limits", "materials", "density", "pressure_angle", "addendum"];
 
+/// Keys of `strength` that a pair has as well.
+const OF_PAIRS: [&str; 8] = [
+    "materials",
+    "flank_roughness",
+    "root_roughness",
+    "factors",
+    "accuracy",
+    "accuracy_grade",
+    "pitting_allowed",
+    "long_life_factor",
+];
+
+/// Values of sun, planet and ring as those of a pair, whose gears are as sun and planet.
+fn to_pair(value: &mut Value) {
+    let [of_set, of_pair] = [SetKind::Simple, SetKind::ExternalPair].map(|kind| Gears::of_kind(kind).names);
+    if let Some(list) = value.as_sequence_mut().filter(|list| list.len() == of_set.len()) {
+        list.truncate(of_pair.len());
+    }
+    if let Some(named) = value.as_mapping_mut() {
+        for (from, to) in of_set.iter().zip(of_pair.iter().map(Some).chain([None])) {
+            let own = named.shift_remove(from);
+            to.zip(own).map(|(to, own)| named.insert(to.as_str().into(), own));
+        }
+    }
+}
+
 /// Default basis.
 pub const USUAL: &str = include_str!("basis.yaml");
 
@@ -133,6 +159,31 @@ impl Basis {
         let name = |name: &Value| format!("strength.{}", name.as_str().unwrap_or_default());
         let tools = self.tools.iter().map(|tools| key("tools".to_owned(), tools));
         own.chain(of_strength.map(|(of, value)| key(name(of), value))).chain(tools).collect()
+    }
+
+    /// `strength` and `tools` of a pair on fixed axes: its gears are as sun and planet, its mesh as that of the
+    /// sun. What concerns rings, rims and several planets is left out, as is what planets alone have.
+    pub(crate) fn of_pair(&self) -> (Value, Option<Value>) {
+        let mut strength = self.strength.clone();
+        if let Some(own) = strength.as_mapping_mut() {
+            let mut factors = Mapping::new();
+            for key in ["factors", "sun_mesh_factors", "sun_factors"] {
+                factors.extend(own.get(key).and_then(Value::as_mapping).cloned().unwrap_or_default());
+            }
+            factors.retain(|name, _| name.as_str().and_then(Symbol::named) != Some(Symbol::LoadSharing));
+            own.retain(|key, _| key.as_str().is_some_and(|key| OF_PAIRS.contains(&key)));
+            own.insert("factors".into(), Value::Mapping(factors));
+            own.iter_mut().for_each(|(_, value)| to_pair(value));
+            if let Some(accuracy) = own.get_mut("accuracy").and_then(Value::as_mapping_mut) {
+                accuracy.shift_remove("sun_bore");
+                accuracy.iter_mut().for_each(|(_, value)| to_pair(value));
+            }
+        }
+        let tools = self.tools.clone().map(|mut tools| {
+            to_pair(&mut tools);
+            tools
+        });
+        (strength, tools)
     }
 
     /// Whether a factor of all meshes is given.

@@ -37,8 +37,8 @@ use epicyclic_strength::factor::Edition;
 use epicyclic_strength::sizing::Objective;
 use epicyclic_strength::sizing::bearing::Bearing;
 use epicyclic_strength::sizing::{
-    Body, HeldShifts, Pin, SetOverload, SetStep, SizedGear, SizedMesh, SizedPlanet, Sizing, Space, Task,
-    search, size,
+    Body, HeldShifts, Pin, SetOverload, SetStep, SetTeeth, SizedGear, SizedMesh, SizedPlanet, Sizing, Space,
+    Task, search, size,
 };
 use epicyclic_train::planet_set::GearOf;
 use epicyclic_train::set::SetKind;
@@ -138,7 +138,8 @@ pub(crate) fn answer(
         let families = Families::of(set);
         let asked = Asked { life, viscosity, required };
         let (task, held) = task(set, &families, &asked, request, (&space, &subject.limits));
-        let found = match simple(set, (&task, &space), (&steps, &peaks), subject, request) {
+        let simple = || simple(set, (&task, &space), (&steps, &peaks), subject, request);
+        let found = match if set.set.is_pair() { None } else { simple() } {
             Some(Ok(sizing)) => size(&sizing, request.most.max(1), goes_on),
             Some(Err(reason)) => {
                 not_sized.push(NotSized::of(NotRated::new(id, reason)));
@@ -244,10 +245,10 @@ impl Request {
     }
 }
 
-/// The first set of a gearbox as a search for a simple set sees it.
+/// The first set of a gearbox, simple or a pair, as a search that makes the layouts itself sees it.
 ///
 /// # Errors
-/// As of [`answer`]; [`Error::NothingToSize`] if it has no simple set with all data.
+/// As of [`answer`]; [`Error::NothingToSize`] if it has no such set with all data.
 pub(crate) fn sizing_of(subject: &Gearbox, request: &Request) -> Result<Sizing, Error> {
     request.check()?;
     let file: GearboxFile = subject.document.read()?;
@@ -287,7 +288,7 @@ fn loads_of(
     Some((steps.iter().map(step).collect::<Option<_>>()?, overloads))
 }
 
-/// A simple set with its space, whose layouts the search makes itself; `None` of other sets.
+/// A simple set or a pair with its space, whose layouts the search makes itself; `None` of other sets.
 fn simple(
     set: &SetToSize<'_>,
     (task, space): (&Task, &Space),
@@ -295,17 +296,23 @@ fn simple(
     subject: &Gearbox,
     request: &Request,
 ) -> Option<Result<Sizing, Reason>> {
-    let spec = set.set.short().filter(|spec| spec.kind == SetKind::Simple)?;
-    let ([sun, planet, ring], [of_sun, of_planet, of_ring]) = (&set.teeth[..], &set.gears[..]) else {
-        return None;
+    let spec = set.set.short()?;
+    let (teeth, gears, methods) = match (spec.kind, &set.teeth[..], &set.gears[..], &set.methods[..]) {
+        (SetKind::Simple, [sun, planet, ring], [of_sun, of_planet, of_ring], [outer, inner]) => {
+            (SetTeeth::Simple([*sun, *planet, *ring]), [*of_sun, *of_planet, *of_ring], [*outer, *inner])
+        }
+        (SetKind::ExternalPair, [first, second], [of_first, of_second], [mesh]) => {
+            (SetTeeth::Pair([*first, *second]), [*of_first, *of_second, *of_second], [*mesh; 2])
+        }
+        _ => return None,
     };
-    let [of_sun_mesh, of_ring_mesh] = set.methods[..] else { return None };
     let Some((duty, overloads)) = loads_of(set, steps, peaks) else {
         return Some(Err(Reason::NoTorquesFollow));
     };
-    let own = &task.planets[0];
+    let planet = task.planets.first();
+    let counts = || set.set.planet_count().map_or_else(|| space.planets.clone(), |planets| vec![planets]);
     Some(Ok(Sizing {
-        teeth: [*sun, *planet, *ring],
+        teeth,
         profiles: spec.profiles(&subject.rack),
         aim: request.aim,
         held_shifts: spec.tooth_shape.shifts.as_ref().map(|shifts| HeldShifts {
@@ -313,8 +320,8 @@ fn simple(
             tips: shifts.tips.as_deref().map(three),
         }),
         limits: request.limits(),
-        gears: [*of_sun, *of_planet, *of_ring],
-        methods: [of_sun_mesh, of_ring_mesh],
+        gears,
+        methods,
         viscosity: task.viscosity,
         duty,
         overloads,
@@ -323,18 +330,18 @@ fn simple(
         required_root: task.required_root,
         planet_rim: task.planet_rim,
         ring_rim: task.ring_rim,
-        planet_bore: own.bore,
-        planet_mass: own.mass,
+        planet_bore: planet.and_then(|planet| planet.bore),
+        planet_mass: planet.and_then(|planet| planet.mass),
         widens_face_load: task.widens_face_load,
-        planet_pin: own.pin,
+        planet_pin: planet.map(|planet| planet.pin).unwrap_or_default(),
         least_planet_angle: set.set.least_planet_angle(),
         objective: task.objective,
         practice: task.practice.clone(),
         space: Space {
             modules: set.data.modules[0].map_or_else(|| space.modules.clone(), |module| vec![module]),
             face_widths: task.face_widths[0].clone(),
-            planets: set.set.planet_count().map_or_else(|| space.planets.clone(), |planets| vec![planets]),
-            bearings: own.bearings.clone(),
+            planets: if teeth.is_pair() { vec![1] } else { counts() },
+            bearings: planet.map_or_else(Vec::new, |planet| planet.bearings.clone()),
             ..space.clone()
         },
     }))

@@ -16,14 +16,14 @@ use crate::load::load_sharing;
 use crate::sizing::practice::priced;
 use crate::sizing::task::widened;
 use crate::sizing::trial::Trial;
-use crate::sizing::{Design, Layout, Objective, SetOverload, SetStep, Sizing, Space, structure, with_rest};
+use crate::sizing::{
+    Design, Layout, Objective, SetOverload, SetStep, SetTeeth, Sizing, Space, structure, with_rest,
+};
 use crate::tolerance::RIM;
 use crate::{Error, Quantity};
 use bearings::Bearings;
-use epicyclic_gears::ToothCount;
 use epicyclic_gears::involute::practice::{of_face_load, orbit_acceleration, orbit_rule};
 use epicyclic_gears::life::Rolling;
-use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_judge::{Range, Rule, Severity};
 use epicyclic_units::Physical;
 use std::cmp::Ordering;
@@ -107,8 +107,8 @@ impl Add for Cost {
 /// Set with the results of its trials.
 #[derive(Debug, Clone)]
 pub(crate) struct TriedSet {
-    pub(crate) teeth: [ToothCount; 3],
-    /// `1 + z_r/z_s`
+    pub(crate) teeth: SetTeeth,
+    /// That of its teeth.
     pub(crate) ratio: f64,
     /// Numbers of planets that have equal angles, by their index.
     placed: Vec<bool>,
@@ -154,7 +154,7 @@ struct Tried {
     volumes: Vec<Vec<f64>>,
     /// Cross-section of all gears times density over `m²`, for each number of planets, kg/m³.
     sections: Vec<f64>,
-    /// Outside diameter of the ring, in modules.
+    /// Outside diameter of the ring, of a pair that of the larger gear, in modules.
     ring: f64,
     /// Radius of the planets' centres, in modules.
     radius: f64,
@@ -215,13 +215,14 @@ impl<'a> Sets<'a> {
     }
 
     /// Load of a duty, by the first duty of the trial.
-    pub(crate) fn load(&self, teeth: [ToothCount; 3], duty: &[SetStep]) -> Load {
+    pub(crate) fn load(&self, teeth: SetTeeth, duty: &[SetStep]) -> Load {
         let fastest = duty.iter().map(|step| step.carrier_speed.si().abs()).fold(0.0, f64::max);
         Load { duty: 0, torque: greatest(duty), wear: self.wear(teeth, duty), carrier_speed: fastest }
     }
 
     /// Wear of the bearings of a set's planets over a duty, by the torque and by the centrifugal force.
-    fn wear(&self, [sun, planet, _]: [ToothCount; 3], duty: &[SetStep]) -> [[f64; 4]; 2] {
+    fn wear(&self, teeth: SetTeeth, duty: &[SetStep]) -> [[f64; 4]; 2] {
+        let SetTeeth::Simple([sun, planet, _]) = teeth else { return Default::default() };
         let millions = self.of_set.life.si() / TAU / 1e6 * sun.as_f64() / planet.as_f64();
         let torque = |step: &SetStep| step.sun_torque.si().abs();
         let square = |step: &SetStep| step.carrier_speed.si().powi(2);
@@ -242,18 +243,15 @@ impl<'a> Sets<'a> {
     /// Tries a set under several duties; `None` if its teeth have no room for one another, whatever the size.
     pub(crate) fn tried(
         &self,
-        teeth: [ToothCount; 3],
+        teeth: SetTeeth,
         duties: Vec<Vec<SetStep>>,
     ) -> Result<Option<TriedSet>, Error> {
-        let [sun, planet, ring] = teeth;
-        let ratio = 1.0 + ring.as_f64() / sun.as_f64();
-        let of_set = self.of_set;
+        let ratio = teeth.ratio();
+        let of_set = Sizing { teeth, ..self.of_set.clone() };
         let helix = of_set.profiles.shared().helix_angle.si();
-        let smaller = sun.min(planet).as_f64() / libm::cos(helix);
+        let smaller = teeth.gears()[0].min(teeth.gears()[1]).as_f64() / libm::cos(helix);
         let planets = &of_set.space.planets;
-        let is_placed = |planets: u32| {
-            of_set.least_planet_angle.is_some() || PlanetSpacing::least_unequal(sun, ring, planets).is_equal()
-        };
+        let is_placed = |planets: u32| of_set.assembles(planets);
         let first = planets.iter().zip(&self.shares).filter(|(of, share)| share.is_some() && is_placed(**of));
         let Some((first, Some(share))) = first.min_by_key(|(of, _)| **of) else { return Ok(None) };
         let largest = *self.bands.first().ok_or(Error::NothingToSearch { quantity: Quantity::Module })?;
@@ -268,7 +266,7 @@ impl<'a> Sets<'a> {
             ..of_set.space.clone()
         };
         let duties: Vec<Vec<SetStep>> = duties.into_iter().map(with_rest).collect();
-        let sizing = Sizing { teeth, duty: duties[0].clone(), overloads: vec![], space, ..of_set.clone() };
+        let sizing = Sizing { duty: duties[0].clone(), overloads: vec![], space, ..of_set.clone() };
         let sizes: Vec<[Length; 2]> =
             self.bands.iter().map(|module| [*module, *module * (PROPORTION * smaller)]).collect();
         let square = largest.si() * largest.si();
@@ -319,11 +317,12 @@ impl<'a> Sets<'a> {
         let planets = planets.filter_map(|(place, ((planets, share), placed))| {
             Some((place, *planets, (*share)?)).filter(|_| *placed)
         });
-        let [sun, _, ring] = set.teeth.map(ToothCount::as_f64);
+        // Torque of the sun over which that of the carrier is; a pair has none.
+        let of_carrier = if set.teeth.is_pair() { 0.0 } else { set.ratio };
         planets.flat_map(move |(place, planets, share)| {
             self.modules.iter().filter_map(move |module| {
                 let band = self.bands.partition_point(|largest| *largest >= *module) - 1;
-                let force = load.torque * share * (sun + ring) / (set.radius * module.si() * sun);
+                let force = load.torque * share * of_carrier / (set.radius * module.si());
                 let least = self.width_of_bearings(set, (*module, band), (force, share), load)?;
                 let tried = set.tried.iter().filter_map(|tried| {
                     let volume = tried.volumes[band][load.duty] * load.torque * share;
@@ -485,7 +484,7 @@ pub(crate) fn greatest(duty: &[SetStep]) -> f64 {
 }
 
 /// Layouts by teeth, number of planets and module, in bits.
-pub(crate) type Geometries = HashMap<([ToothCount; 3], u32, u64), Vec<Layout>>;
+pub(crate) type Geometries = HashMap<(SetTeeth, u32, u64), Vec<Layout>>;
 
 impl Objective {
     /// Mass that counts; of the ring, which does not add up over sets, that of the gears.

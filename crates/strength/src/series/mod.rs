@@ -17,6 +17,13 @@
 //! i = 1 − Π i_j        n_j = n·(1 + 1/|i|)/(i_1·…·i_(j−1))
 //! ```
 //!
+//! If the first stage is a pair of gears on fixed axes ([`Order::first_pair`]), as in gearboxes whose fast shaft
+//! stands beside the slow one, it is driven by its first gear:
+//!
+//! ```text
+//! i_1 = z_2/z_1        by amount: the pair turns the direction around
+//! ```
+//!
 //! # Space
 //! Every train of [`Order::stages`] sets whose teeth lie within [`Teeth`] and whose ratio lies within
 //! [`Order::ratio`]; each set with every module, face width, number of planets, centre distance and bearing of
@@ -40,8 +47,7 @@
 mod search;
 mod stage;
 
-use crate::sizing::{STEEL, Sizing};
-use epicyclic_gears::ToothCount;
+use crate::sizing::{STEEL, SetTeeth, Sizing};
 use epicyclic_units::Physical;
 pub use search::{KnownSets, search};
 use std::f64::consts::{FRAC_PI_4, PI};
@@ -115,6 +121,9 @@ pub struct Order {
     pub ratio: RangeInclusive<f64>,
     /// Whether the rings turn with the output and the last carrier is held, in place of the rings.
     pub rings_turn: bool,
+    /// A pair as the first stage, in place of a set; `None` for trains of sets alone. Behind a pair the rings are
+    /// held.
+    pub first_pair: Option<FirstPair>,
     /// Tooth numbers.
     pub teeth: Teeth,
     /// Stages beyond usual practice at most; `None` for any number.
@@ -126,11 +135,24 @@ pub struct Order {
     pub of_stage: Sizing,
 }
 
+/// Pairs of external gears on fixed axes to choose the first stage from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FirstPair {
+    /// Teeth of the smaller gear, which is on the input.
+    pub pinions: RangeInclusive<u32>,
+    /// Teeth of the larger gear.
+    pub wheels: RangeInclusive<u32>,
+    /// Larger over smaller gear.
+    pub ratio: RangeInclusive<f64>,
+    /// A pair with materials, factors, requirements and space, as [`Order::of_stage`].
+    pub of_pair: Sizing,
+}
+
 /// A train with its stages.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Train {
     /// Teeth of sun, planets and ring of each stage, from the input on.
-    pub stages: Vec<[ToothCount; 3]>,
+    pub stages: Vec<SetTeeth>,
     /// Product of the stages' ratios: speed of the input over that of the output, both relative to the rings.
     pub ratio: f64,
     /// Stages beyond usual practice.
@@ -157,6 +179,8 @@ pub struct Found {
 pub struct Trains {
     /// Number of stages.
     pub stages: usize,
+    /// Whether the first stage is a pair.
+    pub has_pair: bool,
     /// Trains within the allowed ratios.
     pub trains: u64,
     /// Stages that were sized.

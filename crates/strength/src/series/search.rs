@@ -1,15 +1,16 @@
 //! Trains in the order of their bounds, until the first are sized in full.
 
 use super::stage::{RANGE, Stages};
-use super::{Found, Order, Teeth, Train, Trains};
+use super::{FirstPair, Found, Order, Teeth, Train, Trains};
 use crate::Error;
 use crate::bounded::{Cost, Geometries, TriedSet};
+use crate::sizing::SetTeeth;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::teeth::gcd;
 use epicyclic_numerics::threads::map;
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap};
-use std::ops::{Add, ControlFlow, RangeInclusive};
+use std::ops::{Add, ControlFlow, Range};
 
 /// Growth of the bound up to which trains are listed, from one round to the next.
 const GROWTH: f64 = 1.06;
@@ -43,7 +44,7 @@ fn levels(first: Cost, stages: usize) -> impl Iterator<Item = Cost> {
 /// differ in numbers of stages, ratios by some per cent, torques and tooth numbers alone.
 #[derive(Debug, Default)]
 pub struct KnownSets {
-    tried: HashMap<[ToothCount; 3], Option<TriedSet>>,
+    tried: HashMap<SetTeeth, Option<TriedSet>>,
     geometries: Geometries,
 }
 
@@ -61,9 +62,9 @@ pub fn search(
 ) -> Result<Found, Error> {
     order.of_stage.space.check()?;
     let stages = Stages::new(order);
-    let all = order.teeth.sets(&order.ratio, order.stages.clone());
-    let is_new = |teeth: &&[ToothCount; 3]| !known.tried.contains_key(*teeth);
-    let new: Vec<[ToothCount; 3]> = all.iter().filter(is_new).copied().collect();
+    let all = order.candidates();
+    let is_new = |teeth: &&SetTeeth| !known.tried.contains_key(*teeth);
+    let new: Vec<SetTeeth> = all.iter().filter(is_new).copied().collect();
     for some in new.chunks(AT_A_TIME) {
         if goes_on().is_break() {
             return Err(Error::Cancelled);
@@ -73,7 +74,9 @@ pub fn search(
         }
     }
     let mut sets: Vec<TriedSet> = all.iter().filter_map(|teeth| known.tried[teeth].clone()).collect();
-    sets.sort_by(|one, other| one.ratio.total_cmp(&other.ratio));
+    // Pairs are behind all sets.
+    let is_pair = |set: &TriedSet| set.teeth.is_pair();
+    sets.sort_by(|one, other| is_pair(one).cmp(&is_pair(other)).then(one.ratio.total_cmp(&other.ratio)));
     let table = Table::new(&stages, &sets, *order.stages.end());
     let (in_range, exact, geometries) = (HashMap::new(), HashMap::new(), &mut known.geometries);
     let mut search = Search { stages, sets, table, count: 1, in_range, exact, geometries, sized: 0, goes_on };
@@ -83,9 +86,53 @@ pub fn search(
         search.sized = 0;
         let (found, is_complete) = search.best(most)?;
         let trains = search.trains();
-        all.push(Trains { stages: count, trains, sized: search.sized, is_complete, found });
+        let has_pair = order.first_pair.is_some();
+        all.push(Trains { stages: count, has_pair, trains, sized: search.sized, is_complete, found });
     }
     Ok(Found { sets: search.sets.len(), all })
+}
+
+impl Order {
+    /// Sets, and pairs for the first stage, whose ratio can be part of a train.
+    fn candidates(&self) -> Vec<SetTeeth> {
+        let sets = self.teeth.all();
+        let ends = ends_of(&sets).unwrap_or([1.0; 2]);
+        let pairs = self.first_pair.as_ref().map_or_else(Vec::new, |pair| pair.all(self.teeth.is_hunting));
+        let of_first = if self.first_pair.is_some() { ends_of(&pairs) } else { Some(ends) };
+        let Some(of_first) = of_first else { return vec![] };
+        let fits = |own: f64, [least, most]: [f64; 2]| {
+            own * least <= *self.ratio.end() && own * most >= *self.ratio.start()
+        };
+        let is_part = |teeth: &SetTeeth| {
+            let behind_pair = self.first_pair.is_some() && !teeth.is_pair();
+            let (known, first) = if behind_pair { (2, of_first) } else { (1, [1.0; 2]) };
+            // Least and greatest product of the other stages.
+            let others = |sets: usize| [0, 1].map(|end| first[end] * libm::pow(ends[end], sets as f64));
+            let mut left = self.stages.clone().filter_map(|stages| stages.checked_sub(known));
+            left.any(|sets| fits(teeth.ratio(), others(sets)))
+        };
+        sets.into_iter().chain(pairs).filter(is_part).collect()
+    }
+}
+
+impl FirstPair {
+    /// Pairs within the bounds of tooth numbers.
+    fn all(&self, is_hunting: bool) -> Vec<SetTeeth> {
+        let mut all = vec![];
+        for pinion in self.pinions.clone() {
+            for wheel in self.wheels.clone() {
+                let ratio = f64::from(wheel) / f64::from(pinion);
+                if !self.ratio.contains(&ratio) || is_hunting && gcd(u64::from(pinion), u64::from(wheel)) > 1
+                {
+                    continue;
+                }
+                if let [Ok(pinion), Ok(wheel)] = [pinion, wheel].map(ToothCount::new) {
+                    all.push(SetTeeth::Pair([pinion, wheel]));
+                }
+            }
+        }
+        all
+    }
 }
 
 impl Teeth {
@@ -96,7 +143,7 @@ impl Teeth {
     }
 
     /// Sets within the bounds of tooth numbers.
-    fn all(&self) -> Vec<[ToothCount; 3]> {
+    fn all(&self) -> Vec<SetTeeth> {
         let mut all = vec![];
         for sun in self.suns.clone() {
             for planet in self.planets.clone() {
@@ -114,35 +161,18 @@ impl Teeth {
                     }
                     let teeth = [sun, planet, ring].map(ToothCount::new);
                     if let [Ok(sun), Ok(planet), Ok(ring)] = teeth {
-                        all.push([sun, planet, ring]);
+                        all.push(SetTeeth::Simple([sun, planet, ring]));
                     }
                 }
             }
         }
         all
     }
-
-    /// Sets whose ratio can be part of a train.
-    fn sets(&self, ratio: &RangeInclusive<f64>, stages: RangeInclusive<usize>) -> Vec<[ToothCount; 3]> {
-        let mut all = self.all();
-        let Some(ends) = ends_of(&all) else { return all };
-        let is_part = |own: f64, stages: usize| {
-            let [least, most] = ends.map(|end| own * libm::pow(end, stages as f64 - 1.0));
-            least <= *ratio.end() && most >= *ratio.start()
-        };
-        all.retain(|teeth| stages.clone().any(|stages| is_part(ratio_of(teeth), stages)));
-        all
-    }
-}
-
-/// Ratio of a stage with its ring held.
-fn ratio_of(teeth: &[ToothCount; 3]) -> f64 {
-    1.0 + teeth[2].as_f64() / teeth[0].as_f64()
 }
 
 /// Least and greatest ratio of these sets; `None` without sets.
-fn ends_of(sets: &[[ToothCount; 3]]) -> Option<[f64; 2]> {
-    let ratios = sets.iter().map(ratio_of).map(|ratio| [ratio; 2]);
+fn ends_of(sets: &[SetTeeth]) -> Option<[f64; 2]> {
+    let ratios = sets.iter().map(SetTeeth::ratio).map(|ratio| [ratio; 2]);
     ratios.reduce(|[least, most], [ratio, _]| [least.min(ratio), most.max(ratio)])
 }
 
@@ -152,8 +182,12 @@ struct Table {
     own: Vec<Vec<Option<Cost>>>,
     /// By number of stages that are left, less one, and range.
     rest: Vec<Vec<Option<Cost>>>,
-    /// Ratios of the sets, ascending.
+    /// Ratios of the sets, ascending, and behind them those of the pairs.
     ratios: Vec<f64>,
+    /// Number of sets.
+    sets: usize,
+    /// Places of what the first stage may be: the pairs of an order that asks for one, or the sets.
+    first: Range<usize>,
     allowed: [f64; 2],
 }
 
@@ -173,28 +207,32 @@ impl Table {
         // A product lies below the end of its range; rounding may put it into a neighbour.
         let ranges = range(allowed[1]) + 2;
         let bound = |set: &TriedSet, before: [f64; 2]| {
-            let is_part = before[0] * set.ratio <= allowed[1];
+            let is_part = before[0] * set.ratio <= allowed[1] && (before[0] == 1.0 || !set.teeth.is_pair());
             is_part.then(|| stages.bound(set, before)).flatten()
         };
+        let of_sets = sets.iter().take_while(|set| !set.teeth.is_pair()).count();
+        let first = if stages.order.first_pair.is_some() { of_sets..sets.len() } else { 0..of_sets };
         let bounds = |of: &usize| sets.iter().map(|set| bound(set, ends(*of))).collect();
         let all: Vec<usize> = (0..ranges).collect();
         let mut table = Self {
             own: map(&all, bounds),
             rest: vec![],
             ratios: sets.iter().map(|set| set.ratio).collect(),
+            sets: of_sets,
+            first,
             allowed,
         };
         for left in 1..most {
-            let rest = (0..ranges).map(|of| table.rest_of(left, of)).collect();
+            let rest = (0..ranges).map(|of| table.bound_of(0..of_sets, left, of)).collect();
             table.rest.push(rest);
         }
         table
     }
 
-    /// The bound of `left` stages behind a range of products.
-    fn rest_of(&self, left: usize, of: usize) -> Option<Cost> {
+    /// The bound of `left` stages behind a range of products, the next of them at one of these places.
+    fn bound_of(&self, next: Range<usize>, left: usize, of: usize) -> Option<Cost> {
         let [least, most] = ends(of);
-        let costs = self.ratios.iter().zip(&self.own[of]).filter_map(|(ratio, own)| {
+        let costs = self.ratios[next.clone()].iter().zip(&self.own[of][next]).filter_map(|(ratio, own)| {
             let own = (*own)?;
             let products = [least * ratio, most * ratio];
             if left == 1 {
@@ -244,19 +282,21 @@ struct Search<'a> {
 impl Search<'_> {
     /// Trains within the allowed ratios.
     fn trains(&self) -> u64 {
-        let products = |stages: usize| {
-            (0..stages).fold(vec![1.0], |all, _| {
-                all.iter().flat_map(|one| self.table.ratios.iter().map(move |ratio| one * ratio)).collect()
+        let Table { ratios, sets, first, .. } = &self.table;
+        let products = |first: &[f64], sets_behind: usize| {
+            (0..sets_behind).fold(first.to_vec(), |all, _| {
+                all.iter().flat_map(|one| ratios[..*sets].iter().map(move |ratio| one * ratio)).collect()
             })
         };
-        let mut behind: Vec<f64> = products(self.count.div_ceil(2));
+        let others = self.count - 1;
+        let mut behind: Vec<f64> = products(&[1.0], others.div_ceil(2));
         behind.sort_by(f64::total_cmp);
         let [least, most] = self.table.allowed;
         let fitting = |product: f64| {
             let from = behind.partition_point(|other| product * other < least);
             behind.partition_point(|other| product * other <= most).saturating_sub(from) as u64
         };
-        products(self.count / 2).into_iter().map(fitting).sum()
+        products(&ratios[first.clone()], others / 2).into_iter().map(fitting).sum()
     }
 
     /// Lists the trains whose bound lies above one cost and not above another, behind some first stages.
@@ -270,12 +310,14 @@ impl Search<'_> {
         let left = self.count - sets.len();
         let [least, most] = self.table.allowed;
         let ratios = &self.table.ratios;
+        let next = if sets.is_empty() { self.table.first.clone() } else { 0..self.table.sets };
         let places = match left {
             1 => {
-                let from = ratios.partition_point(|ratio| product * ratio < least);
-                from..ratios.partition_point(|ratio| product * ratio <= most).max(from)
+                let own = &ratios[next.clone()];
+                let from = next.start + own.partition_point(|ratio| product * ratio < least);
+                from..(next.start + own.partition_point(|ratio| product * ratio <= most)).max(from)
             }
-            _ => 0..ratios.len(),
+            _ => next,
         };
         let own = &self.table.own[range(product)];
         for place in places {
@@ -340,7 +382,9 @@ impl Search<'_> {
     /// The best trains, in order, and whether no other can be better.
     fn best(&mut self, most: usize) -> Result<(Vec<Train>, bool), Error> {
         let mut found: Vec<Train> = vec![];
-        let Some(first) = self.table.rest_of(self.count, 0) else { return Ok((found, true)) };
+        let Some(first) = self.table.bound_of(self.table.first.clone(), self.count, 0) else {
+            return Ok((found, true));
+        };
         let mut is_whole = true;
         let mut listed = Cost { unusual: -1.0, ..Cost::default() };
         let mut queue: BinaryHeap<Reverse<Queued>> = BinaryHeap::new();

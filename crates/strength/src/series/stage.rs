@@ -3,8 +3,7 @@
 use super::{InputStep, Order};
 use crate::Error;
 use crate::bounded::{Cost, Geometries, Load, Sets, TriedSet};
-use crate::sizing::{SetOverload, SetStep};
-use epicyclic_gears::ToothCount;
+use crate::sizing::{SetOverload, SetStep, SetTeeth};
 use std::ops::ControlFlow;
 
 /// Quotient of the ends of the ranges into which products of ratios are put.
@@ -17,6 +16,7 @@ const BAND: f64 = 2.0;
 pub(super) struct Stages<'a> {
     pub(super) order: &'a Order,
     sets: Sets<'a>,
+    pairs: Option<Sets<'a>>,
     /// Least products of the ratios before a stage of each band for which flanks are tried, ascending.
     bands: Vec<f64>,
 }
@@ -25,7 +25,13 @@ impl<'a> Stages<'a> {
     pub(super) fn new(order: &'a Order) -> Self {
         let most = *order.ratio.end();
         let bands = std::iter::successors(Some(1.0), |product| Some(product * BAND).filter(|of| *of < most));
-        Self { order, sets: Sets::new(&order.of_stage), bands: bands.collect() }
+        let pairs = order.first_pair.as_ref().map(|pair| Sets::new(&pair.of_pair));
+        Self { order, sets: Sets::new(&order.of_stage), pairs, bands: bands.collect() }
+    }
+
+    /// Materials, requirements and space of a set, or of a pair.
+    fn sets(&self, teeth: SetTeeth) -> &Sets<'a> {
+        self.pairs.as_ref().filter(|_| teeth.is_pair()).unwrap_or(&self.sets)
     }
 
     /// Least and greatest product of all ratios, where the product up to and with a stage lies in a range.
@@ -42,29 +48,34 @@ impl<'a> Stages<'a> {
 
     /// Loads of a set with the least torque, the greatest speed and the fewest turns of a range of products of
     /// ratios before it.
-    fn loads(&self, ratio: f64, [least, most]: [f64; 2]) -> (Vec<SetStep>, Vec<SetOverload>) {
+    fn loads(&self, teeth: SetTeeth, [least, most]: [f64; 2]) -> (Vec<SetStep>, Vec<SetOverload>) {
+        let ratio = teeth.ratio();
         // Rings that turn are held as seen from them; the held carrier then turns as the output against them.
         let output = match self.order.rings_turn {
             true => self.products([least * ratio, most * ratio]).map(|product| 1.0 / (product - 1.0)),
             false => [0.0; 2],
         };
         let [fast, slow] = [(1.0 + output[0]) / least, (1.0 + output[1]) / most];
+        let carrier = if teeth.is_pair() { 0.0 } else { 1.0 / ratio };
         let step = |step: &InputStep| SetStep {
             share: step.share * (slow / fast),
             sun_torque: step.torque * least,
-            sun_speed: step.speed * (fast * (1.0 - 1.0 / ratio)),
-            carrier_speed: step.speed * (slow / ratio - output[0]).max(0.0),
+            sun_speed: step.speed * (fast * (1.0 - carrier)),
+            carrier_speed: step.speed * (slow * carrier - output[0]).max(0.0),
         };
         let overload = |one: &SetOverload| SetOverload { sun_torque: one.sun_torque * least, ..*one };
-        let of_stage = &self.order.of_stage;
-        (self.order.duty.iter().map(step).collect(), of_stage.overloads.iter().map(overload).collect())
+        let of_set = self.sets(teeth).of_set;
+        (self.order.duty.iter().map(step).collect(), of_set.overloads.iter().map(overload).collect())
     }
 
     /// Tries a set; `None` if its teeth have no room for one another, whatever the size.
-    pub(super) fn stage(&self, teeth: [ToothCount; 3]) -> Result<Option<TriedSet>, Error> {
-        let ratio = 1.0 + teeth[2].as_f64() / teeth[0].as_f64();
-        let of_band = |least: &f64| self.loads(ratio, [*least, least * BAND * RANGE]).0;
-        self.sets.tried(teeth, self.bands.iter().map(of_band).collect())
+    pub(super) fn stage(&self, teeth: SetTeeth) -> Result<Option<TriedSet>, Error> {
+        let of_band = |least: &f64| self.loads(teeth, [*least, least * BAND * RANGE]).0;
+        let duties = match teeth {
+            SetTeeth::Simple(_) => self.bands.iter().map(of_band).collect(),
+            SetTeeth::Pair(_) => vec![self.loads(teeth, [1.0; 2]).0],
+        };
+        self.sets(teeth).tried(teeth, duties)
     }
 
     /// Load of a stage where the product of the ratios before it lies in a range.
@@ -72,14 +83,14 @@ impl<'a> Stages<'a> {
         // A set that is known of narrower ratios may lack the last band, which its neighbour overlaps.
         let bands = &self.bands[..stage.duties().min(self.bands.len())];
         let duty = bands.partition_point(|least| *least <= before[0]).saturating_sub(1);
-        let (steps, _) = self.loads(stage.ratio, before);
-        Load { duty, ..self.sets.load(stage.teeth, &steps) }
+        let (steps, _) = self.loads(stage.teeth, before);
+        Load { duty, ..self.sets(stage.teeth).load(stage.teeth, &steps) }
     }
 
     /// The bound below the cost of a stage where the product of the ratios before it lies in a range; `None`
     /// if nothing can hold.
     pub(super) fn bound(&self, stage: &TriedSet, before: [f64; 2]) -> Option<Cost> {
-        self.sets.bound(stage, self.load(stage, before))
+        self.sets(stage.teeth).bound(stage, self.load(stage, before))
     }
 
     /// Sizes a stage behind a product of ratios; of a range for the least torque and the fewest turns, which
@@ -93,6 +104,7 @@ impl<'a> Stages<'a> {
     ) -> Result<Option<Cost>, Error> {
         let load = self.load(stage, before);
         let is_least = before[0] < before[1];
-        self.sets.size(stage, (load, is_least), self.loads(stage.ratio, before), known, goes_on)
+        let loads = self.loads(stage.teeth, before);
+        self.sets(stage.teeth).size(stage, (load, is_least), loads, known, goes_on)
     }
 }

@@ -22,7 +22,7 @@ pub(super) struct Masses {
     pub(super) diameters: Vec<f64>,
     pub(super) ring: Option<Length>,
     /// Diameter of the ring, or of the largest gear, m.
-    largest: f64,
+    pub(super) largest: f64,
 }
 
 impl Masses {

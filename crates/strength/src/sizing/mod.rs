@@ -87,7 +87,7 @@ use bearing::Bearing;
 use epicyclic_gears::involute::check::{Check, Rule};
 pub use search::search;
 pub(crate) use simple::with_rest;
-pub use simple::{HeldShifts, SetOverload, SetStep, Sizing, size};
+pub use simple::{HeldShifts, SetOverload, SetStep, SetTeeth, Sizing, size};
 use std::f64::consts::FRAC_PI_4;
 use std::fmt;
 pub use task::{

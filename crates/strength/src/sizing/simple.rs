@@ -1,4 +1,4 @@
-//! Layouts of a simple set: the gears at every centre distance of the space, and their loads.
+//! Layouts of a simple set or a pair: the gears at every centre distance of the space, and their loads.
 
 use super::search::search;
 use super::task::{
@@ -19,6 +19,8 @@ use epicyclic_gears::involute::check::{Check, is_clear};
 use epicyclic_gears::involute::family::{Aim, Family, natural_centre_distance};
 use epicyclic_gears::involute::profile::Profiles;
 use epicyclic_gears::involute::set::Limits;
+use epicyclic_gears::involute::shifts::StatedDistance;
+use epicyclic_gears::involute::tree::{Chosen, MeshTree, NoShifts};
 use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet};
 use epicyclic_gears::mesh::TipCircle;
 use epicyclic_gears::spacing::PlanetSpacing;
@@ -86,11 +88,48 @@ pub struct HeldShifts {
     pub tips: Option<[f64; 3]>,
 }
 
+/// Teeth of a set whose layouts the search makes itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum SetTeeth {
+    /// Sun, planets and ring of a simple set.
+    Simple([ToothCount; 3]),
+    /// Both gears of an external pair on fixed axes.
+    Pair([ToothCount; 2]),
+}
+
+impl SetTeeth {
+    /// The gears in the order of the meshes.
+    #[must_use]
+    pub fn gears(&self) -> &[ToothCount] {
+        match self {
+            Self::Simple(teeth) => teeth,
+            Self::Pair(teeth) => teeth,
+        }
+    }
+
+    /// Whether the gears stand on fixed axes.
+    #[must_use]
+    pub const fn is_pair(&self) -> bool {
+        matches!(self, Self::Pair(_))
+    }
+
+    /// Speed of the sun over that of the carrier with the ring held, `1 + z_r/z_s`; of a pair `z_2/z_1`, by
+    /// amount.
+    #[must_use]
+    pub fn ratio(&self) -> f64 {
+        match self {
+            Self::Simple([sun, _, ring]) => 1.0 + ring.as_f64() / sun.as_f64(),
+            Self::Pair([first, second]) => second.as_f64() / first.as_f64(),
+        }
+    }
+}
+
 /// A set to size.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sizing {
-    /// Teeth of sun, planets and ring.
-    pub teeth: [ToothCount; 3],
+    /// Teeth of the gears. A pair takes what is said of sun, planets and the first mesh for its two gears and
+    /// its mesh; it has no planets, one in [`Space::planets`], and no bearings.
+    pub teeth: SetTeeth,
     /// Basic racks and tools of sun, planets and ring.
     pub profiles: Profiles,
     /// Aim that picks the shifts.
@@ -165,20 +204,23 @@ pub fn size(task: &Sizing, most: usize, goes_on: &dyn Fn() -> ControlFlow<()>) -
 impl Sizing {
     /// The set as the search sees it: one family, meshes of sun and planets, of planets and ring.
     pub(super) fn general(&self, face_widths: Vec<Length>) -> Task {
-        let bodies = [Body::Central, Body::Planet(0), Body::Central];
-        let gear = |place: usize| SizedGear { gear: self.gears[place], body: bodies[place], family: 0 };
+        let is_pair = self.teeth.is_pair();
+        let gears = self.teeth.gears().len();
+        let body = |place: usize| if place == 1 && !is_pair { Body::Planet(0) } else { Body::Central };
+        let gear = |place: usize| SizedGear { gear: self.gears[place], body: body(place), family: 0 };
+        let planet = SizedPlanet {
+            bearings: self.space.bearings.clone(),
+            bore: self.planet_bore,
+            mass: self.planet_mass,
+            sharing: None,
+            pin: self.planet_pin,
+        };
         Task {
-            gears: (0..3).map(gear).collect(),
-            meshes: (0..2)
+            gears: (0..gears).map(gear).collect(),
+            meshes: (0..gears - 1)
                 .map(|mesh| SizedMesh { gears: [mesh, mesh + 1], method: self.methods[mesh] })
                 .collect(),
-            planets: vec![SizedPlanet {
-                bearings: self.space.bearings.clone(),
-                bore: self.planet_bore,
-                mass: self.planet_mass,
-                sharing: None,
-                pin: self.planet_pin,
-            }],
+            planets: if is_pair { vec![] } else { vec![planet] },
             has_one_bearing: false,
             face_widths: vec![face_widths],
             width_ratio: self.space.width_ratio,
@@ -197,11 +239,23 @@ impl Sizing {
         }
     }
 
-    /// Loads of both meshes, and `K_γ` of the bearings.
+    /// Whether so many planets have equal angles, or those that are given.
+    pub(crate) fn assembles(&self, planets: u32) -> bool {
+        match self.teeth {
+            SetTeeth::Simple([sun, _, ring]) => {
+                self.least_planet_angle.is_some()
+                    || PlanetSpacing::least_unequal(sun, ring, planets).is_equal()
+            }
+            SetTeeth::Pair(_) => true,
+        }
+    }
+
+    /// Loads of the meshes, and `K_γ` of the bearings.
     pub(super) fn loads(&self, planets: u32) -> Result<(Arc<[MeshLoads]>, f64), Error> {
-        let teeth = [self.teeth[0], self.teeth[1]];
+        let gears = self.teeth.gears();
+        let teeth = [gears[0], gears[1]];
         let none = || MeshLoads { steps: vec![], flanks: vec![], contacts: [1.0; 2], overloads: vec![] };
-        let mut both = [none(), none()];
+        let mut both = vec![none(); gears.len() - 1];
         for step in &self.duty {
             let felt = loads(step.sun_torque, step.sun_speed, planets, teeth, self.life)?;
             // A planet passes the torque on, from one flank to the other.
@@ -226,10 +280,11 @@ impl Sizing {
     }
 
     /// Forces on the bearing of a planet, by the formulas of the [module](super).
-    fn bearing_loads(&self, planets: u32, radius: Length, pairs: [&Pair; 2]) -> Vec<PlanetStep> {
-        let [sun, planet, ring] = self.teeth.map(ToothCount::as_f64);
+    fn bearing_loads(&self, planets: u32, radius: Length, pairs: &[Pair]) -> Vec<Vec<PlanetStep>> {
+        let (SetTeeth::Simple(teeth), [outer, inner]) = (self.teeth, pairs) else { return vec![] };
+        let [sun, planet, ring] = teeth.map(ToothCount::as_f64);
         let each = f64::from(planets) * radius.si() * sun;
-        let [outer, inner] = pairs.map(|pair| libm::tan(pair.working_angle_rad()));
+        let [outer, inner] = [outer, inner].map(|pair| libm::tan(pair.working_angle_rad()));
         let step = |step: &SetStep| {
             let torque = step.sun_torque.si().abs();
             let [first, second] = [sun + planet, ring - planet].map(|teeth| torque * teeth / each);
@@ -247,7 +302,7 @@ impl Sizing {
             let SetOverload { sun_torque, .. } = *one;
             step(&SetStep { share: 0.0, sun_torque, sun_speed: still, carrier_speed: still })
         };
-        self.duty.iter().map(step).chain(loading.map(overload)).collect()
+        vec![self.duty.iter().map(step).chain(loading.map(overload)).collect()]
     }
 
     /// Layouts with one module and number of planets, whose gears are those of this set whatever its loads.
@@ -266,11 +321,7 @@ impl Sizing {
         let (loads, _) = self.loads(first.planets)?;
         let loaded = |own: &Layout| Layout {
             loads: Arc::clone(&loads),
-            bearing_loads: vec![self.bearing_loads(
-                own.planets,
-                own.radii[0],
-                [&own.pairs[0], &own.pairs[1]],
-            )],
+            bearing_loads: self.bearing_loads(own.planets, own.radii[0], &own.pairs),
             ..own.clone()
         };
         let layouts: Vec<Layout> = geometries.iter().map(loaded).collect();
@@ -344,8 +395,9 @@ pub(super) fn check_extent(task: &Sizing, modules_mm: &[f64], widths: usize) -> 
 
 /// The set with shifts that are held; `None` where they leave no gears or have a fault.
 fn held(task: &Sizing, planets: u32) -> Option<Result<PlanetSet, Check>> {
-    let shifts = task.held_shifts?;
-    let [sun, planet, ring] = task.teeth;
+    let (Some(shifts), SetTeeth::Simple([sun, planet, ring])) = (task.held_shifts, task.teeth) else {
+        return None;
+    };
     let Profiles(profiles) = task.profiles;
     let tips = shifts.tips.unwrap_or_default();
     let gear = |kind, teeth, place: usize| {
@@ -376,6 +428,64 @@ fn do_touch(task: &Sizing, set: &PlanetSet) -> bool {
         .is_some_and(|angle| !is_clear(planet.gap(planet, angle.si()), task.limits.planet_gap))
 }
 
+/// Gears and meshes at a centre distance, in modules.
+struct Made {
+    gears: Vec<InvoluteGear>,
+    pairs: Vec<Pair>,
+    centre: f64,
+    is_aim_met: bool,
+    do_touch: bool,
+}
+
+impl Made {
+    fn of_set(task: &Sizing, set: &PlanetSet, is_aim_met: bool) -> Self {
+        Self {
+            gears: set.gears().into_iter().copied().collect(),
+            pairs: vec![*set.sun_mesh(), *set.ring_mesh()],
+            centre: set.centre_distance(),
+            is_aim_met,
+            do_touch: do_touch(task, set),
+        }
+    }
+}
+
+/// The gears at a centre distance, or with the shifts that are held; otherwise the check that fails, if there
+/// are gears at all.
+fn made(task: &Sizing, planets: u32, centre: Option<f64>) -> Result<Made, Option<Check<String>>> {
+    let named = |fault: Check| fault.at(fault.place.to_string());
+    match (task.teeth, centre) {
+        (SetTeeth::Simple(teeth), Some(centre)) => {
+            let chosen = Family::new(teeth, planets, task.profiles, centre)
+                .and_then(|family| family.choose(task.aim, &task.limits));
+            let chosen = chosen.map_err(|error| match error {
+                epicyclic_gears::Error::NoShifts { fault, .. } => Some(named(fault)),
+                _ => None,
+            })?;
+            Ok(Made::of_set(task, &chosen.set, chosen.limited_by.is_none()))
+        }
+        (SetTeeth::Pair(teeth), Some(distance)) => {
+            let Profiles(profiles) = task.profiles;
+            let gear = |place: usize| {
+                InvoluteGear::searched(GearKind::External, teeth[place], profiles[place]).map_err(|_| None)
+            };
+            let tree =
+                MeshTree::new(vec![gear(0)?, gear(1)?], vec![StatedDistance { gears: [0, 1], distance }])
+                    .map_err(|_| None)?;
+            let chosen = tree.choose(task.aim, &task.limits).map_err(|why| match why {
+                NoShifts::Fault(fault) => Some(fault.at("the pair".to_owned())),
+                NoShifts::Refused(_) => None,
+            })?;
+            let Chosen { gears, pairs, is_aim_met } = chosen;
+            Ok(Made { gears, pairs, centre: distance, is_aim_met, do_touch: false })
+        }
+        (_, None) => match held(task, planets) {
+            Some(Ok(set)) => Ok(Made::of_set(task, &set, true)),
+            Some(Err(fault)) => Err(Some(named(fault))),
+            None => Err(None),
+        },
+    }
+}
+
 /// The gears at every centre distance of the space, and how many were left out.
 pub(super) fn layouts(
     task: &Sizing,
@@ -383,8 +493,13 @@ pub(super) fn layouts(
     general: &Task,
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<(Vec<Layout>, Tried), Error> {
-    let natural = natural_centre_distance(task.teeth, *task.profiles.shared())?;
-    let [sun, _, ring] = task.teeth;
+    let natural = match task.teeth {
+        SetTeeth::Simple(teeth) => natural_centre_distance(teeth, *task.profiles.shared())?,
+        SetTeeth::Pair(teeth) => {
+            let sum: f64 = teeth.into_iter().map(ToothCount::as_f64).sum();
+            sum / (2.0 * libm::cos(task.profiles.shared().helix_angle.si()))
+        }
+    };
     let designs = general.designs_of_layout();
     let (mut all, mut tried) = (vec![], Tried::default());
     for &planets in &task.space.planets {
@@ -396,8 +511,7 @@ pub(super) fn layouts(
             }
             Err(error) => return Err(error),
         };
-        let is_placed =
-            task.least_planet_angle.is_some() || PlanetSpacing::least_unequal(sun, ring, planets).is_equal();
+        let is_placed = task.assembles(planets);
         for &module_mm in modules_mm {
             let module = Length::from_mm(module_mm);
             let wanted: Vec<Option<f64>> = match task.held_shifts {
@@ -417,37 +531,23 @@ pub(super) fn layouts(
                     return Err(Error::Cancelled);
                 }
                 tried.geometries += 1;
-                let found = match centre {
-                    None => match held(task, planets) {
-                        Some(Ok(set)) => Ok((set, true)),
-                        Some(Err(fault)) => Err(Some(fault)),
-                        None => Err(None),
-                    },
-                    Some(centre) => Family::new(task.teeth, planets, task.profiles, centre)
-                        .and_then(|family| family.choose(task.aim, &task.limits))
-                        .map(|choice| (choice.set, choice.limited_by.is_none()))
-                        .map_err(|error| match error {
-                            epicyclic_gears::Error::NoShifts { fault, .. } => Some(fault),
-                            _ => None,
-                        }),
-                };
-                match found {
-                    Ok((set, _)) if do_touch(task, &set) => tried.left_out.planets_touch += designs,
-                    Ok((set, is_aim_met)) => all.push(Layout {
-                        planets,
-                        modules: vec![module],
-                        gears: set.gears().into_iter().copied().collect(),
-                        pairs: vec![*set.sun_mesh(), *set.ring_mesh()],
-                        radii: vec![module * set.centre_distance()],
-                        is_aim_met,
-                        loads: Arc::clone(loads),
-                        sharing: *sharing,
-                        bearing_loads: vec![task.bearing_loads(
+                match made(task, planets, centre) {
+                    Ok(made) if made.do_touch => tried.left_out.planets_touch += designs,
+                    Ok(Made { gears, pairs, centre, is_aim_met, .. }) => {
+                        let radius = module * centre;
+                        let bearing_loads = task.bearing_loads(planets, radius, &pairs);
+                        all.push(Layout {
                             planets,
-                            module * set.centre_distance(),
-                            [set.sun_mesh(), set.ring_mesh()],
-                        )],
-                    }),
+                            modules: vec![module],
+                            gears,
+                            pairs,
+                            radii: vec![radius],
+                            is_aim_met,
+                            loads: Arc::clone(loads),
+                            sharing: *sharing,
+                            bearing_loads,
+                        });
+                    }
                     Err(Some(fault)) => tried.leave_out(&fault, designs),
                     Err(None) => tried.left_out.geometry += designs,
                 }

@@ -3,7 +3,7 @@
 use super::gear_masses::Masses;
 use super::practice::Misses;
 use super::rated::{Place, Ratings};
-use super::simple::{SetStep, Sizing, layouts};
+use super::simple::{SetStep, SetTeeth, Sizing, layouts};
 use super::task::Task;
 use crate::Error;
 use crate::contact::over_full_overlap;
@@ -22,13 +22,13 @@ pub(crate) struct Trial {
     /// Cross-section of all gears times their density for each number of planets, with planets of the largest
     /// bore that their rim allows, kg/m.
     pub(crate) sections: Vec<f64>,
-    /// Cross-section of a planet of this bore times its density, kg/m.
+    /// Cross-section of a planet of this bore times its density, kg/m; 0 of a pair.
     pub(crate) planet: f64,
-    /// Outside diameter of the ring.
+    /// Outside diameter of the ring, of a pair that of the larger gear.
     pub(crate) ring: Length,
-    /// Bore of the planets that leaves the least rim.
+    /// Bore of the planets that leaves the least rim; 0 of a pair.
     pub(crate) bore: Length,
-    /// Radius of the circle of the planets' centres.
+    /// Radius of the circle of the planets' centres, of a pair its centre distance.
     pub(crate) radius: Length,
 }
 
@@ -81,17 +81,24 @@ impl Sizing {
             let limits = task.practice.as_ref();
             let misses =
                 limits.map_or_else(Misses::default, |limits| Misses::of_geometry(&task, own, limits));
-            let bore = own.modules[0] * (own.gears[1].root_diameter() - 2.0 * self.planet_rim).max(0.0);
+            let bore = match self.teeth {
+                SetTeeth::Simple(_) => {
+                    own.modules[0] * (own.gears[1].root_diameter() - 2.0 * self.planet_rim).max(0.0)
+                }
+                SetTeeth::Pair(_) => Length::default(),
+            };
             let section = |count: &u32| {
                 let layout = super::Layout { planets: *count, ..own.clone() };
                 Masses::new(&task, &layout).all(*count, [bore.si()].into_iter(), &[1.0])
             };
+            let masses = Masses::new(&task, own);
+            let planet = |kind: usize| masses.planet(kind, bore.si(), &[1.0]).max(0.0);
             trials.push(Trial {
                 misses,
                 flanks: vec![],
                 sections: planets.iter().map(section).collect(),
-                planet: Masses::new(&task, own).planet(0, bore.si(), &[1.0]).max(0.0),
-                ring: own.ring_diameter(&task).unwrap_or_default(),
+                planet: (0..task.planets.len()).map(planet).sum(),
+                ring: Length::from_si(masses.largest),
                 bore,
                 radius: own.radii[0],
             });

@@ -12,7 +12,7 @@ use epicyclic_strength::mesh::{Gear, Method};
 use epicyclic_strength::root::{factors::Bending, section::Shaper};
 use epicyclic_strength::series::{InputStep, Order, Teeth};
 use epicyclic_strength::sizing::bearing::listed_rollers;
-use epicyclic_strength::sizing::{Objective, Pin, STANDARD_MODULES_MM, Sizing, Space};
+use epicyclic_strength::sizing::{Objective, Pin, STANDARD_MODULES_MM, SetTeeth, Sizing, Space};
 use proptest::prelude::*;
 use uom::si::angle::degree;
 use uom::si::angular_velocity::revolution_per_minute;
@@ -53,7 +53,7 @@ pub(crate) fn conveyor() -> Order {
     let given = Given::load_factors([1.5, 1.25, 1.1, 1.25, 1.0]);
     let ring = given.with(Symbol::StaticNotchSensitivity, 1.0);
     let of_stage = Sizing {
-        teeth: [24, 30, 84].map(|teeth| ToothCount::new(teeth).unwrap()),
+        teeth: SetTeeth::Simple([24, 30, 84].map(|teeth| ToothCount::new(teeth).unwrap())),
         profiles: Profiles::cut(Profile::default(), [Cutting::default(), Cutting::default(), shaped]),
         aim: Aim::BalancedSliding,
         held_shifts: None,
@@ -106,6 +106,7 @@ pub(crate) fn conveyor() -> Order {
             ring_to_sun_ratio: 2.0..=9.0,
             is_hunting: false,
         },
+        first_pair: None,
         most_unusual: None,
         duty: vec![InputStep {
             share: 1.0,

@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::strength::answer::load::felt;
 use epicyclic_gears::ToothCount;
 use epicyclic_strength::lightest::LoadedSet;
-use epicyclic_strength::sizing::{SetOverload, SetStep};
+use epicyclic_strength::sizing::{SetOverload, SetStep, SetTeeth};
 use epicyclic_train::{Gearbox, InputLoad};
 
 /// The simple sets of a gearbox with these teeth and their loads, by gears with their shares of the time.
@@ -22,7 +22,10 @@ pub(super) fn sets(
     overload: Option<&SetOverload>,
 ) -> Result<Vec<LoadedSet>, Error> {
     let no_torques = || Error::NothingToSize { sets: vec![] };
-    let empty = |teeth: &[ToothCount; 3]| LoadedSet { teeth: *teeth, duty: vec![], overloads: vec![] };
+    let empty = |teeth: &[ToothCount; 3]| {
+        let teeth = SetTeeth::Simple(*teeth);
+        LoadedSet { teeth, duty: vec![], overloads: vec![] }
+    };
     let mut all: Vec<LoadedSet> = teeth.iter().map(empty).collect();
     for (gear, share) in gears {
         let of_input = Some(InputLoad::Torque(load.torque));

@@ -35,12 +35,22 @@ pub(super) struct Load {
     pub(super) spectrum: &'static [[f64; 3]],
 }
 
-/// Writes the basis into every set, which is a simple one, and the duty into the file.
+/// Writes the basis into every set, which is a simple one or a pair, and the duty into the file.
 pub(super) fn with_load(file: &mut Value, basis: &Basis, gears: &[(&str, f64)], load: Load) {
+    let of_pair = basis.of_pair();
     for_each_set(file, |set| {
-        set.insert("strength".into(), basis.strength.clone());
+        let strength = if is_pair(set) { &of_pair.0 } else { &basis.strength };
+        set.insert("strength".into(), strength.clone());
     });
     with_duty(file, basis, gears, load);
+}
+
+/// Kind of a set that is a pair of external gears on fixed axes.
+pub(super) const PAIR: &str = "external_pair";
+
+/// Whether a set is such a pair.
+fn is_pair(set: &Mapping) -> bool {
+    set.get("kind").and_then(Value::as_str) == Some(PAIR)
 }
 
 /// Gears with their shares of the time, equal ones unless shares are given.
@@ -76,8 +86,9 @@ fn for_each_of(key: &str, file: &mut Value, change: impl FnMut(&mut Mapping)) {
 /// Writes helix angle and tools into the sets and the duty into the file: its gears with their shares of the
 /// time.
 pub(super) fn with_duty(file: &mut Value, basis: &Basis, gears: &[(&str, f64)], load: Load) {
-    if let Some(tools) = &basis.tools {
+    if let (Some(tools), (_, Some(of_pair))) = (&basis.tools, basis.of_pair()) {
         for_each_set(file, |set| {
+            let tools = if is_pair(set) { &of_pair } else { tools };
             set.insert("tools".into(), tools.clone());
         });
     }

@@ -2,81 +2,44 @@
 
 use super::assumed::{AssumedLoad, assumed};
 use super::attempt::CLASSES;
-use super::making::{BEARINGS_DECIDE, Load, MAKING, mapping, warnings, with_load};
+use super::axes::{self, Axes};
+use super::making::{BEARINGS_DECIDE, MAKING, warnings};
 use super::masses::Masses;
 use super::records::SizesStep;
+use super::stages_file::{efficiencies, order, text};
+use super::stages_wanted::WantedStages;
 use super::ways_out::WayOutOfStages;
-use crate::analyze::answer::{analysis, moving};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::application::FULL_LOAD;
-use crate::shared::basis::{Basis, BasisKey};
+use crate::shared::basis::BasisKey;
 use crate::shared::gearbox::{Choice, one};
-use crate::size::answer::{self as size, sizing_of};
+use crate::size::answer as size;
 use crate::size::options::Request as SizeRequest;
-use crate::tolerance::ROUNDED;
 use epicyclic_formats::Document;
-use epicyclic_formats::yaml::{Value, to_string};
-use epicyclic_gears::ToothCount;
-use epicyclic_strength::series::{
-    Found, InputStep, KnownSets, Order, STAGE_PRICE, Teeth, Train, Trains, search,
-};
+use epicyclic_strength::series::{Found, KnownSets, Order, STAGE_PRICE, Train, Trains, search};
+use epicyclic_strength::sizing::SetTeeth;
 use epicyclic_units::Physical;
+use epicyclic_units::format::trimmed;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
-use uom::si::f64::{AngularVelocity, Torque};
 
 /// Mass with rollers in the bores over that with bearings of the tables, up to which they are taken.
 const BEARINGS_PAY: f64 = 0.8;
 
+/// Significant digits of efficiencies that are assumed.
+const DIGITS: usize = 6;
+
 /// Stages that are tried at most.
 pub(crate) const MOST_STAGES: u32 = 4;
-
-/// Order for stages in series.
-#[derive(Debug, Clone)]
-pub struct WantedStages {
-    /// Speed of the fast shaft over that of the slow one, by amount.
-    pub ratio: f64,
-    /// Whether the output is the fast shaft.
-    pub steps_up: bool,
-    /// Whether the rings turn with the slow shaft and its carrier is held, so that the output turns against the
-    /// input; the rings are held otherwise.
-    pub rings_turn: bool,
-    /// Allowed relative deviation of the ratio.
-    pub tolerance: f64,
-    /// Numbers of stages.
-    pub stages: RangeInclusive<usize>,
-    /// Tooth numbers of the sets.
-    pub teeth: Teeth,
-    /// Speed of the input.
-    pub speed: AngularVelocity,
-    /// Whether input and output turn backward.
-    pub is_backward: bool,
-    /// Whether trains with smaller rings are asked for.
-    pub is_front_asked: bool,
-    /// Whether the request itself asks for gears without common divisors.
-    pub is_hunting_asked: bool,
-    /// Torque on the input; where the output's is asked for, this one over the ratio.
-    pub torque: Torque,
-    /// Whether the torque of the output is asked for, so that the input gives the losses as well.
-    pub is_of_output: bool,
-    /// Greatest torque during the life over the nominal torque.
-    pub overload: Option<f64>,
-    /// Efficiency of each set with its carrier fixed, which the file states.
-    pub efficiency: f64,
-    /// Materials, factors, oil and life.
-    pub basis: Basis,
-    /// Search space of sizes.
-    pub size: SizeRequest,
-}
 
 /// Stages in series for one ratio, with sufficient strength.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Stages {
     /// Required ratio, input speed over output speed; below 0 the rings turn with the slow shaft, and its
-    /// carrier is held.
+    /// carrier is held. A train whose fast stage is a pair may have the other sign.
     pub asked_ratio: f64,
     /// Allowed relative deviation of the ratio.
     pub tolerance: f64,
@@ -145,6 +108,8 @@ pub struct TeethRanges {
 pub struct TrainsOf {
     /// Number of stages.
     pub stages: usize,
+    /// Whether the fast stage is a pair of external gears on parallel axes.
+    pub has_pair: bool,
     /// Least and greatest ratio of so many stages with the tooth numbers allowed, the nearer to 1 first; null
     /// if these leave no set.
     pub reachable: Option<[f64; 2]>,
@@ -166,9 +131,10 @@ pub struct TrainsOf {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct TrainOfStages {
-    /// Tooth numbers of sun, planet and ring of each stage, from the input on.
-    pub teeth: Vec<[u32; 3]>,
-    /// Ratio of each stage with its ring held.
+    /// Tooth numbers of each stage, from the input on: of sun, planet and ring, or of both gears of a pair, the
+    /// faster first.
+    pub teeth: Vec<Vec<u32>>,
+    /// Ratio of each stage with its ring held; of a pair by amount.
     pub ratios: Vec<f64>,
     /// Ratio of the train.
     pub ratio: f64,
@@ -186,79 +152,19 @@ impl Answer for Stages {
     const NAME: &'static str = "design-stages";
 }
 
-impl WantedStages {
-    /// Input over output, from the quotient of fast and slow.
-    fn of_input(&self, quotient: f64) -> f64 {
-        if self.steps_up { 1.0 / quotient } else { quotient }
-    }
-
-    /// Input speed over output speed, from the quotient of fast and slow by amount.
-    fn over_output(&self, quotient: f64) -> f64 {
-        let amount = self.of_input(quotient);
-        if self.rings_turn { -amount } else { amount }
-    }
-
-    /// Quotient of fast and slow by amount, from the product of the stages' ratios.
-    fn quotient(&self, product: f64) -> f64 {
-        if self.rings_turn { product - 1.0 } else { product }
-    }
-
-    /// Product of the stages' ratios, from the quotient of fast and slow by amount.
-    fn product(&self, quotient: f64) -> f64 {
-        if self.rings_turn { quotient + 1.0 } else { quotient }
-    }
-
-    /// The duty of the fast shaft, by the largest torque that a train of at most these stages within a
-    /// tolerance has there.
-    fn fast(&self, tolerance: f64, stages: usize) -> InputStep {
-        let torque = match self.is_of_output {
-            true => self.torque / self.least_efficiency(tolerance, stages),
-            false => self.torque,
-        };
-        let (torque, speed) = match self.steps_up {
-            true => (torque / (self.ratio * (1.0 - tolerance)), self.speed * self.ratio),
-            false if self.is_of_output => (torque / (1.0 - tolerance), self.speed),
-            false => (torque, self.speed),
-        };
-        InputStep { share: 1.0, torque, speed }
-    }
-
-    /// Least efficiency of trains of a number of stages within a tolerance: that of equal stages with the
-    /// greatest ratio, since the logarithm of the efficiency of a stage is convex over that of its ratio.
-    fn least_efficiency(&self, tolerance: f64, stages: usize) -> f64 {
-        let stages = stages as f64;
-        let product = self.product(self.ratio * (1.0 + tolerance));
-        let k = libm::pow(product, 1.0 / stages) - 1.0;
-        // Torque of the slow shaft, or of the rings that turn with it, over that of the fast one.
-        let with = |efficiency: f64| self.quotient(libm::pow(1.0 + k * efficiency, stages));
-        match self.steps_up {
-            true => with(1.0) / with(1.0 / self.efficiency),
-            false => with(self.efficiency) / with(1.0),
-        }
-    }
-
-    /// Torque on the input of a train with this ratio of input over output and this efficiency.
-    fn input_torque(&self, ratio: f64, efficiency: Option<f64>) -> Torque {
-        match (self.is_of_output, efficiency) {
-            (true, Some(efficiency)) => self.torque * self.over_output(self.ratio) / (ratio * efficiency),
-            (true, None) => self.torque * self.over_output(self.ratio) / ratio,
-            (false, _) => self.torque,
-        }
-    }
-}
-
 impl TrainOfStages {
     /// The search goes from the fast shaft on.
     fn of(wanted: &WantedStages, train: &Train) -> Self {
         let mut stages = train.stages.clone();
+        let has_pair = stages.first().is_some_and(SetTeeth::is_pair);
         if wanted.steps_up {
             stages.reverse();
         }
-        let ratio = |[sun, _, ring]: &[ToothCount; 3]| wanted.of_input(1.0 + ring.as_f64() / sun.as_f64());
+        let teeth = |stage: &SetTeeth| stage.gears().iter().map(|teeth| teeth.get()).collect();
         Self {
-            teeth: stages.iter().map(|teeth| teeth.map(ToothCount::get)).collect(),
-            ratios: stages.iter().map(ratio).collect(),
-            ratio: wanted.over_output(wanted.quotient(train.ratio)),
+            teeth: stages.iter().map(teeth).collect(),
+            ratios: stages.iter().map(|stage| wanted.of_input(stage.ratio())).collect(),
+            ratio: wanted.over_output(wanted.quotient(train.ratio), has_pair),
             unusual_stages: train.unusual_stages,
             rules_missed: train.rules_missed,
             mass_kg: train.mass_kg,
@@ -270,11 +176,16 @@ impl TrainOfStages {
 impl TrainsOf {
     fn of(wanted: &WantedStages, trains: &Trains) -> Self {
         let mut found = trains.found.iter().map(|train| TrainOfStages::of(wanted, train));
-        let of_one = wanted.teeth.ratios();
-        let of_all = |end: f64| wanted.quotient(libm::pow(end, trains.stages as f64));
-        let reachable = of_one.map(|ends| ends.map(|end| wanted.over_output(of_all(end))));
+        let has_pair = trains.has_pair;
+        let of_pair = if has_pair { axes::ratios() } else { [1.0; 2] };
+        let sets = trains.stages - usize::from(has_pair);
+        let of_one = if sets == 0 { Some([1.0; 2]) } else { wanted.teeth.ratios() };
+        let of_all = |end: usize, of_set: f64| of_pair[end] * libm::pow(of_set, sets as f64);
+        let of_train = |end, of_set| wanted.over_output(wanted.quotient(of_all(end, of_set)), has_pair);
+        let reachable = of_one.map(|[least, most]| [of_train(0, least), of_train(1, most)]);
         Self {
             stages: trains.stages,
+            has_pair,
             reachable,
             compared: trains.trains,
             sized: trains.sized,
@@ -356,7 +267,7 @@ pub(super) fn attempted_with(
     let (mut efficiency, mut back_driving_efficiency, mut masses) = (None, None, None);
     let mut torque = Some(wanted.torque).filter(|_| !wanted.is_of_output);
     if let Some(train) = &train {
-        [efficiency, back_driving_efficiency] = efficiencies(wanted, train)?;
+        [efficiency, back_driving_efficiency] = efficiencies(wanted, &train.teeth)?;
         let of_input = wanted.input_torque(train.ratio, efficiency);
         torque = Some(of_input);
         let making = text(wanted, &train.teeth, of_input)?;
@@ -369,23 +280,24 @@ pub(super) fn attempted_with(
         file = Some(saved);
         sizes = Some(step);
     }
-    let of_set = BasisKey { key: "efficiency".to_owned(), value: wanted.efficiency.to_string() };
+    let stated = |key: &str, value: f64| BasisKey { key: key.to_owned(), value: trimmed(value, DIGITS) };
+    let of_set = stated("efficiency", wanted.efficiency);
+    let of_pair = stated("efficiency of a pair", axes::efficiency_of_pair(wanted.efficiency));
+    let of_pair = Some(of_pair).filter(|_| wanted.axes != Axes::Coaxial);
     let load = AssumedLoad { spectrum: &FULL_LOAD, gears: 1, shares: &[], overload: wanted.overload };
     let ratio = train.as_ref().map(|train| train.ratio);
     let speed = if wanted.is_backward { -wanted.speed.si() } else { wanted.speed.si() };
     let ends = |range: &RangeInclusive<u32>| [*range.start(), *range.end()];
     let teeth = &wanted.teeth;
     Ok(Stages {
-        asked_ratio: wanted.over_output(wanted.ratio),
+        asked_ratio: wanted.asked(),
         tolerance: wanted.tolerance,
         searched_tolerance: within,
         ratio,
         input_speed_rad_s: speed,
-        asked_output_speed_rad_s: speed / wanted.over_output(wanted.ratio),
+        asked_output_speed_rad_s: speed / wanted.asked(),
         output_speed_rad_s: ratio.map(|ratio| speed / ratio),
-        asked_output_torque_n_m: wanted
-            .is_of_output
-            .then(|| wanted.torque.si() * wanted.over_output(wanted.ratio).abs()),
+        asked_output_torque_n_m: wanted.is_of_output.then(|| wanted.torque.si() * wanted.asked().abs()),
         output_torque_n_m: ratio
             .zip(torque)
             .map(|(ratio, of)| of.si() * ratio.abs() * efficiency.unwrap_or(1.0)),
@@ -397,7 +309,7 @@ pub(super) fn attempted_with(
         teeth: TeethRanges { sun: ends(&teeth.suns), planet: ends(&teeth.planets), ring: ends(&teeth.rings) },
         masses,
         trains,
-        basis: wanted.basis.told().into_iter().chain([of_set]).collect(),
+        basis: wanted.basis.told().into_iter().chain([of_set]).chain(of_pair).collect(),
         assumed: assumed(&wanted.basis, &wanted.size, &load)?,
         sizes,
         file,
@@ -412,16 +324,6 @@ fn unusual(found: &Found) -> Option<u32> {
     found.all.iter().filter_map(|trains| trains.found.first()).map(|train| train.unusual_stages).min()
 }
 
-/// Efficiencies of the meshes of a train, driven from the input and from the output; `None` if their losses
-/// hold it.
-fn efficiencies(wanted: &WantedStages, train: &TrainOfStages) -> Result<[Option<f64>; 2], Error> {
-    let making = text(wanted, &train.teeth, wanted.torque)?;
-    let document = Document::parse_one(MAKING, making.as_bytes())?;
-    let subject = one(&document, &Choice::default())?;
-    let analysis = analysis(&subject.train, GEAR)?;
-    Ok([analysis.efficiency(), analysis.back_driving_efficiency()].map(moving))
-}
-
 /// Searches the best trains of each number of stages within a tolerance, with so many stages beyond usual
 /// practice at most.
 fn searched(
@@ -430,146 +332,22 @@ fn searched(
     most: usize,
     (known, goes_on): (&mut KnownSets, &dyn Fn() -> ControlFlow<()>),
 ) -> Result<Found, Error> {
-    let order = |stages| Ok::<_, Error>(Order { most_unusual, ..order(wanted, tolerance, stages)? });
-    if !wanted.is_of_output {
-        return Ok(search(&order(wanted.stages.clone())?, most, known, goes_on)?);
-    }
-    // More stages lose more, so each number of them has its own torque on the input.
+    let order = |stages, has_pair| {
+        Ok::<_, Error>(Order { most_unusual, ..order(wanted, tolerance, (stages, has_pair))? })
+    };
+    let numbers = match wanted.is_of_output {
+        // More stages lose more, so each number of them has its own torque on the input.
+        true => wanted.stages.clone().map(|stages| stages..=stages).collect(),
+        false => vec![wanted.stages.clone()],
+    };
     let mut found = Found { sets: 0, all: vec![] };
-    for stages in wanted.stages.clone() {
-        let of_number = search(&order(stages..=stages)?, most, known, goes_on)?;
-        found.sets = found.sets.max(of_number.sets);
-        found.all.extend(of_number.all);
+    for has_pair in wanted.axes.pairs() {
+        for stages in &numbers {
+            let of_number = search(&order(stages.clone(), *has_pair)?, most, known, goes_on)?;
+            found.sets = found.sets.max(of_number.sets);
+            found.all.extend(of_number.all);
+        }
     }
+    found.all.sort_by_key(|trains| trains.stages);
     Ok(found)
-}
-
-/// The order as the search takes it.
-fn order(wanted: &WantedStages, tolerance: f64, stages: RangeInclusive<usize>) -> Result<Order, Error> {
-    let fast = wanted.fast(tolerance, *stages.end());
-    // Materials, factors and tools are read from a file, as those of the gearbox will be.
-    let making = text(wanted, &[[24, 30, 84]], wanted.torque)?;
-    let document = Document::parse_one(MAKING, making.as_bytes())?;
-    let mut of_stage = sizing_of(&one(&document, &Choice::default())?, &wanted.size)?;
-    for overload in &mut of_stage.overloads {
-        overload.sun_torque = fast.torque * wanted.overload.unwrap_or(1.0);
-    }
-    // Products of ratios are rounded.
-    let [less, more] = [1.0 - tolerance - ROUNDED, 1.0 + tolerance + ROUNDED];
-    Ok(Order {
-        stages,
-        ratio: wanted.product(wanted.ratio * less)..=wanted.product(wanted.ratio * more),
-        rings_turn: wanted.rings_turn,
-        teeth: wanted.teeth.clone(),
-        most_unusual: None,
-        duty: vec![fast],
-        of_stage,
-    })
-}
-
-/// File of stages without sizes, with a torque on the input.
-fn text(wanted: &WantedStages, teeth: &[[u32; 3]], torque: Torque) -> Result<String, Error> {
-    let shaft = |place: usize| match place {
-        0 => "input".to_owned(),
-        _ if place == teeth.len() => "output".to_owned(),
-        _ => format!("shaft {place}"),
-    };
-    let slow = if wanted.steps_up { "input" } else { "output" };
-    let set = |(place, [sun, planet, ring]): (usize, &[u32; 3])| {
-        let [of_sun, of_carrier] = if wanted.steps_up { [place + 1, place] } else { [place, place + 1] };
-        let [mut of_ring, mut of_carrier] = ["ground".to_owned(), shaft(of_carrier)];
-        if wanted.rings_turn {
-            of_ring = slow.to_owned();
-            if of_carrier == of_ring {
-                of_carrier = "ground".to_owned();
-            }
-        }
-        mapping(vec![
-            ("id", format!("stage {}", place + 1).into()),
-            ("sun", shaft(of_sun).into()),
-            ("ring", of_ring.into()),
-            ("carrier", of_carrier.into()),
-            ("teeth", Value::Sequence(vec![(*sun).into(), (*ring).into()])),
-            ("planet_teeth", Value::Sequence(vec![(*planet).into()])),
-            ("efficiency", wanted.efficiency.into()),
-        ])
-    };
-    let count = if teeth.len() == 1 { "1 stage".to_owned() } else { format!("{} stages", teeth.len()) };
-    let mut file = mapping(vec![
-        ("gearbox", count.into()),
-        ("input", "input".into()),
-        ("output", "output".into()),
-        ("sets", Value::Sequence(teeth.iter().enumerate().map(set).collect())),
-        ("gears", Value::Sequence(vec![mapping(vec![("name", GEAR.into())])])),
-    ]);
-    let load = Load { torque, speed: wanted.speed, overload: wanted.overload, spectrum: &FULL_LOAD };
-    with_load(&mut file, &wanted.basis, &[(GEAR, 1.0)], load);
-    to_string(&file).map_err(|error| Error::Json(error.to_string()))
-}
-
-/// Name of the only gear.
-const GEAR: &str = "only";
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::words::request;
-    use std::iter;
-
-    fn wanted(steps_up: bool) -> WantedStages {
-        WantedStages {
-            ratio: 20.0,
-            is_backward: false,
-            is_hunting_asked: false,
-            is_front_asked: false,
-            steps_up,
-            rings_turn: false,
-            tolerance: 0.03,
-            stages: 1..=3,
-            teeth: Teeth {
-                suns: 17..=30,
-                planets: 17..=80,
-                rings: 50..=160,
-                ring_offsets: 0..=0,
-                ring_to_sun_ratio: 1.2..=12.0,
-                is_hunting: false,
-            },
-            speed: AngularVelocity::from_si(100.0),
-            torque: Torque::from_si(45.0),
-            is_of_output: true,
-            overload: None,
-            efficiency: 0.9,
-            basis: Basis::default(),
-            size: request(iter::empty::<&str>()).unwrap(),
-        }
-    }
-
-    /// No split of a ratio loses more than equal stages.
-    #[test]
-    fn the_least_efficiency_is_below_that_of_every_split() {
-        for (steps_up, rings_turn) in [(false, false), (true, false), (false, true), (true, true)] {
-            let wanted = WantedStages { rings_turn, ..wanted(steps_up) };
-            let product = wanted.product(20.0);
-            let of = |ratios: &[f64]| {
-                let with = |efficiency: f64| {
-                    let all = ratios.iter().map(|ratio| 1.0 + (ratio - 1.0) * efficiency).product::<f64>();
-                    if rings_turn { all - 1.0 } else { all }
-                };
-                if steps_up { with(1.0) / with(1.0 / 0.9) } else { with(0.9) / with(1.0) }
-            };
-            for first in [1.5, 2.5, 3.0, 4.0, 4.472, 5.0, 8.0, 12.0] {
-                assert!(wanted.least_efficiency(0.0, 2) <= of(&[first, product / first]) + 1e-12, "{first}");
-                for second in [1.5, 2.0, 2.7144, 3.0] {
-                    let third = product / (first * second);
-                    let is_reduction = third >= 1.0;
-                    assert!(
-                        !is_reduction
-                            || wanted.least_efficiency(0.0, 3) <= of(&[first, second, third]) + 1e-12,
-                        "{first} {second}"
-                    );
-                }
-            }
-            assert!(wanted.least_efficiency(0.03, 2) < wanted.least_efficiency(0.0, 2));
-        }
-    }
 }

@@ -4,7 +4,9 @@
 //! Every way out is the result of the same search with the limit relaxed. The same command with the option
 //! finds the same train.
 
-use super::stages::{MOST_STAGES, Stages, WantedStages, attempted, attempted_with};
+use super::axes::Axes;
+use super::stages::{MOST_STAGES, Stages, attempted, attempted_with};
+use super::stages_wanted::WantedStages;
 use super::ways_out::{GREATEST_TOLERANCE, Limit, OFFSETS, RelaxedLimit, WayOutOfStages, rounded};
 use crate::error::Error;
 use crate::size::options::Request as SizeRequest;
@@ -121,6 +123,7 @@ fn candidates(wanted: &WantedStages, has_many_trains: bool) -> Vec<RelaxedLimit>
             teeth.ring_offsets == (0..=0),
         ),
         (lifted(Limit::HuntingTeeth), wanted.is_hunting_asked),
+        (lifted(Limit::Axes), wanted.axes == Axes::Coaxial && !wanted.turns_back),
         (lifted(Limit::Modules), size.modules.is_some()),
         (lifted(Limit::FaceWidths), size.face_widths.is_some()),
         (
@@ -144,7 +147,10 @@ const fn is_of_teeth(limit: Limit) -> bool {
 /// Whether a limit bounds the sizes of every set, so that what is known of the sets holds no longer.
 const fn is_of_sizes(limit: Limit) -> bool {
     !is_of_teeth(limit)
-        && !matches!(limit, Limit::LargestRing | Limit::Tolerance | Limit::Stages | Limit::HuntingTeeth)
+        && !matches!(
+            limit,
+            Limit::LargestRing | Limit::Tolerance | Limit::Stages | Limit::HuntingTeeth | Limit::Axes
+        )
 }
 
 /// Search for stages with other limits.
@@ -224,7 +230,7 @@ impl Search<'_> {
             Limit::LargestRing => self.of_ring(way),
             Limit::Tolerance => {
                 // The tolerance is that of the ratio above 1, whichever shaft is the input.
-                let quotient = way.ratio / stages.asked_ratio;
+                let quotient = (way.ratio / stages.asked_ratio).abs();
                 let deviation = (quotient - 1.0).abs().max((1.0 / quotient - 1.0).abs());
                 let needed = rounded(deviation, f64::ceil);
                 self.or_wider(way, RelaxedLimit { greatest: Some(needed), ..limit })
@@ -303,6 +309,7 @@ fn relax(one: RelaxedLimit, wanted: &mut WantedStages) {
         Limit::RingToSunRatio => wanted.teeth.ring_to_sun_ratio = ends[0]..=ends[1],
         Limit::RingOffset => wanted.teeth.ring_offsets = ends[0] as i32..=ends[1] as i32,
         Limit::HuntingTeeth => wanted.teeth.is_hunting = false,
+        Limit::Axes => wanted.axes = Axes::Either,
         _ => one.relax_size(&mut wanted.size),
     }
 }

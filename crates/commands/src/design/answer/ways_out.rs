@@ -38,8 +38,9 @@ pub struct WayOut {
 pub struct WayOutOfStages {
     /// Limits: those that must be relaxed together, or that of a smaller ring.
     pub limits: Vec<RelaxedLimit>,
-    /// Tooth numbers of sun, planet and ring of each stage, from the input on.
-    pub teeth: Vec<[u32; 3]>,
+    /// Tooth numbers of each stage, from the input on: of sun, planet and ring, or of both gears of a pair, the
+    /// faster first.
+    pub teeth: Vec<Vec<u32>>,
     /// Ratio of the train.
     pub ratio: f64,
     /// Greatest outside diameter of a ring, in m.
@@ -112,6 +113,8 @@ pub enum Limit {
     HuntingTeeth,
     /// Rolling bearings of the planets: planets without bearings.
     Bearings,
+    /// Shafts in one line; relaxed to either kind of fast stage.
+    Axes,
 }
 
 /// Factors on a limit that is just sufficient for exact ratios. Real tooth numbers only come close and may
@@ -344,7 +347,7 @@ impl RelaxedLimit {
                 self.relax_size(&mut wanted.size);
             }
             // Of stages in series.
-            Limit::Stages | Limit::HuntingTeeth => {}
+            Limit::Stages | Limit::HuntingTeeth | Limit::Axes => {}
         }
     }
 

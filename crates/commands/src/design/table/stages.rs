@@ -97,7 +97,8 @@ fn options_of_teeth([sun, planet, ring]: [[u32; 2]; 3]) -> String {
 /// Ratios that a number of stages reaches.
 fn reach(trains: &TrainsOf) -> Option<String> {
     let [one, other] = trains.reachable?.map(of_ratio);
-    Some(format!("{one} to {other} with {}", count(trains.stages)))
+    let pair = if trains.has_pair { ", the fast one a pair" } else { "" };
+    Some(format!("{one} to {other} with {}{pair}", count(trains.stages)))
 }
 
 /// Number of stages in words.
@@ -147,7 +148,9 @@ fn with_limits<'a>(
         .words("teeth", "sun, planet, ring", |way| teeth(&way.teeth))
         .words("ratio", "i", |way| of_ratio(way.ratio))
         .number("efficiency", "η", |way| way.efficiency)
-        .quantity("ring_diameter", "ring", Dimension::Length, |way| Some(way.ring_diameter_m))
+        .quantity("ring_diameter", "ring", Dimension::Length, |way| {
+            Some(way.ring_diameter_m).filter(|ring| *ring > 0.0)
+        })
         .quantity("mass", "whole", Dimension::Mass, |way| way.whole_kg)
         .number("rules_missed", "rules missed", |way| f64::from(way.rules_missed))
         .view(title, "option teeth ratio efficiency ring_diameter mass rules_missed")
@@ -161,9 +164,13 @@ pub(crate) fn in_short(stages: &Stages) -> String {
         let steps_up = if steps_up { format!(", which {STEPS_UP},") } else { String::new() };
         return format!("No stages in series with i = {asked}{steps_up} that hold were found.");
     };
-    let count = count(sizes.sets.len());
-    let mut all = vec![count];
-    all.extend((ratio < 0.0).then(|| RINGS_TURN.to_owned()));
+    let mut all = vec![count(sizes.sets.len())];
+    let has_pair = stages.trains.iter().any(|trains| trains.taken && trains.has_pair);
+    all.extend(has_pair.then(|| match sizes.sets.len() {
+        1 => format!("a pair of gears, {TURNS_AROUND}"),
+        _ => format!("the fast one a pair of gears, {TURNS_AROUND}"),
+    }));
+    all.extend((ratio < 0.0 && !has_pair).then(|| RINGS_TURN.to_owned()));
     all.extend(steps_up.then(|| STEPS_UP.to_owned()));
     all.push(format!("i = {} (asked {asked})", of_ratio(ratio)));
     all.extend(stages.efficiency.map(|of| format!("η = {}", trimmed(of, 3))));
@@ -186,6 +193,9 @@ const STEPS_UP: &str = "steps up";
 /// Words for a negative ratio: the output turns against the input.
 const RINGS_TURN: &str = "rings turning with the slow shaft, its carrier held";
 
+/// What a pair of external gears does.
+const TURNS_AROUND: &str = "which turns the direction around";
+
 fn asked(stages: &Stages) -> Section {
     let of = |dimension, value: Option<f64>| value.map_or(Figure::None, |value| quantity(dimension, value));
     // The load is asked for at one of both shafts.
@@ -194,7 +204,7 @@ fn asked(stages: &Stages) -> Section {
         let asked = of(dimension, value.filter(|_| is_of_input));
         Row::new(name, label, symbol, [asked, of(dimension, value), Figure::None])
     };
-    let deviation = stages.ratio.map(|ratio| percent(ratio / stages.asked_ratio - 1.0));
+    let deviation = stages.ratio.map(|ratio| percent((ratio / stages.asked_ratio).abs() - 1.0));
     let rows = vec![
         Row::new(
             "ratio",
@@ -246,19 +256,30 @@ fn asked(stages: &Stages) -> Section {
     Section { name: "asked_and_reached", title: "Asked and reached", columns: COLUMNS, rows, note: "" }
 }
 
-/// Teeth of sun, planet and ring of each stage.
-fn teeth(stages: &[[u32; 3]]) -> String {
-    let all: Vec<String> =
-        stages.iter().map(|[sun, planet, ring]| format!("{sun} {planet} {ring}")).collect();
+/// Teeth of each stage: of sun, planet and ring, or of a pair.
+fn teeth(stages: &[Vec<u32>]) -> String {
+    let numbers = |teeth: &Vec<u32>| {
+        let all: Vec<String> = teeth.iter().map(u32::to_string).collect();
+        if teeth.len() == 2 { format!("pair {}", all.join(" ")) } else { all.join(" ") }
+    };
+    let all: Vec<String> = stages.iter().map(numbers).collect();
     all.join(" + ")
 }
 
 fn trains(stages: &Stages) -> Records {
     let rows =
         stages.trains.iter().flat_map(|of| [(of, of.best.as_ref(), true), (of, of.next.as_ref(), false)]);
-    // A second line only where there is a second train.
-    let rows: Vec<_> = rows.filter(|(_, train, is_best)| *is_best || train.is_some()).collect();
-    Table::new("trains", rows)
+    // A second line only where there is a second train; none where the other kind of fast stage has trains.
+    let has_train =
+        |of: &TrainsOf| stages.trains.iter().any(|other| other.stages == of.stages && other.best.is_some());
+    let rows = rows.filter(|(of, train, is_best)| train.is_some() || *is_best && !has_train(of));
+    let columns = if has_pairs(stages) {
+        "stages fast_stage taken teeth ratio mass rules_missed"
+    } else {
+        "stages taken teeth ratio mass rules_missed"
+    };
+    Table::new("trains", rows.collect::<Vec<_>>())
+        .words("fast_stage", "fast stage", |(of, ..)| Some(fast_stage(of)))
         .number("stages", "stages", |(of, ..)| of.stages as f64)
         .words("taken", "", |(of, _, is_best)| (of.taken && *is_best).then_some("taken"))
         .words("teeth", "sun, planet, ring", |(of, train, _)| match train {
@@ -272,23 +293,40 @@ fn trains(stages: &Stages) -> Records {
         .number("ratio", "i", |(_, train, _)| train.map(|train| train.ratio))
         .quantity("mass", "mass", Dimension::Mass, |(_, train, _)| train.map(|train| train.mass_kg))
         .number("rules_missed", "rules missed", |(_, train, _)| train.map(|train| f64::from(train.rules_missed)))
-        .view("The best trains of each number of stages", "stages taken teeth ratio mass rules_missed")
+        .view("The best trains of each number of stages", columns)
         .note(format!(
             "The teeth are those of {}. Trains that keep to usual practice come first, then less mass, of which each rule missed counts a quarter and each stage 15 %: \
              of gears, carriers and housing by a rule, or what --minimise says. Slow shaft and flanges are not in this mass. \
-             --stages decides otherwise.",
-            ranges(stages)
+             --stages decides otherwise.{}",
+            ranges(stages),
+            if has_pairs(stages) { " Pairs have the teeth of --axes." } else { "" }
         ))
         .records()
 }
 
+/// Whether trains were searched whose fast stage is a pair.
+fn has_pairs(stages: &Stages) -> bool {
+    stages.trains.iter().any(|trains| trains.has_pair)
+}
+
+/// Kind of the fast stage.
+const fn fast_stage(of: &TrainsOf) -> &'static str {
+    if of.has_pair { "pair" } else { "set" }
+}
+
 fn searched(stages: &Stages) -> Records {
+    let columns = if has_pairs(stages) {
+        "stages fast_stage compared sized complete"
+    } else {
+        "stages compared sized complete"
+    };
     Table::new("searched", stages.trains.iter())
+        .words("fast_stage", "fast stage", |of| Some(fast_stage(of)))
         .number("stages", "stages", |of| of.stages as f64)
         .number("compared", "trains", |of| of.compared as f64)
         .number("sized", "stages sized", |of| of.sized as f64)
         .words("complete", "all compared", |of| if of.complete { "yes" } else { "no" })
-        .view("How they were found", "stages compared sized complete")
+        .view("How they were found", columns)
         .note("trains: within the part of the tolerance from which the train is taken. A stage is sized only where a bound below its mass leaves it a chance.")
         .records()
 }
