@@ -329,7 +329,7 @@ fn stages_that_are_not_found_name_the_limits_in_the_way() {
     assert!(up.lines().next().is_some_and(|line| line.contains("steps up")), "{up}");
     let (code, answer, said) = stages(&["--ratio=1.5"]);
     assert!(code == 1 && answer["ways_out"].as_array().is_some(), "{said}");
-    assert!(said.contains("--ratios 1.5"), "{said}");
+    assert!(said.contains("--axes either gives 1 stage, i = -1.5"), "{said}");
 }
 
 /// Limits of a basis judge the design, and what a basis lacks is that of the application.

@@ -163,12 +163,14 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// Finds the ways out for an order without stages that hold: each limit relaxed alone, those of tooth numbers
-    /// only if no other suffices; or else as few as possible of the others together.
+    /// and axes only if no other suffices; or else as few as possible of the others together.
     fn ways_out(&self, found: &Stages) -> Result<Vec<WayOutOfStages>, Error> {
         let all = candidates(self.wanted, found.trains.iter().any(|trains| trains.compared > MANY));
-        let (of_teeth, others): (Vec<_>, Vec<_>) = all.into_iter().partition(|one| is_of_teeth(one.limit));
+        // More tooth numbers make the search many times longer. Another kind of train is no gearbox of the order
+        // while one of this kind holds.
+        let is_last = |one: &RelaxedLimit| is_of_teeth(one.limit) || one.limit == Limit::Axes;
+        let (of_teeth, others): (Vec<_>, Vec<_>) = all.into_iter().partition(is_last);
         let mut ways = vec![];
-        // More tooth numbers make the search many times longer.
         for group in [&others, &of_teeth] {
             if ways.is_empty() {
                 ways = self.of_each(group)?;
