@@ -3,6 +3,7 @@
 pub mod answer;
 mod factor;
 mod gears;
+mod load_step;
 pub mod page;
 pub mod request;
 mod stages;
@@ -11,4 +12,5 @@ mod values;
 
 pub use answer::Design;
 pub use factor::Factor;
+pub use load_step::LoadStep;
 pub use request::Request;

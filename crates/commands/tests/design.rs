@@ -392,3 +392,51 @@ fn helical_teeth_are_those_of_every_set() {
         }
     }
 }
+
+/// Steps of a load are those of the file; a load that is the whole in one step or in two is the same, and one that
+/// is rarely full has lighter gears, whose lives and safeties `strength` finds again.
+#[test]
+fn a_load_in_steps_is_rated_by_its_steps() {
+    let order = |more: &str| format!("--ratio=20|--power=12kW|--input=1500rpm|--no-bearings{more}|{SPACE}");
+    let [whole, one, two, mild] = [
+        "",
+        "|--spectrum=100% 1",
+        "|--spectrum=40 % 1 1, 60 % 1 1",
+        "|--spectrum=5% 1, 65% 0.4 1.2, 30% 0 0",
+    ]
+    .map(|more| stages(&order(more)));
+    let price = |stages: &Stages| {
+        let taken = stages.trains.iter().find(|trains| trains.taken).unwrap();
+        taken.best.as_ref().unwrap().price_kg
+    };
+    assert!((price(&whole) / price(&one) - 1.0).abs() < 1e-9);
+    assert!((price(&whole) / price(&two) - 1.0).abs() < 1e-9);
+    assert!(price(&mild) < 0.97 * price(&whole), "{} {}", price(&mild), price(&whole));
+    let file = mild.file.as_ref().unwrap();
+    let told = strength::Request::default().answer(&gearbox(file)).unwrap();
+    let flanks = told.over_duty.iter().map(|one| one.flank.as_ref().unwrap().safety);
+    let own = mild.sizes.as_ref().unwrap().sets.iter().flat_map(|set| &set.found[0].over_duty);
+    for (one, other) in flanks.zip(own) {
+        assert!((one / other.flank.safety - 1.0).abs() < 1e-9, "{one} {other:?}");
+    }
+    let duty = told.duty.iter().map(|step| (step.share, step.torque_n_m, step.speed_rad_s));
+    let torque = mild.input_torque_n_m.unwrap();
+    for ((share, of_torque, speed), wanted) in duty.zip([[0.05, 1.0, 1.0], [0.65, 0.4, 1.2], [0.3, 0.0, 0.0]])
+    {
+        let near = |one: f64, other: f64| (one - other).abs() < 1e-9 * (1.0 + other);
+        let is_same = near(share, wanted[0])
+            && near(of_torque, wanted[1] * torque)
+            && near(speed, wanted[2] * mild.input_speed_rad_s);
+        assert!(is_same, "{share} {of_torque} {speed}");
+    }
+    for (wrong, why) in
+        [("60% 1, 60% 0.5", "'50 %, 50 %'"), ("100% 0", "above 0"), ("50%", "over those of the load")]
+    {
+        let words = order(&format!("|--spectrum={wrong}"));
+        let refused = match request::<Request>(words.split('|')) {
+            Ok(request) => request.answer_stages(&GO_ON).unwrap_err().to_string(),
+            Err(error) => error.to_string(),
+        };
+        assert!(refused.contains(why), "{wrong}: {refused}");
+    }
+}

@@ -29,7 +29,6 @@ use crate::error::Error;
 use crate::select::answer as select;
 use crate::select::answer::reached::ReachedSpeed;
 use crate::select::answer::teeth::Watch;
-use crate::shared::application::FULL_LOAD;
 use crate::shared::basis::{Basis, BasisKey};
 use crate::size::options::Request as SizeRequest;
 use assumed::{AssumedLoad, assumed};
@@ -61,6 +60,8 @@ pub struct Wanted {
     pub shares: Vec<f64>,
     /// Greatest torque during the life over the nominal torque, in every gear.
     pub overload: Option<f64>,
+    /// Steps of the duty in each gear: share of its time, torque and speed over these.
+    pub spectrum: Vec<[f64; 3]>,
     /// Materials, factors, oil and life.
     pub basis: Basis,
     /// Search space of sizes.
@@ -129,7 +130,7 @@ fn attempted(wanted: &Wanted, watch: &Watch) -> Result<(Design, Vec<select::Rela
     let others = attempt.as_ref().map(|attempt| attempt.others.clone()).unwrap_or_default();
     let taken = attempt.as_ref().and_then(|attempt| attempt.mechanism);
     let load = AssumedLoad {
-        spectrum: &FULL_LOAD,
+        spectrum: &wanted.spectrum,
         gears: selected.required.ratios.len() + 1,
         shares: &wanted.shares,
         overload: wanted.overload,

@@ -94,7 +94,7 @@ impl Request {
             torque,
             shares,
             overload: self.overload()?,
-            spectrum: self.sizes.application.map_or(&FULL_LOAD, Application::spectrum),
+            spectrum: self.spectrum(self.sizes.application.map_or(&FULL_LOAD, Application::spectrum))?,
             basis: self.basis()?,
             size: self.sized(),
         };

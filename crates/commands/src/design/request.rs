@@ -1,7 +1,6 @@
 //! The command `design`: from speeds and power to a gearbox whose sizes hold.
 
 use crate::answer::Warning;
-use crate::design::Factor;
 use crate::design::answer::axes::Axes;
 use crate::design::answer::stages::MOST_STAGES;
 use crate::design::answer::transmission::Transmission;
@@ -9,6 +8,7 @@ use crate::design::answer::{Design, Wanted, answer};
 use crate::design::table::stages::why_no_stages;
 use crate::design::table::way_out;
 use crate::design::values::{helix_angle, life, named, sharing, whole};
+use crate::design::{Factor, LoadStep};
 use crate::desk::Call;
 use crate::error::Error;
 use crate::failure::Failure;
@@ -20,7 +20,7 @@ use crate::report::answer::gearbox;
 use crate::select::answer as select;
 use crate::select::answer::duty::{Duty, Load};
 use crate::select::answer::teeth::Watch;
-use crate::shared::application::Application;
+use crate::shared::application::{Application, FULL_LOAD};
 use crate::shared::basis::Basis;
 use crate::shared::gearbox::one;
 use crate::shared::gearbox_choice::refuse;
@@ -141,6 +141,12 @@ pub struct Request {
     /// Shares of the time of the gears, the slowest first, then reverse gears. Default: equal.
     #[arg(long, value_name = "SHARES")]
     pub shares: Option<List<Quantity<Ratio>>>,
+
+    /// Steps of the load in every gear: each its share of the time, its torque and its speed over those of the
+    /// load, '10% 1 1, 90% 0.5 1.2'. Default: full torque and speed for the whole life; lists of gears with
+    /// --application automatic have half of both for 95 % of the time.
+    #[arg(long, value_name = "STEPS")]
+    pub spectrum: Option<List<LoadStep>>,
 
     /// The greatest torque of the life over that of the load, in every gear: teeth are held against it
     /// statically.
@@ -392,6 +398,7 @@ impl Request {
             tooth_design: self.tooth_design.map(|number| usize::try_from(number).unwrap_or(usize::MAX)),
             shares: self.shares(gears)?,
             overload: self.overload()?,
+            spectrum: self.spectrum(&FULL_LOAD)?,
             basis: self.basis()?,
             size: self.sized(),
         })
@@ -423,22 +430,27 @@ impl Request {
     pub(super) fn shares(&self, gears: usize) -> Result<Vec<f64>, Failure> {
         let shares: Vec<f64> =
             self.shares.iter().flat_map(|shares| &shares.0).map(|share| share.0.si()).collect();
-        let in_percent = |share: f64| format!("{} %", trimmed(100.0 * share, 6));
         if let Some(wrong) = shares.iter().find(|share| **share < 0.0 || share.is_nan()) {
             let message = format!("{}: a share of the time is not below 0", in_percent(*wrong));
             return Err(Failure::invalid("--shares", message));
         }
-        let sum: f64 = shares.iter().sum();
-        if !shares.is_empty() && shares.len() == gears && (sum - 1.0).abs() > SHARES {
-            let whole: Vec<String> = whole(&shares, sum).into_iter().map(in_percent).collect();
-            let message = format!(
-                "the shares are {} together; they must be 100 %, as '{}'",
-                in_percent(sum),
-                whole.join(", ")
-            );
-            return Err(Failure::invalid("--shares", message));
+        if !shares.is_empty() && shares.len() == gears {
+            are_whole("--shares", &shares)?;
         }
         Ok(shares)
+    }
+
+    /// Steps of the load in each gear, or the usual ones: share of the time, torque and speed over those of the
+    /// load.
+    pub(super) fn spectrum(&self, usual: &[[f64; 3]]) -> Result<Vec<[f64; 3]>, Failure> {
+        let Some(steps) = &self.spectrum else { return Ok(usual.to_vec()) };
+        let steps: Vec<[f64; 3]> = steps.0.iter().map(|step| step.0).collect();
+        are_whole("--spectrum", &steps.iter().map(|[share, ..]| *share).collect::<Vec<_>>())?;
+        if steps.iter().all(|step| step.contains(&0.0)) {
+            let message = "no step has a share of the time, a torque and a speed above 0";
+            return Err(Failure::invalid("--spectrum", message));
+        }
+        Ok(steps)
     }
 
     /// Allowed deviation of ratios.
@@ -522,6 +534,23 @@ impl Request {
         }
         Ok(basis)
     }
+}
+
+/// A share of the time in words.
+fn in_percent(share: f64) -> String {
+    format!("{} %", trimmed(100.0 * share, 6))
+}
+
+/// Refuses shares of the time that are not together all of it.
+fn are_whole(option: &'static str, shares: &[f64]) -> Result<(), Failure> {
+    let sum: f64 = shares.iter().sum();
+    if (sum - 1.0).abs() <= SHARES {
+        return Ok(());
+    }
+    let whole: Vec<String> = whole(shares, sum).into_iter().map(in_percent).collect();
+    let message =
+        format!("the shares are {} together; they must be 100 %, as '{}'", in_percent(sum), whole.join(", "));
+    Err(Failure::invalid(option, message))
 }
 
 /// Converts an error to a failure with the option that caused it.

@@ -8,7 +8,7 @@ use crate::design::answer::stages_ways_out::{self, LARGE_SUNS};
 use crate::error::Error;
 use crate::failure::Failure;
 use crate::select::answer::duty::{Duty, Load};
-use crate::shared::application::Application;
+use crate::shared::application::{Application, FULL_LOAD};
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_strength::series::Teeth;
 use epicyclic_units::Physical;
@@ -108,6 +108,7 @@ impl Request {
             torque: duty.torque().map_err(refuse_of)?.ok_or(Error::NoLoad).map_err(refuse_of)?,
             is_of_output: self.output_torque.is_some(),
             overload: self.overload()?,
+            spectrum: self.spectrum(&FULL_LOAD)?,
             efficiency: self.criteria.set_efficiency()?.get(),
             basis: self.basis()?,
             size: self.sized(),

@@ -9,7 +9,6 @@ use crate::error::Error;
 use crate::select::answer::reached::{Asked, ReachedSpeed, largest_deviation};
 use crate::select::answer::saved::Saved;
 use crate::select::answer::teeth::{At, Watch};
-use crate::shared::application::FULL_LOAD;
 use crate::shared::gearbox::{Choice, one};
 use crate::size::answer::{self as size, sizing_of};
 use crate::tolerance::OBJECTIVE;
@@ -326,9 +325,9 @@ impl<'a> Search<'a> {
     }
 
     /// Load of the input in every gear.
-    fn load(&self) -> Load {
+    fn load(&self) -> Load<'_> {
         let overload = self.wanted.overload;
-        Load { torque: self.torque, speed: self.speed, overload, spectrum: &FULL_LOAD }
+        Load { torque: self.torque, speed: self.speed, overload, spectrum: &self.wanted.spectrum }
     }
 
     /// Gearbox file of a design with its duty and the data for its strength. The number of planets and the

@@ -18,7 +18,7 @@ pub(super) fn sets(
     gearbox: &Gearbox,
     teeth: &[[ToothCount; 3]],
     gears: &[(&str, f64)],
-    load: Load,
+    load: Load<'_>,
     overload: Option<&SetOverload>,
 ) -> Result<Vec<LoadedSet>, Error> {
     let no_torques = || Error::NothingToSize { sets: vec![] };

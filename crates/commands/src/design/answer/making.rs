@@ -26,17 +26,17 @@ const DIGITS: usize = 12;
 
 /// Load of the input in every gear.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Load {
+pub(super) struct Load<'a> {
     pub(super) torque: Torque,
     pub(super) speed: AngularVelocity,
     /// Greatest torque during the life over the nominal torque.
     pub(super) overload: Option<f64>,
     /// Steps in each gear: share of its time, torque and speed over these.
-    pub(super) spectrum: &'static [[f64; 3]],
+    pub(super) spectrum: &'a [[f64; 3]],
 }
 
 /// Writes the basis into every set, which is a simple one or a pair, and the duty into the file.
-pub(super) fn with_load(file: &mut Value, basis: &Basis, gears: &[(&str, f64)], load: Load) {
+pub(super) fn with_load(file: &mut Value, basis: &Basis, gears: &[(&str, f64)], load: Load<'_>) {
     let of_pair = basis.of_pair();
     for_each_set(file, |set| {
         let strength = if is_pair(set) { &of_pair.0 } else { &basis.strength };
@@ -85,7 +85,7 @@ fn for_each_of(key: &str, file: &mut Value, change: impl FnMut(&mut Mapping)) {
 
 /// Writes helix angle and tools into the sets and the duty into the file: its gears with their shares of the
 /// time.
-pub(super) fn with_duty(file: &mut Value, basis: &Basis, gears: &[(&str, f64)], load: Load) {
+pub(super) fn with_duty(file: &mut Value, basis: &Basis, gears: &[(&str, f64)], load: Load<'_>) {
     if let (Some(tools), (_, Some(of_pair))) = (&basis.tools, basis.of_pair()) {
         for_each_set(file, |set| {
             let tools = if is_pair(set) { &of_pair } else { tools };

@@ -11,7 +11,6 @@ use super::stages_wanted::WantedStages;
 use super::ways_out::WayOutOfStages;
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
-use crate::shared::application::FULL_LOAD;
 use crate::shared::basis::BasisKey;
 use crate::shared::gearbox::{Choice, one};
 use crate::size::answer as size;
@@ -284,7 +283,7 @@ pub(super) fn attempted_with(
     let of_set = stated("efficiency", wanted.efficiency);
     let of_pair = stated("efficiency of a pair", axes::efficiency_of_pair(wanted.efficiency));
     let of_pair = Some(of_pair).filter(|_| wanted.axes != Axes::Coaxial);
-    let load = AssumedLoad { spectrum: &FULL_LOAD, gears: 1, shares: &[], overload: wanted.overload };
+    let load = AssumedLoad { spectrum: &wanted.spectrum, gears: 1, shares: &[], overload: wanted.overload };
     let ratio = train.as_ref().map(|train| train.ratio);
     let speed = if wanted.is_backward { -wanted.speed.si() } else { wanted.speed.si() };
     let ends = |range: &RangeInclusive<u32>| [*range.start(), *range.end()];

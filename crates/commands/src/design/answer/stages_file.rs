@@ -6,13 +6,12 @@ use super::making::{Load, MAKING, PAIR, mapping, with_load};
 use super::stages_wanted::WantedStages;
 use crate::analyze::answer::{analysis, moving};
 use crate::error::Error;
-use crate::shared::application::FULL_LOAD;
 use crate::shared::gearbox::{Choice, one};
 use crate::size::answer::sizing_of;
 use crate::tolerance::ROUNDED;
 use epicyclic_formats::Document;
 use epicyclic_formats::yaml::{Value, to_string};
-use epicyclic_strength::series::Order;
+use epicyclic_strength::series::{InputStep, Order};
 use epicyclic_strength::sizing::Sizing;
 use std::ops::RangeInclusive;
 use uom::si::f64::Torque;
@@ -55,9 +54,14 @@ pub(super) fn order(
         first_pair: of_pair.map(first_pair),
         teeth: wanted.teeth.clone(),
         most_unusual: None,
-        duty: vec![fast],
+        duty: wanted.spectrum.iter().map(|part| of_part(fast, *part)).collect(),
         of_stage,
     })
+}
+
+/// A part of the time with torque and speed over those of the duty.
+fn of_part(duty: InputStep, [share, torque, speed]: [f64; 3]) -> InputStep {
+    InputStep { share: share * duty.share, torque: duty.torque * torque, speed: duty.speed * speed }
 }
 
 /// File of stages without sizes, with a torque on the input.
@@ -107,7 +111,7 @@ pub(super) fn text(wanted: &WantedStages, teeth: &[Vec<u32>], torque: Torque) ->
         ("sets", Value::Sequence(teeth.iter().enumerate().map(set).collect())),
         ("gears", Value::Sequence(vec![mapping(vec![("name", GEAR.into())])])),
     ]);
-    let load = Load { torque, speed: wanted.speed, overload: wanted.overload, spectrum: &FULL_LOAD };
+    let load = Load { torque, speed: wanted.speed, overload: wanted.overload, spectrum: &wanted.spectrum };
     with_load(&mut file, &wanted.basis, &[(GEAR, 1.0)], load);
     to_string(&file).map_err(|error| Error::Json(error.to_string()))
 }

@@ -38,6 +38,8 @@ pub struct WantedStages {
     pub is_of_output: bool,
     /// Greatest torque during the life over the nominal torque.
     pub overload: Option<f64>,
+    /// Steps of the duty: share of the time, torque and speed over these.
+    pub spectrum: Vec<[f64; 3]>,
     /// Efficiency of each set with its carrier fixed, which the file states.
     pub efficiency: f64,
     /// Materials, factors, oil and life.
@@ -159,6 +161,7 @@ mod tests {
             torque: Torque::from_si(45.0),
             is_of_output: true,
             overload: None,
+            spectrum: vec![[1.0; 3]],
             efficiency: 0.9,
             basis: Basis::default(),
             size: request(iter::empty::<&str>()).unwrap(),

@@ -85,7 +85,7 @@ pub struct WantedTransmission {
     /// Greatest torque during the life over the nominal torque.
     pub overload: Option<f64>,
     /// Steps of the duty in each gear: share of its time, torque and speed over these.
-    pub spectrum: &'static [[f64; 3]],
+    pub spectrum: Vec<[f64; 3]>,
     /// Materials, factors, oil and life.
     pub basis: Basis,
     /// Search space of sizes.
@@ -224,7 +224,7 @@ pub fn answer(
     all.sort_by(|one, other| one.rank().partial_cmp(&other.rank()).expect("masses are numbers"));
     let gearboxes = all.iter().map(|sized| sized.of.clone()).collect();
     let load = AssumedLoad {
-        spectrum: wanted.spectrum,
+        spectrum: &wanted.spectrum,
         gears: gears.len(),
         shares: &wanted.shares,
         overload: wanted.overload,
@@ -265,8 +265,8 @@ pub fn answer(
 
 impl WantedTransmission {
     /// Load of the input in every gear.
-    fn load(&self) -> Load {
-        let Self { torque, speed, overload, spectrum, .. } = *self;
+    fn load(&self) -> Load<'_> {
+        let Self { torque, speed, overload, ref spectrum, .. } = *self;
         Load { torque, speed, overload, spectrum }
     }
 }
