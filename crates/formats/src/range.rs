@@ -101,6 +101,14 @@ pub enum RangeError {
         /// The range without the unit.
         corrected: String,
     },
+    /// Another mark between the ends.
+    #[error("{text}: two dots are between the ends of a range; write {corrected}", text = one_line(text))]
+    Mark {
+        /// The text.
+        text: String,
+        /// The range with two dots.
+        corrected: String,
+    },
     /// A share at the second end alone.
     #[error("{text}: the first end has no unit; write {corrected}", text = one_line(text))]
     Share {
@@ -238,6 +246,14 @@ impl<T: End> FromStr for Span<T> {
         if let Some(corrected) = corrected.filter(|corrected| !corrected.is_empty()) {
             return Err(RangeError::Unit { text: text.to_owned(), corrected });
         }
+        let marks = ["-", "–", "—", " to ", " bis "].into_iter();
+        let apart = marks.filter_map(|mark| text.split_once(mark)).map(|(from, to)| [from.trim(), to.trim()]);
+        let is_range = |ends: &[&str; 2]| ends.iter().all(|end| T::read(end).is_ok());
+        if let Some([from, to]) =
+            apart.filter(is_range).next().filter(|_| ends.is_none() && T::read(text).is_err())
+        {
+            return Err(RangeError::Mark { text: text.to_owned(), corrected: format!("{from}..{to}") });
+        }
         let span = match ends {
             Some((from, to)) => Self { from: read(from)?, to: read(to)? },
             None => {
@@ -341,6 +357,15 @@ mod tests {
     }
 
     #[test]
+    fn another_mark_between_the_ends_is_named() {
+        for text in ["2-3", "2 – 3", "2 to 3"] {
+            let said = format!("{text}: two dots are between the ends of a range; write 2..3");
+            assert_eq!(text.parse::<Span<u32>>().unwrap_err().to_string(), said);
+        }
+        assert_eq!("1e-3".parse::<Span<f64>>().unwrap().single(), Some(0.001));
+    }
+
+    #[test]
     fn ends_may_be_shares() {
         let read = |text: &str| text.parse::<Span<f64>>().map(|span| (span.from, span.to));
         assert_eq!(read("5 %"), Ok((Some(0.05), Some(0.05))));
@@ -374,7 +399,6 @@ mod tests {
         for (text, message) in [
             ("", "\"\" is no range; write one such as 12..40, 17.., ..=200 or 20".to_owned()),
             ("..", "\"..\" is no range; write one such as 12..40, 17.., ..=200 or 20".to_owned()),
-            ("12-40", format!("12-40: \"12-40\" is not a whole number from 0 to 4294967295; {example}")),
             ("-3..4", format!("-3..4: \"-3\" is not a whole number from 0 to 4294967295; {example}")),
             ("40..12", "40..12: write the smaller number first: 12..40".to_owned()),
             ("300..", "300..: the range is open and would usually end at 200; write both ends".to_owned()),

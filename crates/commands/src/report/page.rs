@@ -154,7 +154,12 @@ fn about(overview: &Overview) -> String {
     };
     let sets = match &overview.sets[..] {
         [only] if only.kind == Kind::Compound => "one compound planet set".to_owned(),
-        sets => count(sets.len(), "planet set"),
+        sets => {
+            let pairs = sets.iter().filter(|set| set.kind.is_pair()).count();
+            let all = [(sets.len() - pairs, "planet set"), (pairs, "pair")];
+            let all = all.into_iter().filter(|(of, _)| *of > 0).map(|(of, what)| count(of, what));
+            all.collect::<Vec<_>>().join(", ")
+        }
     };
     let elements = match overview.shift_elements.len() {
         0 => "no shift elements".to_owned(),

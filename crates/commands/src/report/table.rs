@@ -133,7 +133,7 @@ fn masses(sets: &[SetSizes]) -> String {
         _ => String::new(),
     };
     let whole = if sets.iter().any(|set| set.structure_kg.is_some()) {
-        " Carrier and housing by a rule, cheeks of 0.12 and a wall of 0.04 ring diameters. Shafts, flanges, brakes and clutches come on top; the answer of design has them in its whole."
+        " Carrier and housing by a rule, cheeks of 0.12 and a wall of 0.04 diameters of the ring, of a pair of its larger gear. Shafts, flanges, brakes and clutches come on top; the answer of design has them in its whole."
     } else {
         ""
     };

@@ -61,6 +61,12 @@ impl<T: FromStr<Err: Refusal>> FromStr for List<T> {
                 let all = corrected.map(|all| format!("; all of them: '{}'", one_line(&all.join(", "))));
                 return format!("{error}{}", all.unwrap_or_default());
             }
+            // Values apart by blanks alone: a value with a unit has two words.
+            let words: Vec<&str> = text.split_whitespace().collect();
+            let apart: Option<Vec<String>> = words.iter().map(|word| corrected::<T>(word)).collect();
+            if let Some(apart) = apart.filter(|apart| apart.len() > 1) {
+                return format!("{text}: several values are parted by commas; write '{}'", apart.join(", "));
+            }
             let close = text.matches(',').count() > 0;
             format!("{error}{}", if close { "; several are parted by a comma and a space" } else { "" })
         })
@@ -92,7 +98,7 @@ fn parts(text: &str) -> Vec<&str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use uom::si::f64::Velocity;
+    use uom::si::f64::{Length, Velocity};
 
     #[test]
     fn commas_part_values_but_not_digits() {
@@ -112,6 +118,10 @@ mod tests {
         assert!("0.8 m/s, 3.15 m/s, 4 m/s".parse::<Quantities<Velocity>>().is_ok());
         let refused = "0,8 m/s, fast".parse::<Quantities<Velocity>>().unwrap_err();
         assert_eq!(refused, "0,8 m/s: decimal comma; write 0.8 m/s");
+        let refused = "1 1.25 2mm".parse::<Quantities<Length>>().unwrap_err();
+        assert_eq!(refused, "1 1.25 2mm: several values are parted by commas; write '1 mm, 1.25 mm, 2mm'");
+        let refused = "2.5 3.1".parse::<Numbers>().unwrap_err();
+        assert_eq!(refused, "2.5 3.1: several values are parted by commas; write '2.5, 3.1'");
         let refused = "1.465,2.56".parse::<Numbers>().unwrap_err();
         assert!(refused.ends_with("several are parted by a comma and a space"), "{refused}");
     }

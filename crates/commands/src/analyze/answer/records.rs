@@ -344,6 +344,11 @@ pub enum Kind {
 }
 
 impl Kind {
+    /// Whether the gears stand on fixed axes.
+    pub(crate) const fn is_pair(self) -> bool {
+        matches!(self, Self::ExternalPair | Self::InternalPair)
+    }
+
     pub(crate) fn of(set: &PlanetSet) -> Self {
         match set.kind() {
             Some(SetKind::Simple) => Self::Simple,

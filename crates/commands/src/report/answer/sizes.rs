@@ -37,7 +37,8 @@ pub struct SetSizes {
     pub ring_diameter_m: Option<f64>,
     /// Mass of the gears in kg; null if a face width, the number of planets or the rim of a ring is missing.
     pub mass_kg: Option<f64>,
-    /// Mass of carrier and housing, by a rule, in kg; null without a ring or with several face widths.
+    /// Mass of carrier and housing, by a rule, in kg; null where the rim of the ring is not given, or with several
+    /// face widths.
     pub structure_kg: Option<f64>,
     /// Bearings of the planets; empty without load ratings.
     pub bearings: Vec<SizedBearing>,
@@ -109,8 +110,12 @@ impl SetSizes {
         let mass_kg = masses.sum::<Option<f64>>().filter(|_| !widths.is_empty());
         let ring_diameter_m = gears.iter().filter_map(|gear| gear.ring_diameter_m).reduce(f64::max);
         let face_widths_m = each_once(widths.iter().copied());
-        let structure_kg = match (ring_diameter_m, &face_widths_m[..]) {
-            (Some(ring), [width]) => Some(structure(ring, *width)),
+        // Without a ring the housing is around the largest gear.
+        let has_ring = gears.iter().any(|gear| gear.is_ring);
+        let tips = gears.iter().map(|gear| gear.tip_diameter_m).reduce(f64::max);
+        let outside = if has_ring { ring_diameter_m } else { tips };
+        let structure_kg = match (outside, &face_widths_m[..]) {
+            (Some(outside), [width]) => Some(structure(outside, *width)),
             _ => None,
         };
         let least = |place: Place| {
@@ -152,6 +157,7 @@ struct SizedGear {
     outline_m2: f64,
     /// Outside diameter of a ring in m, if its rim is stated.
     ring_diameter_m: Option<f64>,
+    tip_diameter_m: f64,
 }
 
 impl SizedGear {
@@ -169,6 +175,7 @@ impl SizedGear {
             is_ring,
             outline_m2: gear.filled_area() * module.powi(2) - FRAC_PI_4 * bore.powi(2),
             ring_diameter_m: rim.map(|rim| gear.root_diameter() * module + 2.0 * rim.0.si()),
+            tip_diameter_m: gear.tip_diameter() * module,
         })
     }
 
