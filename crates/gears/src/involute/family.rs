@@ -48,7 +48,7 @@ use crate::gear_kind::GearKind;
 use crate::quantity::SimpleGear;
 use crate::tolerance::TOUCH;
 use crate::{Error, Quantity, ToothCount};
-use epicyclic_numerics::roots::bisected;
+use epicyclic_numerics::roots::{bisected, bracketed};
 use epicyclic_units::Physical;
 use std::ops::RangeInclusive;
 
@@ -399,16 +399,23 @@ fn zero(
     measure: impl Fn(&PlanetSet) -> f64,
 ) -> f64 {
     rising_to_zero(range, |shift| match at(shift) {
-        Ok(set) => measure(&set) > 0.0,
+        Ok(set) => measure(&set),
         // A sun without teeth has too large a shift; a planet has when the sun's is too small.
-        Err(refused) => refused.gear == Some(SimpleGear::Sun),
+        Err(refused) if refused.gear == Some(SimpleGear::Sun) => 1.0,
+        Err(_) => -1.0,
     })
 }
 
-/// Shift in a range above which a measure that rises with it is above 0.
-pub(super) fn rising_to_zero(range: &RangeInclusive<f64>, is_above: impl FnMut(f64) -> bool) -> f64 {
-    let [above, below] = bisected([*range.end(), *range.start()], HALVINGS, is_above);
-    above.midpoint(below)
+/// Shift in a range at which a measure that rises with it is 0, or the end of the range nearest to it.
+pub(super) fn rising_to_zero(range: &RangeInclusive<f64>, measure: impl Fn(f64) -> f64) -> f64 {
+    let [low, high] = [*range.start(), *range.end()];
+    if measure(low) > 0.0 {
+        return low;
+    }
+    if measure(high) <= 0.0 {
+        return high;
+    }
+    bracketed(low, high, measure)
 }
 
 /// 0 where the specific sliding at the roots of sun and planet is equal, rising with the shift of the sun.

@@ -175,11 +175,11 @@ impl MeshTree {
     /// Shift of the first gear that balances the sliding of an external mesh.
     fn balanced(&self, mesh: usize, range: &RangeInclusive<f64>) -> f64 {
         let [first, second] = self.meshes[mesh].gears;
-        let rises = self.sign[first] > 0.0;
+        let sign = self.sign[first].signum();
         rising_to_zero(range, |shift| match self.at(shift) {
-            Ok(chosen) => (sliding_imbalance(&chosen.pairs[mesh]) > 0.0) == rises,
+            Ok(chosen) => sign * sliding_imbalance(&chosen.pairs[mesh]),
             // A gear without teeth has too large a shift of its own, or its mate too small a one.
-            Err(_) => (self.shifts(shift)[first] > self.shifts(shift)[second]) == rises,
+            Err(_) => sign * (self.shifts(shift)[first] - self.shifts(shift)[second]),
         })
     }
 
