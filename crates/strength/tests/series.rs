@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{conveyor, helical, helix_angles, mm};
+use common::{conveyor, helical, helix_angles, mm, with_pairs};
 use epicyclic_gears::ToothCount;
 use epicyclic_strength::series::{InputStep, KnownSets, Order, Teeth, search};
 use epicyclic_strength::sizing::bearing::listed_rollers;
@@ -117,7 +117,7 @@ fn small(
     objective: Objective,
 ) -> Order {
     let order = conveyor();
-    let bearings = listed_rollers().iter().step_by(3).cloned().collect();
+    let bearings = with_pairs(listed_rollers().iter().step_by(3));
     let space = Space {
         modules: modules.into_iter().map(mm).collect(),
         planets,

@@ -9,7 +9,7 @@ use crate::checks::{not_negative, positive};
 use crate::factor::{Side, Symbol};
 use crate::load::load_sharing;
 use crate::mesh::{Gear, Method};
-use crate::planets::loads;
+use crate::planets::{axial_forces, loads};
 use crate::spectrum::{Step, check_shares};
 use crate::tolerance::{EDGE, WHOLE};
 use crate::{Error, Quantity};
@@ -174,6 +174,7 @@ impl Sizing {
                 .collect(),
             planets: vec![SizedPlanet {
                 bearings: self.space.bearings.clone(),
+                is_tilted: self.is_helical(),
                 bore: self.planet_bore,
                 mass: self.planet_mass,
                 sharing: None,
@@ -195,6 +196,10 @@ impl Sizing {
             widens_face_load: self.widens_face_load,
             practice: self.practice.clone(),
         }
+    }
+
+    pub(crate) fn is_helical(&self) -> bool {
+        self.profiles.shared().helix_angle.si() != 0.0
     }
 
     /// Loads of both meshes, and `K_γ` of the bearings.
@@ -230,13 +235,18 @@ impl Sizing {
         let [sun, planet, ring] = self.teeth.map(ToothCount::as_f64);
         let each = f64::from(planets) * radius.si() * sun;
         let [outer, inner] = pairs.map(|pair| libm::tan(pair.working_angle_rad()));
+        let module = radius / pairs[0].centre_distance();
+        let lever = f64::from(planets) * module * pairs[0].gears()[0].reference_diameter() / 2.0;
         let step = |step: &SetStep| {
             let torque = step.sun_torque.si().abs();
             let [first, second] = [sun + planet, ring - planet].map(|teeth| torque * teeth / each);
+            // The planet passes the force at its reference cylinder on from sun to ring.
+            let axial = axial_forces(pairs, module, [(step.sun_torque.abs() / lever).into(); 2]);
             PlanetStep {
                 share: step.share,
                 tangential: Force::from_si(first + second),
                 radial: Force::from_si(first * outer - second * inner),
+                moment: [Torque::default(), axial.tilting_moment],
                 carrier_speed: step.carrier_speed,
                 speed: step.sun_speed.abs() * (sun / planet),
             }
