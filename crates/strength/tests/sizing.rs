@@ -100,6 +100,8 @@ struct Tried {
     objectives: [f64; 2],
     place: (u32, usize, i64, usize),
     holds: bool,
+    /// Share of the life of its bearing that the required life takes; 0 without a bearing.
+    bearing_damage: f64,
 }
 
 /// Every design whose gears have no fault, with every bearing that fits.
@@ -134,9 +136,9 @@ fn every_design(task: &Sizing) -> (u64, Vec<Tried>) {
                         let sizes = [module, in_mm(width)];
                         let rank = rank(task, &choice.set, planets, sizes, *bearing);
                         let made = tried(task, &choice.set, planets, sizes, *bearing);
-                        if let (Some(rank), Some((objectives, holds))) = (rank, made) {
+                        if let (Some(rank), Some((objectives, holds, bearing_damage))) = (rank, made) {
                             let place = (planets, module_place, place, width_place);
-                            all.push(Tried { rank, objectives, place, holds });
+                            all.push(Tried { rank, objectives, place, holds, bearing_damage });
                         }
                     }
                 }
@@ -301,7 +303,7 @@ fn tried(
     planets: u32,
     [module, width]: [f64; 2],
     bearing: Option<&Bearing>,
-) -> Option<([f64; 2], bool)> {
+) -> Option<([f64; 2], bool, f64)> {
     let [sun, planet, ring] = set.gears();
     let bore = bearing.map_or(0.0, |bearing| in_mm(bearing.outside_diameter));
     let rim = (planet.root_diameter() * module - bore) / 2.0;
@@ -387,7 +389,7 @@ fn tried(
                 gear.contact.unwrap() >= one.required_contact && gear.root.unwrap() >= one.required_root
             })
         });
-    let bearing_holds = bearing.is_none_or(|bearing| {
+    let bearing_damage = bearing.map_or(0.0, |bearing| {
         let centre = module * set.centre_distance() / 1e3;
         let wear: f64 = task
             .duty
@@ -401,9 +403,9 @@ fn tried(
                 life.map_or(0.0, |life| step.share / life.get::<hour>())
             })
             .sum();
-        wear * task.life.get::<hour>() <= 1.0
+        wear * task.life.get::<hour>()
     });
-    Some((objectives, teeth_hold && bearing_holds))
+    Some((objectives, teeth_hold && bearing_damage <= 1.0, bearing_damage))
 }
 
 fn is_near(one: f64, other: f64) -> bool {
@@ -458,6 +460,8 @@ fn agrees(task: &Sizing) -> Result<usize, TestCaseError> {
     prop_assert_eq!(all.left_out.total() + held.len() as u64, space);
     for (design, tried) in all.found.iter().zip(&held) {
         prop_assert_eq!(design.rules_missed, tried.rank);
+        let damage = design.planets[0].life.map_or(0.0, |life| (task.life / life).value);
+        prop_assert!(is_as_tried(damage, tried.bearing_damage), "{} for {}", damage, tried.bearing_damage);
         let (mass, ring) = (design.mass.get::<kilogram>(), in_mm(design.ring_diameter.unwrap()));
         let objectives = match task.objective {
             Objective::Mass => [mass, ring],
