@@ -314,7 +314,7 @@ fn rows_of_tilted_planets_are_stated_or_chosen_or_refused() {
         let gearbox = Gearbox::parse("box.yaml", text.as_bytes()).unwrap();
         let one_row = Request { bearing_rows: 1, ..small() };
         let refused = one_row.answer(&gearbox, &|| ControlFlow::Continue(())).unwrap_err().to_string();
-        assert!(refused.contains("--bearing-rows") && refused.contains("two rows"), "{refused}");
+        assert!(refused.contains("--bearing-rows") && refused.contains("pairs of bearings"), "{refused}");
         assert!(!warned(&sized(text, &small()), "axial-force"));
     }
     assert!(warned(&sized(&stepped, &small()), "axial-force"));

@@ -273,7 +273,7 @@ fn bearing_forces(
     [tangential, radial]
 }
 
-/// Load of a bearing for its life in N; with helical teeth that of two rows at the ends of the planet.
+/// Load of a bearing for its life in N; with helical teeth that of both rows at the ends of the planet.
 fn load_of_life(
     task: &Sizing,
     step: &SetStep,
@@ -608,7 +608,7 @@ fn no_space_no_duty_and_no_numbers_are_refused() {
     assert!(of(&|task| task.overloads = vec![peak(10.0, 1.0, -1.0)]).starts_with("required safety is -1"));
     assert!(of(&|task| task.space.planets = vec![0]).starts_with("number of planets is 0"));
     let one_row = of(&|task| *task = helical(task.clone(), 15.0));
-    assert!(one_row.ends_with("bearings of two rows are needed"), "{one_row}");
+    assert!(one_row.ends_with("pairs of bearings are needed"), "{one_row}");
 }
 
 /// The design of the first space in plain figures.

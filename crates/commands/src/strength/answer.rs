@@ -26,6 +26,7 @@
 //! added.
 
 mod axial;
+mod axial_on_planets;
 mod bearing_records;
 pub(crate) mod bearings;
 pub(crate) mod duty;
@@ -229,7 +230,7 @@ pub(crate) fn reversed_bending(subject: &Gearbox) -> Result<Vec<Warning>, Error>
 /// # Errors
 /// Those of the file.
 pub(crate) fn axial_force(subject: &Gearbox) -> Result<Vec<Warning>, Error> {
-    of_each_set(subject, &|set, steps| axial::on_planets(subject, set, steps))
+    of_each_set(subject, &|set, steps| axial_on_planets::warning(subject, set, steps))
 }
 
 /// A warning about the duty of each set with data for its strength.
@@ -386,7 +387,7 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
     let turning: Vec<&Worked<'_>> = steps.iter().filter_map(|step| step.1.as_ref()).collect();
     let idlers = idlers::warnings(subject, &file, &sets)?;
     let reversed = sets.iter().filter_map(|set| together::reversed(set, &steps));
-    let axial_force = sets.iter().filter_map(|set| axial::on_planets(subject, set, &steps));
+    let axial_force = sets.iter().filter_map(|set| axial_on_planets::warning(subject, set, &steps));
     let warnings = safeties
         .below(required)
         .into_iter()

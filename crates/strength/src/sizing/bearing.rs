@@ -78,14 +78,14 @@ impl Bearing {
     }
 
     /// Whether planets that a moment tilts may turn on it. The rollers of one row would bear at one end, and
-    /// one ball bearing has no stated rating against a moment: such planets have two rows.
+    /// one ball bearing has no stated rating against a moment: such planets turn on a pair.
     #[must_use]
     pub const fn holds_moment(&self) -> bool {
         self.rows != 1
     }
 
     /// Distance of the middles of both rows in a planet of this width: a spacer keeps them at its ends, which
-    /// is the longest lever that two rows have there. `None` unless there are two.
+    /// is the longest lever that both rows have there. `None` unless there are two.
     ///
     /// ```
     /// use epicyclic_strength::sizing::bearing;

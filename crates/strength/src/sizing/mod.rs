@@ -69,7 +69,7 @@
 //!              F_t = F_1 + F_2    F_r = F_1·tan α_w1 − F_2·tan α_w2    n = |n_s − n_H|·z_s/z_p
 //! ```
 //!
-//! Axial forces of helical teeth tilt a planet by the moment `M`. Its bearing then has two rows, of which one
+//! Axial forces of helical teeth tilt a planet by the moment `M`. Its bearing then is a pair, of whose rows one
 //! bears more; the load of both as a unit takes the place of `F` ([`bearing_rows`](crate::bearing_rows)). A
 //! single row is left out: it has no stated rating against a moment. The distance of the rows is the stated
 //! one ([`Pin::span`]), or that of two bearings at the ends of the planet
@@ -77,7 +77,7 @@
 //!
 //! ```text
 //! simple set   M = 2·K_γ·T_s/(p·d_s)·tan β·(d_w1 + d_w2)/2      d_w1, d_w2 of the planet with sun and ring
-//! two rows     F⃗_1,2 = F⃗/2 ± M⃗ × z⃗/s        s = b − B      width b of the planet, B of each of two bearings
+//! both rows    F⃗_1,2 = F⃗/2 ± M⃗ × z⃗/s        s = b − B      width b of the planet, B of each of two bearings
 //! ```
 //!
 //! Left out: the mass of the bearing, weight, axial forces that stepped planets leave on their bearings, the

@@ -241,7 +241,7 @@ impl Sizing {
             let torque = step.sun_torque.si().abs();
             let [first, second] = [sun + planet, ring - planet].map(|teeth| torque * teeth / each);
             // The planet passes the force at its reference cylinder on from sun to ring.
-            let axial = axial_forces(pairs, module, [(step.sun_torque.abs() / lever).into(); 2]);
+            let axial = axial_forces(pairs, module, [step.sun_torque.abs() / lever; 2]);
             PlanetStep {
                 share: step.share,
                 tangential: Force::from_si(first + second),

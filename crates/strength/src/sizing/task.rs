@@ -54,7 +54,7 @@ pub struct SizedMesh {
 pub struct SizedPlanet {
     /// Bearings to choose from; empty if planets have no bearing of a table.
     pub bearings: Vec<Bearing>,
-    /// Whether axial forces of helical teeth tilt the planets, which then turn on two rows.
+    /// Whether axial forces of helical teeth tilt the planets, which then turn on pairs of bearings.
     pub is_tilted: bool,
     /// Bore if no bearing is chosen; `None` of solid planets.
     pub bore: Option<Length>,

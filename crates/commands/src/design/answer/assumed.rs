@@ -98,7 +98,7 @@ fn of_application(size: &SizeRequest, is_helical: bool, assume: &mut impl FnMut(
             assume("bearings of the planets", named.join(", "));
         }
         let rows = if is_helical {
-            "; with the moment that tilts a planet, on two rows at its ends: bearing_span of the saved file"
+            "; with the moment that tilts a planet, on both bearing rows at its ends: bearing_span of the saved file"
         } else {
             ""
         };

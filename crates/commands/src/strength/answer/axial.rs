@@ -1,20 +1,14 @@
 //! Axial forces of helical teeth on the bodies of a set of any kind.
 
-use super::duty::WorkedStep;
 use super::load::SetLoad;
 use super::names::MeshName;
 use super::rated_set::RatedSet;
-use crate::answer::Warning;
 use crate::shared::gearbox::Gearbox;
 use crate::tolerance::ROUNDED;
 use epicyclic_train::axial_forces::{AxialLoad, Body};
 use epicyclic_train::planet_set::GearOf;
-use epicyclic_units::format::trimmed;
 use schemars::JsonSchema;
 use serde::Serialize;
-
-/// Significant digits of a force in a warning.
-const FORCE_DIGITS: usize = 4;
 
 /// Axial force on a central gear, a planet or a gear of a pair, from the nominal torque without losses and
 /// load factors. A force above 0 points in the direction about which the positive rotation is that of a
@@ -61,29 +55,6 @@ pub enum Thrusts {
     PartlyCancel,
     /// The forces act in one direction.
     Add,
-}
-
-/// Warning that planets with rated bearings keep an axial force over the duty, as stepped ones do: forces and
-/// lives of their bearings leave it out.
-pub(super) fn on_planets(subject: &Gearbox, set: &RatedSet<'_>, duty: &[WorkedStep<'_>]) -> Option<Warning> {
-    let bearings = || subject.planet_bearings.iter().filter(|own| own.set == set.place);
-    if !bearings().any(|own| own.load_rating.is_some()) {
-        return None;
-    }
-    let loads = duty.iter().filter_map(|WorkedStep(entry, worked)| {
-        SetLoad::of(set.place, worked.as_ref()?, Some(entry.speed.0)).ok()
-    });
-    let all = loads.flat_map(|load| of(subject, set, "", None, &load));
-    let on_planets = all.filter(|one| one.tilting_moment_n_m.is_some()).map(|one| one.axial_force_n.abs());
-    let greatest = on_planets.fold(0.0, f64::max);
-    (greatest > 0.0).then(|| Warning {
-        name: "axial-force",
-        message: format!(
-            "set {}: helical teeth leave up to {} N along the axis on a planet; forces and lives of its bearings leave this force out",
-            set.id,
-            trimmed(greatest, FORCE_DIGITS)
-        ),
-    })
 }
 
 /// Axial forces of a set at a load; none for spur teeth.
