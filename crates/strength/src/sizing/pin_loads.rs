@@ -54,3 +54,52 @@ pub(super) fn lives(duties: &[(usize, Vec<PinStep>)], bearing: &Bearing) -> Resu
     };
     duties.iter().map(life).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::task::PlanetStep;
+    use super::*;
+    use uom::si::f64::AngularVelocity;
+
+    /// 1000 N along the orbit, 400 N outwards with the orbit, 60 N·m on rows 0.1 m apart.
+    #[test]
+    fn the_row_with_more_load_counts_at_rest() {
+        let [newtons, torque] = [1000.0, 60.0];
+        let turning = AngularVelocity::from_si(10.0);
+        let step = PlanetStep {
+            share: 1.0,
+            tangential: Force::from_si(newtons / 1.25),
+            moment: [Torque::default(), Torque::from_si(torque / 1.25)],
+            carrier_speed: turning,
+            speed: turning,
+            ..PlanetStep::default()
+        };
+        let own = Layout {
+            planets: 3,
+            modules: vec![],
+            gears: vec![],
+            pairs: vec![],
+            radii: vec![Length::from_si(0.2)],
+            is_aim_met: true,
+            loads: [].into(),
+            sharing: 1.25,
+            bearing_loads: vec![vec![step]],
+        };
+        let of = |span: Option<f64>| {
+            let rows = (Rolling::Rollers, span.map(Length::from_si));
+            bearing_duty(&own, 0, (20.0, own.sharing), rows)[0]
+        };
+        // Forces outwards of 200 N with and against 600 N.
+        let [more, less] = [libm::hypot(500.0, 800.0), libm::hypot(500.0, 400.0)];
+        let near =
+            |one: Force, other: f64| assert!((one.si() / other - 1.0).abs() < 1e-12, "{one:?} {other}");
+        let tilted = of(Some(0.1));
+        near(tilted.force, libm::hypot(1000.0, 400.0));
+        near(tilted.at_rest, 2.0 * more);
+        let mean = f64::midpoint(libm::pow(more, 4.5), libm::pow(less, 4.5));
+        near(tilted.step.load, 2.0 * libm::pow(mean, 1.0 / 4.5));
+        let without = of(None);
+        assert_eq!((without.step.load, without.at_rest), (without.force, without.force));
+        near(without.force, libm::hypot(1000.0, 400.0));
+    }
+}
