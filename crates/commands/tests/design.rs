@@ -342,8 +342,8 @@ fn a_list_of_gears_is_what_its_file_says() {
     }
 }
 
-/// In all three forms of the command every set of the file has the angle, `size` finds the same sizes again, and
-/// centre distances are those of normal modules.
+/// In all three forms of the command every set of the file has the angle, `size` finds the same sizes again,
+/// bearings live in `strength` as long as was found, and centre distances are those of normal modules.
 #[test]
 fn helical_teeth_are_those_of_every_set() {
     let more =
@@ -383,6 +383,16 @@ fn helical_teeth_are_those_of_every_set() {
         assert!(told.starts_with(&degrees.to_string()), "{told}");
         let again = request::<size::Request>(["--no-bearings"]).unwrap().answer(&gearbox, &GO_ON).unwrap();
         assert!((again.mass_kg.unwrap() / sizes.mass_kg.unwrap() - 1.0).abs() < 1e-9, "{words}");
+        let rated = strength::Request::default().answer(&gearbox).unwrap();
+        let is_promised = |name: &str| ["tilting-moment", "bearing-life"].contains(&name);
+        assert!(!rated.warnings.iter().any(|one| is_promised(one.name)), "{:?}", rated.warnings);
+        let found = sizes.sets.iter().flat_map(|set| &set.found[0].planet_sizes);
+        for (planet, of) in found.zip(&rated.bearings) {
+            let own = planet.bearing.as_ref().unwrap();
+            assert_eq!(own.span_m.is_some(), degrees != 0.0, "{words}");
+            // Masses of planets differ by the density of material and file.
+            assert!((of.basic_life_s.unwrap() / own.life_s.unwrap() - 1.0).abs() < 1e-2, "{words}: {of:?}");
+        }
         for set in &sizes.sets {
             let best = &set.found[0];
             let [sun, planet] = [0, 1].map(|gear| f64::from(best.gears[gear].teeth));

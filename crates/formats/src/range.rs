@@ -246,13 +246,14 @@ impl<T: End> FromStr for Span<T> {
         if let Some(corrected) = corrected.filter(|corrected| !corrected.is_empty()) {
             return Err(RangeError::Unit { text: text.to_owned(), corrected });
         }
-        let marks = ["-", "–", "—", " to ", " bis "].into_iter();
-        let apart = marks.filter_map(|mark| text.split_once(mark)).map(|(from, to)| [from.trim(), to.trim()]);
-        let is_range = |ends: &[&str; 2]| ends.iter().all(|end| T::read(end).is_ok());
-        if let Some([from, to]) =
-            apart.filter(is_range).next().filter(|_| ends.is_none() && T::read(text).is_err())
-        {
-            return Err(RangeError::Mark { text: text.to_owned(), corrected: format!("{from}..{to}") });
+        if ends.is_none() && T::read(text).is_err() {
+            let marks = ["-", "–", "—", " to ", " bis "].into_iter();
+            let mut apart =
+                marks.filter_map(|mark| text.split_once(mark)).map(|(from, to)| [from.trim(), to.trim()]);
+            if let Some([from, to]) = apart.find(|ends| ends.iter().all(|end| T::read(end).is_ok())) {
+                let corrected = format!("{from}..{to}");
+                return Err(RangeError::Mark { text: text.to_owned(), corrected });
+            }
         }
         let span = match ends {
             Some((from, to)) => Self { from: read(from)?, to: read(to)? },

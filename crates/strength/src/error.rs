@@ -196,6 +196,11 @@ pub enum Error {
     /// A table of bearings without bearings.
     #[error("the table of bearings has no lines; at least one bearing is needed")]
     NoBearings,
+    /// Bearings of one row alone for planets that helical teeth tilt.
+    #[error(
+        "helical teeth tilt their planets, and one bearing row has no rating against a moment; pairs of bearings are needed"
+    )]
+    OneBearingRow,
     /// A fault of the gears' geometry.
     #[error(transparent)]
     Gears(#[from] epicyclic_gears::Error),

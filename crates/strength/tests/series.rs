@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{conveyor, helical, helix_angles, mm};
+use common::{conveyor, helical, helix_angles, mm, with_pairs};
 use epicyclic_gears::ToothCount;
 use epicyclic_strength::factor::Given;
 use epicyclic_strength::mesh::Method;
@@ -135,7 +135,7 @@ fn small(
     objective: Objective,
 ) -> Order {
     let order = conveyor();
-    let bearings = listed_rollers().iter().step_by(3).cloned().collect();
+    let bearings = with_pairs(listed_rollers().iter().step_by(3));
     let space = Space {
         modules: modules.into_iter().map(mm).collect(),
         planets,

@@ -2,32 +2,33 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
+mod common;
+
+use common::{conveyor, helical, helix_angles, mm, with_pairs};
 use epicyclic_gears::ToothCount;
-use epicyclic_gears::involute::family::{Aim, Family, natural_centre_distance};
+use epicyclic_gears::involute::family::{Family, natural_centre_distance};
 use epicyclic_gears::involute::profile::{Cutting, Profiles};
-use epicyclic_gears::involute::set::Limits;
 use epicyclic_gears::involute::tool::{Shaper as GearShaper, Tool};
 use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet, Profile};
 use epicyclic_gears::life::{Rolling, basic_rating_life};
 use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_strength::factor::{Given, Symbol};
-use epicyclic_strength::material;
 use epicyclic_strength::mesh::{Gear, Mesh, Method};
 use epicyclic_strength::rating::overload;
-use epicyclic_strength::root::{factors::Bending, section::Shaper};
+use epicyclic_strength::root::section::Shaper;
 use epicyclic_strength::sizing::bearing::{Bearing, listed, listed_rollers};
 use epicyclic_strength::sizing::{
-    Design, DesignedPlanet, Found, HeldShifts, Objective, Pin, Requirement, SetOverload, SetStep, SetTeeth,
+    Design, DesignedPlanet, Found, HeldShifts, Objective, Requirement, SetOverload, SetStep, SetTeeth,
     Sizing, Space, size,
 };
 use epicyclic_strength::spectrum::{Step, rate_duty};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
+use uom::si::angle::radian;
 use uom::si::angular_velocity::{radian_per_second, revolution_per_minute};
-use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length, Time, Torque};
+use uom::si::f64::{AngularVelocity, Force, Length, Time, Torque};
 use uom::si::force::newton;
-use uom::si::kinematic_viscosity::square_millimeter_per_second;
 use uom::si::length::{micrometer, millimeter};
 use uom::si::mass::kilogram;
 use uom::si::mass_density::kilogram_per_cubic_meter;
@@ -37,10 +38,6 @@ use uom::si::{time::hour, torque::newton_meter};
 fn shaped() -> Cutting {
     let shaper = GearShaper::of_teeth(ToothCount::new(30).expect("teeth"));
     Cutting { fillet: Some(0.3), tool: Some(Tool::Shaper(shaper)), ..Cutting::default() }
-}
-
-fn mm(value: f64) -> Length {
-    Length::new::<millimeter>(value)
 }
 
 fn in_mm(value: Length) -> f64 {
@@ -67,57 +64,36 @@ fn teeth_of(task: &Sizing) -> [ToothCount; 3] {
 
 /// A set of 24, 30 and 84 teeth with a small space.
 fn hoist() -> Sizing {
-    let gear = |designation, bending, shaper| Gear {
-        material: material::listed(designation).unwrap().material,
-        flank_roughness: Length::new::<micrometer>(4.0),
-        root_roughness: Length::new::<micrometer>(16.0),
-        rim: None,
-        shaper,
-        bending,
-    };
+    let of_stage = conveyor().of_stage;
     let given = Given::load_factors([1.25, 1.1, 1.05, 1.2, 1.0]);
     let ring = given.with(Symbol::StaticNotchSensitivity, 1.0);
+    let mut gears = of_stage.gears;
+    gears[2].shaper = Some(Shaper { teeth: 30, shift: 0.0 });
     Sizing {
-        teeth: SetTeeth::Simple([24, 30, 84].map(|teeth| ToothCount::new(teeth).unwrap())),
         profiles: Profiles::cut(Profile::default(), [Cutting::default(), Cutting::default(), shaped()]),
-        aim: Aim::BalancedSliding,
-        held_shifts: None,
-        limits: Limits::default(),
-        gears: [
-            gear("18CrNiMo7-6", Bending::OneWay, None),
-            gear("18CrNiMo7-6", Bending::Reversed, None),
-            gear("34CrNiMo6", Bending::OneWay, Some(Shaper { teeth: 30, shift: 0.0 })),
-        ],
+        gears,
         methods: [given, ring].map(|given| Method { given, ..Method::default() }),
-        viscosity: KinematicViscosity::new::<square_millimeter_per_second>(220.0),
         duty: vec![
             step(0.3, 400.0, 900.0, 100.0),
             step(0.6, -250.0, 900.0, 200.0),
             step(0.1, 0.0, 0.0, 300.0),
         ],
-        overloads: vec![],
         life: Time::new::<hour>(2000.0),
         required_contact: 1.1,
         required_root: 1.4,
         planet_rim: 2.0,
-        ring_rim: 3.5,
-        planet_bore: None,
-        planet_mass: None,
         widens_face_load: false,
-        planet_pin: Pin::default(),
-        least_planet_angle: None,
         objective: Objective::Mass,
         practice: None,
         space: Space {
             modules: [2.0, 2.5, 3.0].map(mm).to_vec(),
             face_widths: [20.0, 30.0, 40.0, 50.0].map(mm).to_vec(),
             planets: vec![3, 4, 5],
-            centre_distance_step: mm(1.0),
-            reach: 1.0,
-            width_ratio: None,
             largest_ring: None,
             bearings: listed().iter().filter(|bearing| in_mm(bearing.bore) >= 25.0).cloned().collect(),
+            ..of_stage.space
         },
+        ..of_stage
     }
 }
 
@@ -129,6 +105,8 @@ struct Tried {
     objectives: [f64; 2],
     place: (u32, usize, i64, usize),
     holds: bool,
+    /// Share of the life of its bearing that the required life takes; 0 without a bearing.
+    bearing_damage: f64,
 }
 
 /// Every design whose gears have no fault, with every bearing that fits.
@@ -164,9 +142,9 @@ fn every_design(task: &Sizing) -> (u64, Vec<Tried>) {
                         let sizes = [module, in_mm(width)];
                         let rank = rank(task, &choice.set, planets, sizes, *bearing);
                         let made = tried(task, &choice.set, planets, sizes, *bearing);
-                        if let (Some(rank), Some((objectives, holds))) = (rank, made) {
+                        if let (Some(rank), Some((objectives, holds, bearing_damage))) = (rank, made) {
                             let place = (planets, module_place, place, width_place);
-                            all.push(Tried { rank, objectives, place, holds });
+                            all.push(Tried { rank, objectives, place, holds, bearing_damage });
                         }
                     }
                 }
@@ -243,7 +221,11 @@ fn rank(
     ];
     if let Some(bearing) = bearing {
         let kg = planet_kg(task, set, module, width, in_mm(bearing.outside_diameter));
-        let load = |step: &SetStep| bearing_load(set, step, planets, teeth_of(task), (centre_mm / 1e3, kg));
+        let load = |step: &SetStep| {
+            let [tangential, radial] =
+                bearing_forces(set, step, planets, teeth_of(task), (centre_mm / 1e3, kg));
+            libm::hypot(tangential, radial)
+        };
         let loads = || task.duty.iter().map(load);
         let peaks = task.overloads.iter().map(|one| {
             load(&SetStep { sun_torque: one.sun_torque, carrier_speed: rpm(0.0), ..task.duty[0] })
@@ -277,14 +259,15 @@ fn planet_kg(task: &Sizing, set: &PlanetSet, module: f64, width: f64, bore: f64)
     width * rho * (filled(set.gears()[1], module) - disc(bore))
 }
 
-/// Load of a planet's bearing in N, from moments about the main axis and about the planet's own.
-fn bearing_load(
+/// Forces on a planet's bearing in N, along the orbit and outwards, from moments about the main axis and about
+/// the planet's own.
+fn bearing_forces(
     set: &PlanetSet,
     step: &SetStep,
     planets: u32,
     teeth: [ToothCount; 3],
     (centre, planet_kg): (f64, f64),
-) -> f64 {
+) -> [f64; 2] {
     let [zs, zp, zr] = teeth.map(ToothCount::as_f64);
     let p = f64::from(planets);
     let sun = step.sun_torque.get::<newton_meter>().abs() * 1.1;
@@ -294,7 +277,31 @@ fn bearing_load(
     let [a1, a2] = [set.sun_mesh(), set.ring_mesh()].map(|pair| libm::tan(pair.working_angle_rad()));
     let radial = on_sun * a1 - (tangential - on_sun) * a2
         + planet_kg * centre * step.carrier_speed.get::<radian_per_second>().powi(2);
-    libm::hypot(tangential, radial)
+    [tangential, radial]
+}
+
+/// Load of a bearing for its life in N; with helical teeth that of both rows at the ends of the planet.
+fn load_of_life(
+    task: &Sizing,
+    step: &SetStep,
+    planets: u32,
+    (centre, module, width): (f64, f64, f64),
+    (bearing, [tangential, radial]): (&Bearing, [f64; 2]),
+) -> f64 {
+    let [zs, zp, zr] = teeth_of(task).map(ToothCount::as_f64);
+    let sin = libm::sin(task.profiles.shared().helix_angle.get::<radian>());
+    if sin == 0.0 {
+        return libm::hypot(tangential, radial);
+    }
+    // Torque and axial force do the same work in a turn, in which the teeth move by their lead.
+    let sun = step.sun_torque.get::<newton_meter>().abs() * 1.1 / f64::from(planets);
+    let axial = 2.0 * sun * sin / (zs * module / 1e3);
+    let moment = axial * centre * (zp / (zs + zp) + zp / (zr - zp));
+    let lever = (width - in_mm(bearing.width) / 2.0) / 1e3;
+    let rows = [1.0, -1.0].map(|end| libm::hypot(tangential / 2.0, radial / 2.0 + end * moment / lever));
+    let exponent = if bearing.rolling == Rolling::Balls { 10.0 / 3.0 } else { 4.5 };
+    let mean = rows.into_iter().map(|row| libm::pow(row, exponent)).sum::<f64>() / 2.0;
+    2.0 * libm::pow(mean, 1.0 / exponent)
 }
 
 fn tried(
@@ -303,7 +310,7 @@ fn tried(
     planets: u32,
     [module, width]: [f64; 2],
     bearing: Option<&Bearing>,
-) -> Option<([f64; 2], bool)> {
+) -> Option<([f64; 2], bool, f64)> {
     let [sun, planet, ring] = set.gears();
     let bore = bearing.map_or(0.0, |bearing| in_mm(bearing.outside_diameter));
     let rim = (planet.root_diameter() * module - bore) / 2.0;
@@ -311,7 +318,9 @@ fn tried(
         return None;
     }
     if let Some(bearing) = bearing
-        && (rim < task.planet_rim * module || in_mm(bearing.width) > width)
+        && (rim < task.planet_rim * module
+            || in_mm(bearing.width) > width
+            || task.profiles.shared().helix_angle.value != 0.0 && !bearing.designation.starts_with("2 x"))
     {
         return None;
     }
@@ -387,27 +396,23 @@ fn tried(
                 gear.contact.unwrap() >= one.required_contact && gear.root.unwrap() >= one.required_root
             })
         });
-    let bearing_holds = bearing.is_none_or(|bearing| {
+    let bearing_damage = bearing.map_or(0.0, |bearing| {
         let centre = module * set.centre_distance() / 1e3;
         let wear: f64 = task
             .duty
             .iter()
             .map(|step| {
-                let load = Force::new::<newton>(bearing_load(
-                    set,
-                    step,
-                    planets,
-                    teeth_of(task),
-                    (centre, planet_kg),
-                ));
+                let forces = bearing_forces(set, step, planets, teeth_of(task), (centre, planet_kg));
+                let load = load_of_life(task, step, planets, (centre, module, width), (bearing, forces));
+                let load = Force::new::<newton>(load);
                 let speed = step.sun_speed * (zs / zp);
                 let life = basic_rating_life(bearing.rolling, bearing.load_rating, load, speed).unwrap();
                 life.map_or(0.0, |life| step.share / life.get::<hour>())
             })
             .sum();
-        wear * task.life.get::<hour>() <= 1.0
+        wear * task.life.get::<hour>()
     });
-    Some((objectives, teeth_hold && bearing_holds))
+    Some((objectives, teeth_hold && bearing_damage <= 1.0, bearing_damage))
 }
 
 fn is_near(one: f64, other: f64) -> bool {
@@ -462,6 +467,8 @@ fn agrees(task: &Sizing) -> Result<usize, TestCaseError> {
     prop_assert_eq!(all.left_out.total() + held.len() as u64, space);
     for (design, tried) in all.found.iter().zip(&held) {
         prop_assert_eq!(design.rules_missed, tried.rank);
+        let damage = design.planets[0].life.map_or(0.0, |life| (task.life / life).value);
+        prop_assert!(is_as_tried(damage, tried.bearing_damage), "{} for {}", damage, tried.bearing_damage);
         let (mass, ring) = (design.mass.get::<kilogram>(), in_mm(design.ring_diameter.unwrap()));
         let objectives = match task.objective {
             Objective::Mass => [mass, ring],
@@ -607,6 +614,8 @@ fn no_space_no_duty_and_no_numbers_are_refused() {
     assert!(of(&|task| task.required_root = f64::NAN).starts_with("required safety is NaN"));
     assert!(of(&|task| task.overloads = vec![peak(10.0, 1.0, -1.0)]).starts_with("required safety is -1"));
     assert!(of(&|task| task.space.planets = vec![0]).starts_with("number of planets is 0"));
+    let one_row = of(&|task| *task = helical(task.clone(), 15.0));
+    assert!(one_row.ends_with("pairs of bearings are needed"), "{one_row}");
 }
 
 /// The design of the first space in plain figures.
@@ -623,16 +632,16 @@ fn a_design_names_its_figures() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    #![proptest_config(ProptestConfig::with_cases(32))]
     #[test]
     fn any_small_space_agrees_with_every_trial(
         sun in 17..30_u32, planet in 18..40_u32, offset in -1..=2_i32, torque in 30.0..400.0_f64,
         module in 0..3_usize, step_mm in 0.7..2.0_f64, ring in any::<bool>(), rolls in any::<bool>(),
         ratio in prop::option::of(0.4..1.2_f64), life in 100.0..10_000.0_f64, rim in 0.6..3.0_f64,
-        overload in prop::option::of((1.0..8.0_f64, 0.8..1.5_f64, 0.8..1.5_f64)),
+        overload in prop::option::of((1.0..8.0_f64, 0.8..1.5_f64, 0.8..1.5_f64)), helix in helix_angles(),
     ) {
         let ring_teeth = (sun + 2 * planet).checked_add_signed(offset).unwrap();
-        let mut task = hoist();
+        let mut task = helical(hoist(), helix);
         task.teeth = SetTeeth::Simple([sun, planet, ring_teeth].map(|teeth| ToothCount::new(teeth).unwrap()));
         task.duty = vec![step(0.5, torque, 700.0, 150.0), step(0.5, torque * 0.6, 300.0, 50.0)];
         task.life = Time::new::<hour>(life);
@@ -644,7 +653,7 @@ proptest! {
         task.space.width_ratio = ratio;
         task.objective = if ring { Objective::Ring } else { Objective::Mass };
         task.space.bearings = if rolls {
-            listed().iter().filter(|bearing| in_mm(bearing.bore) % 10.0 < 0.5).cloned().collect()
+            with_pairs(listed().iter().filter(|bearing| in_mm(bearing.bore) % 10.0 < 0.5))
         } else {
             vec![]
         };

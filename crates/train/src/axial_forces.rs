@@ -40,6 +40,7 @@ use crate::planet_set::{GearOf, MeshKind, PlanetSet};
 use crate::toothed::ToothedSet;
 use crate::{compound::CentralKind, mesh_loads::MeshLoad};
 use epicyclic_units::Physical;
+use uom::si::f64::Torque;
 
 /// A body with helical teeth: a central gear, or one planet with all its gears.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -135,6 +136,20 @@ impl PlanetSet {
             }
         }
         Some(all)
+    }
+
+    /// Axial load of a planet at these torques on the members of its set; `None` as of
+    /// [`axial_forces`](Self::axial_forces), and where the loads of its meshes do not follow.
+    #[must_use]
+    pub fn planet_axial_load(
+        &self,
+        planet: usize,
+        (toothed, is_behind): (&ToothedSet, &[bool]),
+        torques: &[Torque],
+    ) -> Option<AxialLoad> {
+        let loads = self.mesh_loads(&torques.iter().map(|torque| torque.si()).collect::<Vec<_>>())?;
+        let all = self.axial_forces(toothed, is_behind, &loads)?;
+        all.into_iter().find(|one| one.body == Body::Planet(planet))
     }
 
     /// Direction from the centre of a gear to the pitch point of a mesh: outwards and along the positive

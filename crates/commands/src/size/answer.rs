@@ -25,7 +25,7 @@ use crate::strength::answer::overload::{Peak, below_duty, peaks};
 use crate::strength::answer::place::Fault;
 use crate::strength::answer::prepared::{SetToSize, sets_to_size};
 use crate::strength::answer::records::{NotRated, Reason, Required};
-use crate::strength::answer::{Asked, reversed_bending};
+use crate::strength::answer::{Asked, axial_force, reversed_bending};
 use crate::tolerance::SAME;
 use epicyclic_formats::Document;
 use epicyclic_formats::gearbox::{GearboxFile, PlanetData};
@@ -120,8 +120,14 @@ pub(crate) fn answer(
     let Asked { life, viscosity, required } = Asked::of(&file, &missing)?;
     let steps = steps(subject, &file.duty)?;
     let peaks = peaks(subject, &file.overload, None)?;
-    let helical = to_size.iter().filter(|set| set.set.tooth_shape().is_helical() && !set.set.is_pair());
-    let helical: Vec<&str> = helical.map(|set| set.set.id()).collect();
+    let is_left_out = |set: &&SetToSize<'_>| {
+        let is_of_planet = |(kind, planet): (usize, &PlanetData)| {
+            planet.bearing.is_some() && planet.bearing_span.is_none() && is_tilted(set, kind)
+        };
+        set.data.planets.iter().enumerate().any(is_of_planet)
+    };
+    // The rows of a bearing of which the file states load ratings alone are not known.
+    let spanless: Vec<&str> = to_size.iter().filter(is_left_out).map(|set| set.set.id()).collect();
     // The assembly angles of planets do not depend on sizes, so impossible angles are refused before the
     // search.
     let angles = subject.tooth_checks().checks.into_iter().filter(|check| check.rule == "planet-angle");
@@ -175,6 +181,7 @@ pub(crate) fn answer(
             Err(
                 error @ (strength::Error::Cancelled
                 | strength::Error::NothingToSearch { .. }
+                | strength::Error::OneBearingRow
                 | strength::Error::SpaceTooLarge { .. }),
             ) => return Err(error.into()),
             Err(error) => match Fault::of(&subject.document, id, &set.data.path, &error) {
@@ -199,20 +206,12 @@ pub(crate) fn answer(
     } else {
         Judgement::default()
     };
-    let spanned = to_size.iter().filter(|set| set.data.planets.iter().any(|of| of.bearing_span.is_some()));
-    let spanned = spanned.filter(|set| set.set.tooth_shape().is_helical()).map(|set| Warning {
-        name: "tilting-moment",
-        message: format!(
-            "set {}: `bearing_span` is stated, but sizes leave the tilting moment out; strength rates the planet bearings with it",
-            set.set.id()
-        ),
-    });
     let bearings = request.space().bearings;
     let unfitted = to_size.iter().filter_map(|set| unfitted(set, &bearings));
     let weak = below_duty(&file);
-    let warnings = no_size.into_iter().chain(tilting(&helical)).chain(weak).chain(spanned).chain(unfitted);
+    let warnings = no_size.into_iter().chain(tilting(&spanless)).chain(weak).chain(unfitted);
     let judged = judgement.warnings(&[]);
-    let reversed = reversed_bending(&sized)?;
+    let reversed = reversed_bending(&sized)?.into_iter().chain(axial_force(&sized)?);
     let warnings = warnings.chain(tooth_checks.warnings()).chain(judged).chain(reversed).collect();
     Ok(Size {
         gearbox: subject.train.name().to_owned(),
@@ -261,8 +260,11 @@ pub(crate) fn sizing_of(subject: &Gearbox, request: &Request) -> Result<Sizing, 
     let sized = to_size.first().and_then(|set| {
         let asked = Asked { life, viscosity, required };
         let (task, _) = task(set, &Families::of(set), &asked, request, (&space, &subject.limits));
-        simple(set, (&task, &space), (&steps, &peaks), subject, request)?.ok()
+        let sizing = simple(set, (&task, &space), (&steps, &peaks), subject, request)?.ok()?;
+        // Bounds of many sets would only find that nothing holds.
+        Some(task.planets.iter().try_for_each(SizedPlanet::check_rows).map(|()| sizing))
     });
+    let sized = sized.transpose()?;
     let sets = || others.into_iter().map(|other| NotSized::of(other).told()).collect();
     sized.ok_or_else(|| Error::NothingToSize { sets: sets() })
 }
@@ -392,7 +394,8 @@ fn task(
         all.dedup();
         all
     };
-    let planet = |planet: &PlanetData| SizedPlanet {
+    let planet = |(kind, planet): (usize, &PlanetData)| SizedPlanet {
+        is_tilted: is_tilted(set, kind),
         bearings: match (planet.bearing, planet.bore) {
             (Some((load_rating, rolling)), bore) => vec![Bearing {
                 designation: String::new(),
@@ -400,6 +403,7 @@ fn task(
                 bore: Length::default(),
                 outside_diameter: bore.unwrap_or_default(),
                 width: Length::default(),
+                rows: 0,
                 load_rating,
                 static_load_rating: planet.static_load_rating,
             }],
@@ -409,7 +413,11 @@ fn task(
         bore: planet.bore,
         mass: planet.mass,
         sharing: planet.load_sharing,
-        pin: Pin { rolling: planet.rolling.into(), mean_diameter: planet.bearing_diameter },
+        pin: Pin {
+            rolling: planet.rolling.into(),
+            mean_diameter: planet.bearing_diameter,
+            span: planet.bearing_span,
+        },
     };
     let task = Task {
         gears: data.of.iter().enumerate().map(gear).collect(),
@@ -419,7 +427,7 @@ fn task(
             .zip(&set.methods)
             .map(|(ends, method)| SizedMesh { gears: *ends, method: *method })
             .collect(),
-        planets: data.planets.iter().map(planet).collect(),
+        planets: data.planets.iter().enumerate().map(planet).collect(),
         // Sets with two central gears have keys for one bearing.
         has_one_bearing: set.set.short().is_some(),
         face_widths: (0..families.count).map(widths).collect(),
@@ -438,6 +446,14 @@ fn task(
         practice: request.practice(limits),
     };
     (task, held.into_iter().filter(|(_, is_held)| *is_held).map(|(key, _)| key).collect())
+}
+
+/// Whether planets of a kind have helical teeth, whose axial forces tilt them.
+fn is_tilted(set: &SetToSize<'_>, kind: usize) -> bool {
+    let is_own = |gear: &GearOf| matches!(gear, GearOf::Planet(own, _) if *own == kind);
+    let mut meshes =
+        (0..set.set.meshes().len()).filter(|mesh| set.set.gears_of_mesh(*mesh).iter().any(is_own));
+    meshes.any(|mesh| set.set.tooth_shape().helix_angle(mesh).si() != 0.0)
 }
 
 /// Bearings with this outside diameter.

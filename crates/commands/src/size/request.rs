@@ -115,6 +115,7 @@ pub(crate) fn refuse(error: Error) -> Failure {
             Of::LargestRing => Some("--max-ring"),
             _ => None,
         },
+        Error::Sizing(E::OneBearingRow) => Some("--bearing-rows"),
         Error::Sizing(E::SpaceTooLarge { .. }) => Some("--centre-distance-step"),
         Error::Sizing(E::BearingColumn { .. } | E::BearingCell { .. } | E::NoBearings) => Some("--bearings"),
         _ => None,

@@ -26,6 +26,7 @@
 //! added.
 
 mod axial;
+mod axial_on_planets;
 mod bearing_records;
 pub(crate) mod bearings;
 pub(crate) mod duty;
@@ -220,6 +221,23 @@ fn is_stated(file: &GearboxFile) -> bool {
 /// # Errors
 /// [`Error::Document`] for invalid data in the file, with the place.
 pub(crate) fn reversed_bending(subject: &Gearbox) -> Result<Vec<Warning>, Error> {
+    of_each_set(subject, &together::reversed)
+}
+
+/// Warnings of sets whose planets keep an axial force over the duty, which no life of their bearings contains;
+/// none without data for the strength.
+///
+/// # Errors
+/// Those of the file.
+pub(crate) fn axial_force(subject: &Gearbox) -> Result<Vec<Warning>, Error> {
+    of_each_set(subject, &|set, steps| axial_on_planets::warning(subject, set, steps))
+}
+
+/// A warning about the duty of each set with data for its strength.
+fn of_each_set(
+    subject: &Gearbox,
+    warning: &dyn Fn(&RatedSet<'_>, &[WorkedStep<'_>]) -> Option<Warning>,
+) -> Result<Vec<Warning>, Error> {
     if subject.document.value().get("transmissions").is_some() {
         return Ok(vec![]);
     }
@@ -229,7 +247,7 @@ pub(crate) fn reversed_bending(subject: &Gearbox) -> Result<Vec<Warning>, Error>
     }
     let (sets, _) = rated_set::sets(subject, &file)?;
     let steps = duty::steps(subject, &file.duty)?;
-    Ok(sets.iter().filter_map(|set| together::reversed(set, &steps)).collect())
+    Ok(sets.iter().filter_map(|set| warning(set, &steps)).collect())
 }
 
 /// Strength of a gearbox for a report, with the factors: at an operating point with load and speed, then over
@@ -369,6 +387,7 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
     let turning: Vec<&Worked<'_>> = steps.iter().filter_map(|step| step.1.as_ref()).collect();
     let idlers = idlers::warnings(subject, &file, &sets)?;
     let reversed = sets.iter().filter_map(|set| together::reversed(set, &steps));
+    let axial_force = sets.iter().filter_map(|set| axial_on_planets::warning(subject, set, &steps));
     let warnings = safeties
         .below(required)
         .into_iter()
@@ -380,6 +399,7 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
         .chain(shared.warnings())
         .chain(shared_flanks.iter().filter_map(|shared| shared.warning(required)))
         .chain(tilting(&helical))
+        .chain(axial_force)
         .chain(overload::below_duty(&file))
         .collect();
     let duty = if is_at_point { vec![] } else { file.duty.iter().map(DutyStep::of).collect() };

@@ -1,6 +1,7 @@
 //! The narrowest bearing that fits into a planet and lives long enough.
 
 use crate::sizing::bearing::Bearing;
+use crate::sizing::task::eligible;
 use crate::tolerance::RIM;
 use epicyclic_gears::life::Rolling;
 use epicyclic_units::Physical;
@@ -24,9 +25,10 @@ pub(super) struct Bearings {
 }
 
 impl Bearings {
-    pub(super) fn new(all: &[Bearing]) -> Self {
+    pub(super) fn new(all: &[Bearing], is_tilted: bool) -> Self {
         let kind = |rolling: Rolling| {
-            let mut own: Vec<_> = all.iter().filter(|bearing| bearing.rolling == rolling).collect();
+            let mut own: Vec<_> =
+                eligible(all, is_tilted).filter(|bearing| bearing.rolling == rolling).collect();
             own.sort_by(|one, other| one.outside_diameter.si().total_cmp(&other.outside_diameter.si()));
             let (mut by_diameter, mut known) = (vec![], vec![]);
             for bearing in own {

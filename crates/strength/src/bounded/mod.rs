@@ -210,7 +210,7 @@ impl<'a> Sets<'a> {
             modules,
             bands,
             widths: sorted(&space.face_widths),
-            bearings: Bearings::new(&space.bearings),
+            bearings: Bearings::new(&space.bearings, of_set.is_helical()),
         }
     }
 

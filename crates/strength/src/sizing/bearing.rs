@@ -29,6 +29,8 @@ pub struct Bearing {
     pub outside_diameter: Length,
     /// Width `B`.
     pub width: Length,
+    /// Rows of rolling elements; 0 where load ratings alone are known, which may be those of any.
+    pub rows: u32,
     /// Basic dynamic load rating `C`.
     pub load_rating: Force,
     /// Basic static load rating `C_0`, if known.
@@ -68,10 +70,36 @@ impl Bearing {
         Self {
             designation: format!("2 x {}", self.designation),
             width: 2.0 * self.width,
+            rows: 2 * self.rows,
             load_rating: self.load_rating * libm::pow(2_f64, exponent),
             static_load_rating: self.static_load_rating.map(|rating| 2.0 * rating),
             ..self.clone()
         }
+    }
+
+    /// Whether planets that a moment tilts may turn on it. The rollers of one row would bear at one end, and
+    /// one ball bearing has no stated rating against a moment: such planets turn on a pair.
+    #[must_use]
+    pub const fn holds_moment(&self) -> bool {
+        self.rows != 1
+    }
+
+    /// Distance of the middles of both rows in a planet of this width: a spacer keeps them at its ends, which
+    /// is the longest lever that both rows have there. `None` unless there are two.
+    ///
+    /// ```
+    /// use epicyclic_strength::sizing::bearing;
+    /// use epicyclic_units::Physical;
+    /// use uom::si::f64::Length;
+    ///
+    /// let pair = bearing::listed().iter().find(|bearing| bearing.designation == "6309").unwrap().pair();
+    /// // Two bearings of 25 mm: side by side, and at the ends of a wider planet.
+    /// let span = |width: f64| pair.span(Length::from_mm(width)).unwrap().mm();
+    /// assert!((span(50.0) - 25.0).abs() < 1e-9 && (span(80.0) - 55.0).abs() < 1e-9);
+    /// ```
+    #[must_use]
+    pub fn span(&self, planet_width: Length) -> Option<Length> {
+        (self.rows == 2).then(|| planet_width - self.width / 2.0)
     }
 }
 
@@ -187,6 +215,7 @@ fn bearing(line: usize, row: &str, places: [Option<usize>; COLUMNS.len()]) -> Re
         bore: Length::from_mm(bore),
         outside_diameter: Length::from_mm(outside),
         width: Length::from_mm(number(4)?),
+        rows: 1,
         load_rating: kilonewtons(number(5)?),
         static_load_rating: if cell(6).is_empty() { None } else { Some(kilonewtons(number(6)?)) },
     })

@@ -121,6 +121,6 @@ impl Task {
     pub(super) fn bores(&self, planet: usize) -> impl Iterator<Item = Length> + '_ {
         let own = &self.planets[planet];
         let alone = own.bearings.is_empty().then(|| own.bore.unwrap_or_default());
-        own.bearings.iter().map(|bearing| bearing.outside_diameter).chain(alone)
+        own.eligible().map(|bearing| bearing.outside_diameter).chain(alone)
     }
 }

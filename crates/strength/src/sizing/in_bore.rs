@@ -140,6 +140,7 @@ fn made(rolling: Rolling, family: &Family) -> Vec<Bearing> {
                     bore: Length::from_mm(pin),
                     outside_diameter: Length::from_mm(pin + 2.0 * element),
                     width: Length::from_mm(length + ENDS_MM),
+                    rows: 1,
                     load_rating: Force::from_si(dynamic),
                     static_load_rating: Some(Force::from_si(fixed)),
                 });

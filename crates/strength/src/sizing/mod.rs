@@ -69,13 +69,26 @@
 //!              F_t = F_1 + F_2    F_r = F_1·tan α_w1 − F_2·tan α_w2    n = |n_s − n_H|·z_s/z_p
 //! ```
 //!
-//! Left out: the mass of the bearing, weight, axial forces, and modified life, whose factor would need
+//! Axial forces of helical teeth tilt a planet by the moment `M`. Its bearing then is a pair, of whose rows one
+//! bears more; the load of both as a unit takes the place of `F` ([`bearing_rows`](crate::bearing_rows)). A
+//! single row is left out: it has no stated rating against a moment. The distance of the rows is the stated
+//! one ([`Pin::span`]), or that of two bearings at the ends of the planet
+//! ([`Bearing::span`](bearing::Bearing::span)), of rollers in its bore likewise.
+//!
+//! ```text
+//! simple set   M = 2·K_γ·T_s/(p·d_s)·tan β·(d_w1 + d_w2)/2      d_w1, d_w2 of the planet with sun and ring
+//! both rows    F⃗_1,2 = F⃗/2 ± M⃗ × z⃗/s        s = b − B      width b of the planet, B of each of two bearings
+//! ```
+//!
+//! Left out: the mass of the bearing, weight, axial forces that stepped planets leave on their bearings, the
+//! moment on a bearing of which load ratings alone are stated, and modified life, whose factor would need
 //! contamination and viscosity in operation. Also left out are plain bearings and more than two bearings side
 //! by side (two: [`Bearing::pair`](bearing::Bearing::pair)).
 
 pub mod bearing;
 mod gear_masses;
 pub mod in_bore;
+mod pin_loads;
 pub(crate) mod practice;
 mod rated;
 mod search;

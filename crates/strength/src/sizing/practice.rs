@@ -10,9 +10,9 @@
 //! acceleration that hold for their rolling elements.
 
 use super::bearing::Bearing;
+use super::pin_loads::PinStep;
 use super::rated::rim_of;
 use super::task::{Body, Layout, Task};
-use crate::bearing::BearingStep;
 use crate::factor::{Side, Symbol};
 use crate::load::load_sharing;
 use crate::material::Class;
@@ -249,7 +249,7 @@ fn of_speeds(task: &Task, layout: &Layout, limits: &Limits) -> Vec<Verdict> {
 pub(super) fn of_pin(
     (task, layout, kind): (&Task, &Layout, usize),
     limits: &Limits,
-    (bearing, duty): (Option<&Bearing>, &[BearingStep]),
+    (bearing, duty): (Option<&Bearing>, &[PinStep]),
     bore: f64,
 ) -> Misses {
     let rim = |gear: usize| {
@@ -265,9 +265,9 @@ pub(super) fn of_pin(
     all.push(limits.judge(orbit_rule(rolling), acceleration));
     if let Some(bearing) = bearing {
         // Overloads come without a share of the time, and count for the static safety alone.
-        let loads = || duty.iter().filter(|step| step.share > 0.0).map(|step| step.load.si());
-        let greatest = loads().fold(0.0, f64::max);
-        let at_rest = duty.iter().map(|step| step.load.si()).fold(0.0, f64::max);
+        let forces = duty.iter().filter(|pin| pin.step.share > 0.0).map(|pin| pin.force.si());
+        let greatest = forces.fold(0.0, f64::max);
+        let at_rest = duty.iter().map(|pin| pin.at_rest.si()).fold(0.0, f64::max);
         if bearing.rolling == Rolling::Balls {
             all.push(limits.judge(Rule::BallLoad, greatest / 1e3));
         }
@@ -275,13 +275,14 @@ pub(super) fn of_pin(
             all.push(limits.judge(Rule::BearingStaticSafety, rating.si() / at_rest));
         }
         // A bearing at rest needs no load to keep its elements rolling.
-        let turning = duty.iter().filter(|step| step.share > 0.0 && step.speed.si() != 0.0);
+        let turning = duty.iter().map(|pin| pin.step);
+        let turning = turning.filter(|step| step.share > 0.0 && step.speed.si() != 0.0);
         let turning = turning.map(|step| step.load.si()).filter(|load| *load > 0.0);
         if let Some(least) = turning.reduce(f64::min) {
             all.push(limits.judge(Rule::BearingLeastLoad, least / bearing.load_rating.si()));
         }
         if let Some(diameter) = bearing.mean_diameter().or(pin.mean_diameter) {
-            let fastest = duty.iter().map(|step| step.speed.si().abs()).fold(0.0, f64::max);
+            let fastest = duty.iter().map(|pin| pin.step.speed.si().abs()).fold(0.0, f64::max);
             all.push(limits.judge(pin_speed_rule(rolling), pin_speed(fastest, diameter.si())));
         }
     }

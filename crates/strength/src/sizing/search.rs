@@ -2,11 +2,11 @@
 
 use super::bearing::Bearing;
 use super::gear_masses::{Masses, leaves_rim};
+use super::pin_loads::{PinStep, bearing_duty, lives};
 use super::practice::{Misses, Practice, of_pin, priced};
 use super::rated::{Place, Ratings, rim_of};
 use super::task::{Body, Design, DesignedPlanet, Governing, Layout, Task};
 use super::{Found, LeftOut, Objective, Requirement, Tried};
-use crate::bearing::{BearingStep, Reliability, life_over_duty};
 use crate::tolerance::{RIM, SAME};
 use crate::{Error, Quantity};
 use epicyclic_gears::geometry::GearKind;
@@ -50,7 +50,7 @@ pub fn search(
             layouts.iter().map(|layout| Practice::of(task, layout, limits)).collect()
         }),
         ratings: Ratings::new(task, layouts),
-        bearings: task.planets.iter().map(|planet| by_bore(&planet.bearings)).collect(),
+        bearings: task.planets.iter().map(|planet| by_bore(planet.eligible())).collect(),
         left_out: tried.left_out,
         against_stated: vec![],
     };
@@ -368,8 +368,9 @@ impl Search<'_> {
     fn alike(&mut self, one: &Candidate, kinds: &[usize], widths: &[f64]) -> Result<Chosen, Error> {
         let (task, layouts) = (self.task, self.layouts);
         let own = &layouts[one.layout];
-        let made = |kind: usize, bearing: Option<&Bearing>, bore: f64, life| DesignedPlanet {
+        let made = |kind: usize, bearing: Option<&Bearing>, bore: f64, (span, life)| DesignedPlanet {
             bearing: bearing.cloned(),
+            span,
             bore: (bore > 0.0).then(|| Length::from_si(bore)),
             rim: (bore > 0.0).then(|| {
                 let rims = task.gears_of(kind).map(|gear| rim_of(task, own, gear, bore));
@@ -377,7 +378,7 @@ impl Search<'_> {
             }),
             life,
         };
-        let misses = |kind: usize, bearing: Option<&Bearing>, duty: &[BearingStep], bore: f64| {
+        let misses = |kind: usize, bearing: Option<&Bearing>, duty: &[PinStep], bore: f64| {
             let of = |limits| of_pin((task, own, kind), limits, (bearing, duty), bore);
             task.practice.as_ref().map_or_else(Misses::default, of)
         };
@@ -389,7 +390,7 @@ impl Search<'_> {
             let mut held = Held::default();
             for kind in kinds {
                 let bore = task.planets[*kind].bore.map_or(0.0, Physical::si);
-                held.planets.push(made(*kind, None, bore, None));
+                held.planets.push(made(*kind, None, bore, (None, None)));
                 held.misses = held.misses.with(misses(*kind, None, &[], bore));
             }
             return Ok(Chosen::Planets(held));
@@ -403,25 +404,32 @@ impl Search<'_> {
         let (mut best, mut nearest): (Option<Held>, Option<(f64, Held)>) = (None, None);
         let (mut is_none, mut refused) = (true, Misses::default());
         let mut alike: Option<Alike> = None;
+        // One bearing for all kinds has one distance of its rows.
+        let span_of = |bearing: &Bearing| {
+            let is_tilted = kinds.iter().any(|kind| task.planets[*kind].is_tilted);
+            let own = || bearing.span(Length::from_si(width));
+            sized.pin.span.or_else(own).filter(|_| is_tilted)
+        };
         let bearings = Rc::clone(&self.bearings[kinds[0]]);
         let bearings = &bearings[bearings.partition_point(is_too_large)..];
         'bearings: for bearing in bearings.iter().filter(|bearing| bearing.width.si() <= width) {
             is_none = false;
-            let (bore, rolling) = (bore(bearing), bearing.rolling);
+            let (bore, rolling, span) = (bore(bearing), bearing.rolling, span_of(bearing));
             let carried = |life: &Time| libm::pow(life.hours() / task.life.hours(), 1.0 / rolling.exponent());
-            let known = match alike.take().filter(|of| of.bore == bore && of.rolling == rolling) {
+            let is_alike = |of: &Alike| of.bore == bore && of.rolling == rolling && of.span == span;
+            let known = match alike.take().filter(is_alike) {
                 Some(known) => alike.insert(known),
                 None => {
                     let duty = |kind: &usize| {
                         let own_mass = self.masses[one.layout].planet(*kind, bore, widths);
                         let mass = task.planets[*kind].mass.map_or(own_mass, Physical::si);
                         let sharing = task.planets[*kind].sharing.unwrap_or(own.sharing);
-                        bearing_duty(own, *kind, (mass, sharing))
+                        bearing_duty(own, *kind, (mass, sharing), (rolling, span))
                     };
                     let duties: Vec<_> = kinds.iter().map(|kind| (*kind, duty(kind))).collect();
                     let lives = lives(&duties, bearing)?;
                     let ratio = lives.iter().flatten().map(carried).fold(f64::INFINITY, f64::min);
-                    alike.insert(Alike { bore, rolling, duties, required: bearing.load_rating / ratio })
+                    alike.insert(Alike { bore, rolling, span, duties, required: bearing.load_rating / ratio })
                 }
             };
             let is_miss = |ratio: f64| {
@@ -456,7 +464,7 @@ impl Search<'_> {
                     value: carried(&life),
                     required: 1.0,
                 }));
-                held.planets.push(made(kind, Some(bearing), bore, life));
+                held.planets.push(made(kind, Some(bearing), bore, (span, life)));
                 let Some(of_teeth) = self.ratings.roots(one.place(), kind, bore)? else {
                     continue 'bearings;
                 };
@@ -482,28 +490,21 @@ impl Search<'_> {
     }
 }
 
-/// Loads of bearings with one bore of the planets and one kind of rolling elements.
+/// Loads of bearings with one bore of the planets, one kind of rolling elements and one distance of rows.
 struct Alike {
     bore: f64,
     rolling: Rolling,
-    duties: Vec<(usize, Vec<BearingStep>)>,
+    span: Option<Length>,
+    duties: Vec<(usize, Vec<PinStep>)>,
     /// Load rating that lives as long as required.
     required: Force,
 }
 
 /// The largest outside diameter first, of equal ones as the table has them.
-fn by_bore(all: &[Bearing]) -> Rc<[&Bearing]> {
-    let mut all: Vec<&Bearing> = all.iter().collect();
+fn by_bore<'a>(all: impl Iterator<Item = &'a Bearing>) -> Rc<[&'a Bearing]> {
+    let mut all: Vec<&Bearing> = all.collect();
     all.sort_by(|one, other| other.outside_diameter.si().total_cmp(&one.outside_diameter.si()));
     all.into()
-}
-
-/// Lives of a bearing under the loads of each kind of planets.
-fn lives(duties: &[(usize, Vec<BearingStep>)], bearing: &Bearing) -> Result<Vec<Option<Time>>, Error> {
-    let life = |(_, duty): &(usize, Vec<BearingStep>)| {
-        life_over_duty(bearing.rolling, bearing.load_rating, duty, Reliability::Percent90)
-    };
-    duties.iter().map(life).collect()
 }
 
 /// Planets with what their bearings require, and the rules of practice that they miss.
@@ -523,19 +524,4 @@ enum Chosen {
     NotCalculable,
     /// Every bearing has values outside a range that is stated.
     Refused(Misses),
-}
-
-/// Loads and speeds of a planet's bearing over the duty.
-fn bearing_duty(own: &Layout, planet: usize, (planet_kg, sharing): (f64, f64)) -> Vec<BearingStep> {
-    let steps = own.bearing_loads[planet].iter().map(|step| {
-        let centrifugal = planet_kg * own.radii[planet].si() * step.carrier_speed.si().powi(2);
-        let radial = sharing * step.radial.si() + centrifugal;
-        BearingStep {
-            share: step.share,
-            load: Force::from_si(libm::hypot(sharing * step.tangential.si(), radial)),
-            speed: step.speed,
-            modification: 1.0,
-        }
-    });
-    steps.collect()
 }

@@ -9,7 +9,7 @@ use crate::checks::{not_negative, positive};
 use crate::factor::{Side, Symbol};
 use crate::load::load_sharing;
 use crate::mesh::{Gear, Method};
-use crate::planets::loads;
+use crate::planets::{axial_forces, loads};
 use crate::spectrum::{Step, check_shares};
 use crate::tolerance::{EDGE, WHOLE};
 use crate::{Error, Quantity};
@@ -210,6 +210,7 @@ impl Sizing {
         let gear = |place: usize| SizedGear { gear: self.gears[place], body: body(place), family: 0 };
         let planet = SizedPlanet {
             bearings: self.space.bearings.clone(),
+            is_tilted: self.is_helical(),
             bore: self.planet_bore,
             mass: self.planet_mass,
             sharing: None,
@@ -250,6 +251,10 @@ impl Sizing {
         }
     }
 
+    pub(crate) fn is_helical(&self) -> bool {
+        self.profiles.shared().helix_angle.si() != 0.0
+    }
+
     /// Loads of the meshes, and `K_γ` of the bearings.
     pub(super) fn loads(&self, planets: u32) -> Result<(Arc<[MeshLoads]>, f64), Error> {
         let gears = self.teeth.gears();
@@ -284,14 +289,20 @@ impl Sizing {
         let (SetTeeth::Simple(teeth), [outer, inner]) = (self.teeth, pairs) else { return vec![] };
         let [sun, planet, ring] = teeth.map(ToothCount::as_f64);
         let each = f64::from(planets) * radius.si() * sun;
-        let [outer, inner] = [outer, inner].map(|pair| libm::tan(pair.working_angle_rad()));
+        let module = radius / outer.centre_distance();
+        let lever = f64::from(planets) * module * outer.gears()[0].reference_diameter() / 2.0;
+        let meshes = [outer, inner];
+        let [outer, inner] = meshes.map(|pair| libm::tan(pair.working_angle_rad()));
         let step = |step: &SetStep| {
             let torque = step.sun_torque.si().abs();
             let [first, second] = [sun + planet, ring - planet].map(|teeth| torque * teeth / each);
+            // The planet passes the force at its reference cylinder on from sun to ring.
+            let axial = axial_forces(meshes, module, [step.sun_torque.abs() / lever; 2]);
             PlanetStep {
                 share: step.share,
                 tangential: Force::from_si(first + second),
                 radial: Force::from_si(first * outer - second * inner),
+                moment: [Torque::default(), axial.tilting_moment],
                 carrier_speed: step.carrier_speed,
                 speed: step.sun_speed.abs() * (sun / planet),
             }

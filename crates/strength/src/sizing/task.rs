@@ -54,23 +54,50 @@ pub struct SizedMesh {
 pub struct SizedPlanet {
     /// Bearings to choose from; empty if planets have no bearing of a table.
     pub bearings: Vec<Bearing>,
+    /// Whether axial forces of helical teeth tilt the planets, which then turn on pairs of bearings.
+    pub is_tilted: bool,
     /// Bore if no bearing is chosen; `None` of solid planets.
     pub bore: Option<Length>,
     /// Mass of one planet for the force on its bearing, in place of that of its shape.
     pub mass: Option<Mass>,
     /// Mesh load factor `K_γ` for its bearing, in place of that of the layout.
     pub sharing: Option<f64>,
-    /// Rolling elements and bearing on its pin.
+    /// What is stated of the bearing on its pin.
     pub pin: Pin,
 }
 
-/// Rolling elements and bearing of planets for which no bearing of a table is chosen.
+impl SizedPlanet {
+    /// Refuses bearings of one row alone for planets that a moment tilts.
+    ///
+    /// # Errors
+    /// [`Error::OneBearingRow`].
+    pub fn check_rows(&self) -> Result<(), Error> {
+        let is_held = self.bearings.is_empty() || self.eligible().next().is_some();
+        if is_held { Ok(()) } else { Err(Error::OneBearingRow) }
+    }
+
+    /// Bearings to choose from that hold the planets.
+    pub(crate) fn eligible(&self) -> impl Iterator<Item = &Bearing> {
+        eligible(&self.bearings, self.is_tilted)
+    }
+}
+
+/// Bearings that hold planets, which a moment may tilt.
+pub(crate) fn eligible(all: &[Bearing], is_tilted: bool) -> impl Iterator<Item = &Bearing> {
+    all.iter().filter(move |bearing| !is_tilted || bearing.holds_moment())
+}
+
+/// Rolling elements and bearing of planets for which no bearing of a table is chosen, and the distance of its
+/// rows, which is kept whatever the bearing.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Pin {
     /// Rolling elements.
     pub rolling: Rolling,
     /// Mean diameter of the bearing.
     pub mean_diameter: Option<Length>,
+    /// Distance of the middles of both rows; `None` where it follows from the bearing and the planet's width
+    /// ([`Bearing::span`]).
+    pub span: Option<Length>,
 }
 
 /// Safeties required against a torque that comes a few times in the life.
@@ -98,7 +125,7 @@ pub struct MeshLoads {
 }
 
 /// Load of a planet's bearing in a step of the duty.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PlanetStep {
     /// Share of the time.
     pub share: f64,
@@ -106,6 +133,8 @@ pub struct PlanetStep {
     pub tangential: Force,
     /// Radial force of the meshes, outwards above 0.
     pub radial: Force,
+    /// Moment of the axial forces that tilts the planet, about the directions outwards and of `tangential`.
+    pub moment: [Torque; 2],
     /// Speed of the carrier.
     pub carrier_speed: AngularVelocity,
     /// Speed of the planet relative to the carrier.
@@ -212,6 +241,7 @@ impl Task {
         }
         not_negative(Quantity::LeastRim, self.planet_rim, "modules")?;
         positive(Quantity::RingRimInModules, self.ring_rim, "modules")?;
+        self.planets.iter().try_for_each(SizedPlanet::check_rows)?;
         for bore in self.planets.iter().filter_map(|planet| planet.bore) {
             positive(Quantity::PlanetBore, bore.mm(), "mm")?;
         }
@@ -313,6 +343,9 @@ pub struct DesignedPlanet {
     pub bore: Option<Length>,
     /// The least rim between root circle and bore; `None` of solid ones.
     pub rim: Option<Length>,
+    /// Distance of the rows of the bearing, with which it is rated; `None` where nothing tilts the planet, and
+    /// where the rows are not known.
+    pub span: Option<Length>,
     /// `L_10` of the bearing over the duty; `None` without a bearing, and where it never turns under load.
     pub life: Option<Time>,
 }

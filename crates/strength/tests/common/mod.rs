@@ -11,7 +11,7 @@ use epicyclic_strength::material;
 use epicyclic_strength::mesh::{Gear, Method};
 use epicyclic_strength::root::{factors::Bending, section::Shaper};
 use epicyclic_strength::series::{InputStep, Order, Teeth};
-use epicyclic_strength::sizing::bearing::listed_rollers;
+use epicyclic_strength::sizing::bearing::{Bearing, listed_rollers};
 use epicyclic_strength::sizing::{Objective, Pin, STANDARD_MODULES_MM, SetTeeth, Sizing, Space};
 use proptest::prelude::*;
 use uom::si::angle::degree;
@@ -31,6 +31,11 @@ pub(crate) fn helical(mut of_set: Sizing, degrees: f64) -> Sizing {
         profile.helix_angle = Angle::new::<degree>(degrees);
     }
     of_set
+}
+
+/// Bearings alone and as pairs, which helical teeth need.
+pub(crate) fn with_pairs<'a>(all: impl IntoIterator<Item = &'a Bearing> + Clone) -> Vec<Bearing> {
+    all.clone().into_iter().cloned().chain(all.into_iter().map(Bearing::pair)).collect()
 }
 
 /// Helix angles in degrees; those of a few degrees have little overlap.
@@ -87,11 +92,7 @@ pub(crate) fn conveyor() -> Order {
             reach: 1.0,
             width_ratio: None,
             largest_ring: Some(mm(540.0)),
-            bearings: listed_rollers()
-                .iter()
-                .cloned()
-                .chain(listed_rollers().iter().map(epicyclic_strength::sizing::bearing::Bearing::pair))
-                .collect(),
+            bearings: with_pairs(listed_rollers()),
         },
     };
     Order {

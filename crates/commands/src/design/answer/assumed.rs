@@ -64,7 +64,8 @@ pub(super) fn assumed(
         assume("overload", "none: the torque is the greatest of the life".to_owned());
     }
     assume("helix angle", helix_angle(basis, size));
-    of_application(size, &mut assume);
+    let is_helical = basis.helix_angle.is_some_and(|angle| angle.0.si() != 0.0);
+    of_application(size, is_helical, &mut assume);
     assume("standards", format!("{}, method B; bearings ISO 281 and ISO 76", Edition::default()));
     Ok(all)
 }
@@ -83,7 +84,7 @@ fn helix_angle(basis: &Basis, size: &SizeRequest) -> String {
 }
 
 /// Values that the application brings where the space of sizes leaves them open.
-fn of_application(size: &SizeRequest, assume: &mut impl FnMut(&str, String)) {
+fn of_application(size: &SizeRequest, is_helical: bool, assume: &mut impl FnMut(&str, String)) {
     let usual = size.application;
     if size.planets.is_none() {
         let counts = size.planet_counts();
@@ -96,7 +97,12 @@ fn of_application(size: &SizeRequest, assume: &mut impl FnMut(&str, String)) {
             let named: Vec<String> = named.map(|kind| kind.get_name().to_owned()).collect();
             assume("bearings of the planets", named.join(", "));
         }
-        assume("load of the bearings", "the torques of the duty with K_γ, without K_A".to_owned());
+        let rows = if is_helical {
+            "; with the moment that tilts a planet, on both bearing rows at its ends: bearing_span of the saved file"
+        } else {
+            ""
+        };
+        assume("load of the bearings", format!("the torques of the duty with K_γ, without K_A{rows}"));
     }
     if let Some(modules) = usual.and_then(Application::modules).filter(|_| size.modules.is_none()) {
         let all: Vec<String> = modules.iter().map(|module| trimmed(module.mm(), DIGITS)).collect();

@@ -40,7 +40,7 @@ use epicyclic_strength::load::load_sharing;
 use epicyclic_strength::sizing::{Layout, MeshLoads, PlanetStep, Space, StaticDemand, Task, Tried};
 use epicyclic_strength::spectrum::Step;
 use epicyclic_train::PlanetSet;
-use epicyclic_train::planet_bearings::{MeshSize, PlanetSize, SetSize};
+use epicyclic_train::planet_bearings::{MeshSize, PlanetBearing, PlanetSize, SetSize};
 use epicyclic_train::planet_set::GearOf;
 use epicyclic_train::toothed::{Shifts, ToothShape, ToothedSet};
 use epicyclic_units::Physical;
@@ -531,20 +531,23 @@ impl Making<'_> {
         let still = AngularVelocity::default();
         let mut all = vec![];
         for bearing in set.bearings(self.set.place, &size)? {
-            let loaded =
-                |worked: &Worked<'_>, share: f64| {
-                    let torques = worked.member_torques(self.set.place);
-                    let forces = bearing.forces(torques.as_deref(), Some(still))?;
-                    Ok::<_, Error>(forces.tangential.zip(forces.radial).map(|(tangential, radial)| {
-                        PlanetStep { share, tangential, radial, carrier_speed: still, speed: still }
-                    }))
-                };
+            let loaded = |worked: &Worked<'_>, share: f64| {
+                let torques = worked.member_torques(self.set.place);
+                let forces = bearing.forces(torques.as_deref(), Some(still))?;
+                Ok::<_, Error>(forces.tangential.zip(forces.radial).map(|(tangential, radial)| {
+                    let torques = torques.unwrap_or_default();
+                    let teeth = (toothed, &self.set.data.is_behind[..]);
+                    let axial = set.planet_axial_load(bearing.planet, teeth, &torques);
+                    let moment = axial.map_or([0.0; 2], |axial| axial.moment).map(Torque::from_si);
+                    let tangential = PlanetBearing::push_direction(&torques) * tangential;
+                    PlanetStep { share, tangential, radial, moment, ..PlanetStep::default() }
+                }))
+            };
             let mut own = vec![];
             for WorkedStep(entry, worked) in self.steps {
                 let share = entry.share.0.si();
                 let Some(worked) = worked else {
-                    let (tangential, radial) = Default::default();
-                    own.push(PlanetStep { share, tangential, radial, carrier_speed: still, speed: still });
+                    own.push(PlanetStep { share, ..PlanetStep::default() });
                     continue;
                 };
                 let turning = worked.analysis.sets()[self.set.place].planets[bearing.planet];

@@ -204,6 +204,9 @@ pub struct SizedBearing {
     pub load_rating_n: f64,
     /// Basic static load rating in N; null if unknown.
     pub static_load_rating_n: Option<f64>,
+    /// Distance of the middles of both rows in m, with which the bearing of a helical planet is rated; null of
+    /// others, and if the file gives the load rating alone.
+    pub span_m: Option<f64>,
     /// Basic rating life over the duty in s; null if the bearing never turns under load.
     pub life_s: Option<f64>,
 }
@@ -369,6 +372,7 @@ impl SizedDesign {
                 width_m: positive(bearing.width),
                 load_rating_n: bearing.load_rating.si(),
                 static_load_rating_n: bearing.static_load_rating.map(Physical::si),
+                span_m: planet.span.map(Physical::si),
                 life_s: planet.life.map(Physical::si),
             })
         };

@@ -131,6 +131,7 @@ fn write(entry: &mut Mapping, is_short: bool, design: &SizedDesign) {
                 of.remove(*key);
             });
             keys.push(("bearing_rolling", Value::from(*rolling)));
+            keys.extend(bearing.span_m.map(|span| ("bearing_span", millimetres(span))));
             let newtons = |rating: f64| Value::from(format!("{} N", trimmed(rating, DIGITS)));
             keys.extend(bearing.static_load_rating_n.map(|rating| ("static_load_rating", newtons(rating))));
             let diameters = bearing.bore_m.zip(*outside_diameter_m);

@@ -34,7 +34,6 @@ use epicyclic_strength::bearing::{
 use epicyclic_strength::bearing_rows::{equivalent_load, row_forces};
 use epicyclic_strength::load::{Floating, load_sharing};
 use epicyclic_train::PlanetSet;
-use epicyclic_train::axial_forces::Body;
 use epicyclic_train::planet_bearings::{BearingForces, Lack, PlanetBearing};
 use epicyclic_train::toothed::ToothedSet;
 use epicyclic_units::{Physical, Quantity};
@@ -369,10 +368,8 @@ impl File<'_> {
         let set = &self.subject.train.sets()[bearing.set];
         let (mut axial_n, mut moment) = (0.0, [0.0; 2]);
         if let Some(toothed) = &rows.toothed {
-            let of_centrals: Vec<f64> = torques.iter().map(|torque| torque.si()).collect();
-            let loads = set.mesh_loads(&of_centrals)?;
-            let all = set.axial_forces(toothed, self.subject.is_behind(set), &loads)?;
-            let own = all.into_iter().find(|one| one.body == Body::Planet(bearing.planet))?;
+            let teeth = (toothed, self.subject.is_behind(set));
+            let own = set.planet_axial_load(bearing.planet, teeth, torques)?;
             let sizes: f64 = own.meshes.iter().map(|(_, force)| force.abs()).sum();
             axial_n = if own.force.abs() <= ROUNDED * sizes { 0.0 } else { sharing * own.force };
             moment = own.moment.map(|part| sharing * part);
