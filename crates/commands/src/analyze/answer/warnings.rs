@@ -5,6 +5,7 @@ use super::records::{GearFacts, SelfLocking, State, beside};
 use crate::answer::Warning;
 use crate::shared::gearbox::Gearbox;
 use crate::shared::judgement::answer::TEETH;
+use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_train::one_way::Duty;
 use epicyclic_train::{self as train, Analysis, PlanetSet};
 use epicyclic_units::format::quantity;
@@ -142,9 +143,14 @@ pub(crate) fn of_gearbox(subject: &Gearbox) -> Vec<Warning> {
     of_gearbox.chain(teeth).chain(ideal).chain(radii).collect()
 }
 
-/// Warning about helical sets whose planet bearings have forces or ratings: both leave out the moment of the
-/// axial forces.
-pub(crate) fn tilted(subject: &Gearbox) -> Option<Warning> {
+/// Warning about helical sets whose planet bearings have forces, or at a load lives: both leave out the moment of
+/// the axial forces. `strength` rates those with it whose file states the distance of their rows.
+pub(crate) fn tilted(subject: &Gearbox, has_lives: bool) -> Option<Warning> {
+    let file = subject.document.read::<GearboxFile>().ok();
+    let has_spans = |set: &PlanetSet| {
+        let data = file.as_ref().and_then(|file| file.set_data(set));
+        data.is_some_and(|data| data.planets.iter().all(|planet| planet.bearing_span.is_some()))
+    };
     // Without radius and number of planets there are no forces that could leave out the moment.
     let is_borne = |place: usize| {
         let own = subject.planet_bearings.iter().filter(|bearing| bearing.set == place);
@@ -152,9 +158,15 @@ pub(crate) fn tilted(subject: &Gearbox) -> Option<Warning> {
     };
     let is_helical = |set: &PlanetSet| set.tooth_shape().is_helical();
     let sets = subject.train.sets().iter().enumerate();
-    let sets = sets.filter(|(place, set)| is_helical(set) && is_borne(*place)).map(|(_, set)| set.id());
-    let names: Vec<&str> = sets.collect();
-    tilting(&names)
+    let sets = sets.filter(|(place, set)| is_helical(set) && is_borne(*place)).map(|(_, set)| set);
+    let counts = |set: &&PlanetSet| has_lives || !has_spans(set);
+    let sets: Vec<&PlanetSet> = sets.filter(counts).collect();
+    let names: Vec<&str> = sets.iter().map(|set| set.id()).collect();
+    let mut warning = tilting(&names)?;
+    if sets.iter().all(|set| has_spans(set)) {
+        warning.message.push_str("; strength rates the bearings with it");
+    }
+    Some(warning)
 }
 
 /// Warning that these sets are helical, and which loads the rating of their planet bearings leaves out.
