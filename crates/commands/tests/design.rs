@@ -7,6 +7,9 @@
     reason = "helpers of tests, which clippy does not know for such"
 )]
 
+mod common;
+
+use common::{GO_ON, stages, taken};
 use epicyclic_commands::analyze::answer::{Input, overview};
 use epicyclic_commands::design::Request;
 use epicyclic_commands::design::answer::stages::Stages;
@@ -18,14 +21,6 @@ use epicyclic_commands::strength;
 use epicyclic_commands::words::request;
 use epicyclic_formats::Document;
 use epicyclic_units::Physical;
-use std::ops::ControlFlow;
-
-const GO_ON: fn() -> ControlFlow<()> = || ControlFlow::Continue(());
-
-fn stages(words: &str) -> Stages {
-    let request: Request = request(words.split('|')).unwrap();
-    request.answer_stages(&GO_ON).unwrap()
-}
 
 fn gearbox(file: &str) -> Gearbox {
     Gearbox::parse("design.yaml", file.as_bytes()).unwrap()
@@ -55,13 +50,9 @@ fn a_train_that_steps_up_is_the_reduction_turned_round() {
         assert!(near(stages.input_power_w.unwrap(), 12e3));
     }
     assert!(near(down.masses.unwrap().whole_kg, up.masses.unwrap().whole_kg));
-    let taken = |stages: &Stages| {
-        let best = stages.trains.iter().find(|trains| trains.taken).unwrap().best.clone().unwrap();
-        best.teeth
-    };
-    let mut reversed = taken(&up);
+    let mut reversed = taken(&up).teeth;
     reversed.reverse();
-    assert_eq!(taken(&down), reversed);
+    assert_eq!(taken(&down).teeth, reversed);
     let [down, up] = [&down, &up].map(|stages| ratios(&gearbox(stages.file.as_ref().unwrap())));
     assert!(near(down[0], 20.0) && near(up[0], 0.05), "{down:?} {up:?}");
 }
@@ -83,7 +74,7 @@ fn the_output_has_the_torque_that_is_asked_for() {
         assert!(near(stages.efficiency.unwrap(), analysis.efficiency().unwrap()));
         let back = analysis.back_driving_efficiency().unwrap();
         assert!(near(stages.back_driving_efficiency.unwrap(), back));
-        let taken = stages.trains.iter().find(|trains| trains.taken).unwrap().best.clone().unwrap();
+        let taken = taken(&stages);
         // Torque of the last carrier over that of the fast shaft, of which turning rings take one part less.
         let carrier = |of_mesh: f64| -> f64 {
             let of_stage = |teeth: &Vec<u32>| 1.0 + f64::from(teeth[2]) / f64::from(teeth[0]) * of_mesh;
@@ -116,11 +107,11 @@ fn turning_rings_are_held_rings_seen_from_them() {
         ("--ratio=-4|--input=1200rpm", "--ratio=5|--input=1500rpm"),
     ] {
         let [turning, held] = [turning, held].map(|words| stages(&format!("{words}|{space}")));
-        let taken = |stages: &Stages| {
-            let best = stages.trains.iter().find(|trains| trains.taken).unwrap().best.clone().unwrap();
+        let of = |stages: &Stages| {
+            let best = taken(stages);
             (best.teeth, best.ratios, best.mass_kg)
         };
-        assert_eq!(taken(&turning), taken(&held));
+        assert_eq!(of(&turning), of(&held));
         let safeties = |stages: &Stages| -> Vec<f64> {
             let designs = stages.sizes.as_ref().unwrap().sets.iter().map(|set| &set.found[0]);
             designs.flat_map(|design| &design.over_duty).map(|of| of.flank.safety).collect()
@@ -342,8 +333,8 @@ fn a_list_of_gears_is_what_its_file_says() {
     }
 }
 
-/// In all three forms of the command every set of the file has the angle, `size` finds the same sizes again,
-/// bearings live in `strength` as long as was found, and centre distances are those of normal modules.
+/// In all three forms of the command every set of the file has the angle. `size` finds the same sizes again,
+/// `strength` the same lives of bearings, and centre distances are those of normal modules.
 #[test]
 fn helical_teeth_are_those_of_every_set() {
     let more =
@@ -358,7 +349,7 @@ fn helical_teeth_are_those_of_every_set() {
             let of = asking.answer_gears(&GO_ON).unwrap();
             (of.file, of.sizes, of.assumed)
         } else {
-            let of = asking.answer(&|_| ControlFlow::Continue(())).unwrap();
+            let of = asking.answer(&|_| GO_ON()).unwrap();
             (of.file, of.sizes, of.assumed)
         };
         let told = assumed.into_iter().find(|one| one.key == "helix angle").unwrap().value;
@@ -403,8 +394,8 @@ fn helical_teeth_are_those_of_every_set() {
     }
 }
 
-/// Steps of a load are those of the file; a load that is the whole in one step or in two is the same, and one that
-/// is rarely full has lighter gears, whose lives and safeties `strength` finds again.
+/// Steps of a load are those of the file. The whole load in one step or in two gives the same gearbox, a load that
+/// is rarely full a lighter one. `strength` finds its safeties again.
 #[test]
 fn a_load_in_steps_is_rated_by_its_steps() {
     let order = |more: &str| format!("--ratio=20|--power=12kW|--input=1500rpm|--no-bearings{more}|{SPACE}");
@@ -415,10 +406,7 @@ fn a_load_in_steps_is_rated_by_its_steps() {
         "|--spectrum=5% 1, 65% 0.4 1.2, 30% 0 0",
     ]
     .map(|more| stages(&order(more)));
-    let price = |stages: &Stages| {
-        let taken = stages.trains.iter().find(|trains| trains.taken).unwrap();
-        taken.best.as_ref().unwrap().price_kg
-    };
+    let price = |stages: &Stages| taken(stages).price_kg;
     assert!((price(&whole) / price(&one) - 1.0).abs() < 1e-9);
     assert!((price(&whole) / price(&two) - 1.0).abs() < 1e-9);
     assert!(price(&mild) < 0.97 * price(&whole), "{} {}", price(&mild), price(&whole));

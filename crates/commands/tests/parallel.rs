@@ -6,8 +6,11 @@
     reason = "helpers of tests, which clippy does not know for such"
 )]
 
+mod common;
+
+use common::{GO_ON, stages, taken};
 use epicyclic_commands::design::Request;
-use epicyclic_commands::design::answer::stages::{Stages, TrainOfStages};
+use epicyclic_commands::design::answer::stages::Stages;
 use epicyclic_commands::design::answer::ways_out::Limit;
 use epicyclic_commands::shared::gearbox::Gearbox;
 use epicyclic_commands::size;
@@ -15,19 +18,6 @@ use epicyclic_commands::size::answer::records::SizedDesign;
 use epicyclic_commands::words::request;
 use epicyclic_formats::Document;
 use epicyclic_formats::yaml::{Value, to_string};
-use std::ops::ControlFlow;
-
-const GO_ON: fn() -> ControlFlow<()> = || ControlFlow::Continue(());
-
-fn stages(words: &str) -> Stages {
-    let request: Request = request(words.split('|')).unwrap();
-    request.answer_stages(&GO_ON).unwrap()
-}
-
-fn taken(stages: &Stages) -> TrainOfStages {
-    let trains = stages.trains.iter().find(|trains| trains.taken);
-    trains.unwrap_or_else(|| panic!("{:?}", stages.trains)).best.clone().unwrap()
-}
 
 const SPACE: &str = "--modules=2mm, 3mm, 4mm|--face-widths=20mm, 30mm, 50mm, 80mm";
 

@@ -117,8 +117,8 @@ pub struct Request {
     #[arg(long, value_name = "RANGE", conflicts_with_all = ["speeds", "ratios"], value_parser = stages, help_heading = STAGES)]
     pub stages: Option<RangeInclusive<u32>>,
 
-    /// How the fast shaft stands to the slow one. Parallel: the smaller gear of the pair has 17 to 30 teeth, the
-    /// larger one up to 150 and 1.1 to 5 times as many. Default: coaxial; with --application wind either.
+    /// Axes of input and output. Parallel: the smaller gear of the pair has 17 to 30 teeth, the larger one up to
+    /// 150 and 1.1 to 5 times as many. Default: coaxial; with --application wind either.
     #[arg(long, value_name = "AXES", conflicts_with_all = ["speeds", "ratios"], value_enum, help_heading = STAGES)]
     pub axes: Option<Axes>,
 

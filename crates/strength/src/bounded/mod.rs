@@ -108,7 +108,7 @@ impl Add for Cost {
 #[derive(Debug, Clone)]
 pub(crate) struct TriedSet {
     pub(crate) teeth: SetTeeth,
-    /// That of its teeth.
+    /// Ratio of its teeth.
     pub(crate) ratio: f64,
     /// Numbers of planets that have equal angles, by their index.
     placed: Vec<bool>,

@@ -17,8 +17,8 @@
 //! i = 1 − Π i_j        n_j = n·(1 + 1/|i|)/(i_1·…·i_(j−1))
 //! ```
 //!
-//! If the first stage is a pair of gears on fixed axes ([`Order::first_pair`]), as in gearboxes whose fast shaft
-//! stands beside the slow one, it is driven by its first gear:
+//! A pair of gears on fixed axes may be the first stage ([`Order::first_pair`]), where the fast shaft is parallel
+//! to the slow one. The input drives its first gear:
 //!
 //! ```text
 //! i_1 = z_2/z_1        by amount: the pair turns the direction around

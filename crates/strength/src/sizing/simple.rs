@@ -93,7 +93,7 @@ pub struct HeldShifts {
 pub enum SetTeeth {
     /// Sun, planets and ring of a simple set.
     Simple([ToothCount; 3]),
-    /// Both gears of an external pair on fixed axes.
+    /// First and second gear of an external pair on fixed axes.
     Pair([ToothCount; 2]),
 }
 
@@ -107,7 +107,7 @@ impl SetTeeth {
         }
     }
 
-    /// Whether the gears stand on fixed axes.
+    /// Whether the axes of the gears are fixed.
     #[must_use]
     pub const fn is_pair(&self) -> bool {
         matches!(self, Self::Pair(_))

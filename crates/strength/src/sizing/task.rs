@@ -62,7 +62,7 @@ pub struct SizedPlanet {
     pub mass: Option<Mass>,
     /// Mesh load factor `K_γ` for its bearing, in place of that of the layout.
     pub sharing: Option<f64>,
-    /// What is stated of the bearing on its pin.
+    /// Stated values of the bearing on its pin.
     pub pin: Pin,
 }
 

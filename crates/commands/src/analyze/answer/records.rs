@@ -344,7 +344,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// Whether the gears stand on fixed axes.
+    /// Whether the axes of the gears are fixed.
     pub(crate) const fn is_pair(self) -> bool {
         matches!(self, Self::ExternalPair | Self::InternalPair)
     }

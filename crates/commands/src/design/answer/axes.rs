@@ -1,17 +1,16 @@
-//! Where the fast shaft of stages in series stands: in line with the slow one, or beside it.
+//! Axes of the shafts of stages in series: one axis, or the fast one parallel to the slow one.
 
 use crate::shared::application::Application;
 use epicyclic_strength::series::FirstPair;
 use epicyclic_strength::sizing::Sizing;
 use std::ops::RangeInclusive;
 
-/// How the shafts of input and output stand.
+/// Axes of input and output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum Axes {
-    /// In one line: planetary stages alone
+    /// One axis: planetary stages alone
     Coaxial,
-    /// The fast shaft beside the slow one: the fast stage is a pair of external gears, after which the output
-    /// turns against the input
+    /// Parallel axes: the fast stage is a pair of external gears, after which the output turns against the input
     Parallel,
     /// Either, whichever is lighter
     Either,
@@ -28,7 +27,7 @@ const RATIOS: RangeInclusive<f64> = 1.1..=5.0;
 const OF_OUTER_MESH: f64 = 2.0 / 3.0;
 
 impl Axes {
-    /// What is usual: in one line, but for wind turbines, whose generators stand beside the rotor as well.
+    /// Usual axes: one; of wind turbines either, since generators are beside the axis of the rotor as well.
     pub(crate) fn usual(application: Option<Application>) -> Self {
         if application == Some(Application::Wind) { Self::Either } else { Self::Coaxial }
     }

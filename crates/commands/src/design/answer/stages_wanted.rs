@@ -18,7 +18,7 @@ pub struct WantedStages {
     pub turns_back: bool,
     /// Allowed relative deviation of the ratio.
     pub tolerance: f64,
-    /// How the shafts stand.
+    /// Axes of both shafts.
     pub axes: Axes,
     /// Numbers of stages.
     pub stages: RangeInclusive<usize>,
@@ -98,8 +98,8 @@ impl WantedStages {
     }
 
     /// Least efficiency of trains of a number of stages, one of them a pair or none, within a tolerance: that of
-    /// equal stages with the greatest ratio, since the logarithm of the efficiency of a stage is convex over
-    /// that of its ratio, behind a pair of the least one.
+    /// equal stages with the greatest ratio. The logarithm of a stage's efficiency is convex over that of its
+    /// ratio. Behind a pair it is that of the pair with the least ratio.
     fn least_efficiency(&self, tolerance: f64, (stages, has_pair): (usize, bool)) -> f64 {
         let product = self.product(self.ratio * (1.0 + tolerance));
         if has_pair {

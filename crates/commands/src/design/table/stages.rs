@@ -193,7 +193,7 @@ const STEPS_UP: &str = "steps up";
 /// Words for a negative ratio: the output turns against the input.
 const RINGS_TURN: &str = "rings turning with the slow shaft, its carrier held";
 
-/// What a pair of external gears does.
+/// Effect of a pair of external gears.
 const TURNS_AROUND: &str = "which turns the direction around";
 
 fn asked(stages: &Stages) -> Section {
