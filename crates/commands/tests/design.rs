@@ -427,10 +427,14 @@ fn a_load_in_steps_is_rated_by_its_steps() {
             && near(speed, wanted[2] * mild.input_speed_rad_s);
         assert!(is_same, "{share} {of_torque} {speed}");
     }
-    for (wrong, why) in
-        [("60% 1, 60% 0.5", "'50 %, 50 %'"), ("100% 0", "above 0"), ("50%", "over those of the load")]
-    {
-        let words = order(&format!("|--spectrum={wrong}"));
+    for (wrong, why) in [
+        ("60% 1, 60% 0.5", "'50 %, 50 %'"),
+        ("100% 0", "above 0"),
+        ("50%", "over those of the load"),
+        ("5% 1 0, 95% 1 1", "write 0.05 0 0"),
+        ("5% 2 1, 95% 1 1", "write --overload 2 or more"),
+    ] {
+        let words = order(&format!("|--overload=1.5|--spectrum={wrong}"));
         let refused = match request::<Request>(words.split('|')) {
             Ok(request) => request.answer_stages(&GO_ON).unwrap_err().to_string(),
             Err(error) => error.to_string(),

@@ -93,15 +93,28 @@ fn the_file_of_a_train_behind_a_pair_has_its_ratio_and_losses() {
 /// Of both kinds of trains the cheaper one is taken.
 #[test]
 fn either_kind_is_taken_by_its_price() {
-    for ratio in ["3", "5"] {
-        let of = |axes: &str| {
-            stages(&format!("--ratio={ratio}|--axes={axes}|--stages=1|--torque=300 N·m|--input=1500rpm"))
-        };
+    // The set of the last order has larger bearings than those of the tables.
+    for order in [
+        "--ratio=3|--torque=300 N·m|--input=1500rpm",
+        "--ratio=5|--torque=300 N·m|--input=1500rpm",
+        "--ratio=3|--power=30kW|--input=2000rpm",
+    ] {
+        let of = |axes: &str| stages(&format!("{order}|--axes={axes}|--stages=1"));
         let price = |stages: &Stages| taken(stages).price_kg;
         let [one, other, either] = ["coaxial", "parallel", "either"].map(of);
         assert!((price(&either) - price(&one).min(price(&other))).abs() < 1e-9);
         assert_eq!(either.trains.len(), 2);
     }
+}
+
+/// A limit of rings bounds no pair, which has no smaller ring either.
+#[test]
+fn a_pair_alone_has_no_ring() {
+    let order = "--ratio=1.8|--power=20kW|--input=1500rpm|--axes=parallel|--stages=1";
+    let free = stages(&format!("{order}|--front"));
+    assert_eq!(free.front.as_deref(), Some(&[][..]));
+    let bound = stages(&format!("{order}|--max-ring=60mm"));
+    assert_eq!(taken(&free), taken(&bound));
 }
 
 /// A ratio that no held ring gives, and the option that does.

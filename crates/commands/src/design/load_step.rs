@@ -22,10 +22,14 @@ impl FromStr for LoadStep {
         };
         let parts: Vec<f64> = joined.split_whitespace().map(number).collect::<Result<_, _>>()?;
         match parts[..] {
+            [share, torque, 0.0] if torque > 0.0 => Err(format!(
+                "{text}: a step at rest has no torque here; write {share} 0 0, and --overload for a torque at rest"
+            )),
             [share, torque, speed] => Ok(Self([share, torque, speed])),
             [share, torque] => Ok(Self([share, torque, 1.0])),
             _ => Err(format!(
-                "{text}: a step is its share of the time, its torque and its speed over those of the load, as 20% 0.5 1"
+                "{text}: a step is its share of the time, its torque and its speed over those of the load, as 20% 0.5 1; \
+                 several steps are parted by commas"
             )),
         }
     }

@@ -143,7 +143,7 @@ pub struct Request {
     pub shares: Option<List<Quantity<Ratio>>>,
 
     /// Steps of the load in every gear: each its share of the time, its torque and its speed over those of the
-    /// load, '10% 1 1, 90% 0.5 1.2'. Default: full torque and speed for the whole life; lists of gears with
+    /// load, '10% 1 1, 90% 0.5 1.2'; without a speed that of the load. Default: full torque and speed for the whole life; lists of gears with
     /// --application automatic have half of both for 95 % of the time.
     #[arg(long, value_name = "STEPS")]
     pub spectrum: Option<List<LoadStep>>,
@@ -449,6 +449,13 @@ impl Request {
         if steps.iter().all(|step| step.contains(&0.0)) {
             let message = "no step has a share of the time, a torque and a speed above 0";
             return Err(Failure::invalid("--spectrum", message));
+        }
+        let greatest = steps.iter().map(|[_, torque, _]| *torque).fold(0.0, f64::max);
+        if self.overload()?.is_some_and(|overload| overload < greatest) {
+            let greatest = trimmed(greatest, 6);
+            let message =
+                format!("a step of --spectrum has more torque; write --overload {greatest} or more");
+            return Err(Failure::invalid("--overload", message));
         }
         Ok(steps)
     }

@@ -343,6 +343,7 @@ fn simple(
             modules: set.data.modules[0].map_or_else(|| space.modules.clone(), |module| vec![module]),
             face_widths: task.face_widths[0].clone(),
             planets: if teeth.is_pair() { vec![1] } else { counts() },
+            largest_ring: space.largest_ring.filter(|_| !teeth.is_pair()),
             bearings: planet.map_or_else(Vec::new, |planet| planet.bearings.clone()),
             ..space.clone()
         },

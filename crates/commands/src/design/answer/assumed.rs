@@ -139,7 +139,7 @@ fn duty(spectrum: &[[f64; 3]]) -> String {
         )
     };
     match spectrum {
-        [_] => "full torque and speed for the whole life".to_owned(),
+        [[_, 1.0, 1.0]] => "full torque and speed for the whole life".to_owned(),
         steps => steps.iter().map(step).collect::<Vec<_>>().join("; "),
     }
 }

@@ -194,6 +194,12 @@ impl TrainsOf {
             taken: false,
         }
     }
+
+    /// Stages beyond usual practice of the best train, and its price with that of its stages.
+    fn cost(&self) -> Option<(u32, f64)> {
+        let best = self.best.as_ref()?;
+        Some((best.unusual_stages, best.price_kg * STAGE_PRICE.powi(self.stages as i32)))
+    }
 }
 
 /// Designs stages in series without ways out and front; `most` trains of each number of stages are listed.
@@ -201,6 +207,30 @@ impl TrainsOf {
 /// order, and with larger ones, which are taken where none of them holds or where they save a fifth of the
 /// mass. These sizes come back if they are taken.
 pub(super) fn attempted(
+    wanted: &WantedStages,
+    most: usize,
+    known: &mut [KnownSets; 2],
+    goes_on: &dyn Fn() -> ControlFlow<()>,
+) -> Result<(Stages, Option<SizeRequest>), Error> {
+    if wanted.axes != Axes::Either {
+        return attempted_of_kind(wanted, most, known, goes_on);
+    }
+    // Each kind of trains with the bearings that pay for it: pairs have none.
+    let mut of = |axes| attempted_of_kind(&WantedStages { axes, ..wanted.clone() }, most, known, goes_on);
+    let (mut best, mut other) = (of(Axes::Coaxial)?, of(Axes::Parallel)?);
+    let cost = |of: &Stages| of.trains.iter().find(|trains| trains.taken).and_then(TrainsOf::cost);
+    if cost(&other.0).is_some_and(|other| cost(&best.0).is_none_or(|best| other < best)) {
+        std::mem::swap(&mut best, &mut other);
+    }
+    let others = other.0.trains.into_iter().map(|trains| TrainsOf { taken: false, ..trains });
+    best.0.trains.extend(others);
+    best.0.trains.sort_by_key(|trains| (trains.stages, trains.has_pair));
+    best.0.sets = best.0.sets.max(other.0.sets);
+    Ok(best)
+}
+
+/// Designs stages in series of the kinds of the order.
+fn attempted_of_kind(
     wanted: &WantedStages,
     most: usize,
     [known, of_larger]: &mut [KnownSets; 2],
@@ -250,12 +280,8 @@ pub(super) fn attempted_with(
     }
     let found = found.expect("there are classes");
     let mut trains: Vec<TrainsOf> = found.all.iter().map(|trains| TrainsOf::of(wanted, trains)).collect();
-    let cost = |of: &TrainsOf| {
-        let best = of.best.as_ref()?;
-        Some((best.unusual_stages, best.price_kg * STAGE_PRICE.powi(of.stages as i32)))
-    };
-    let taken = (0..trains.len()).filter(|place| cost(&trains[*place]).is_some()).min_by(|one, other| {
-        let [one, other] = [one, other].map(|place| cost(&trains[*place]).unwrap_or_default());
+    let taken = (0..trains.len()).filter(|place| trains[*place].cost().is_some()).min_by(|one, other| {
+        let [one, other] = [one, other].map(|place| trains[*place].cost().unwrap_or_default());
         one.0.cmp(&other.0).then(one.1.total_cmp(&other.1))
     });
     if let Some(place) = taken {
@@ -283,6 +309,12 @@ pub(super) fn attempted_with(
     let of_set = stated("efficiency", wanted.efficiency);
     let of_pair = stated("efficiency of a pair", axes::efficiency_of_pair(wanted.efficiency));
     let of_pair = Some(of_pair).filter(|_| wanted.axes != Axes::Coaxial);
+    let has_pair = train.as_ref().is_some_and(|train| train.teeth.iter().any(|teeth| teeth.len() == 2));
+    let of_pair_assumed = has_pair.then(|| BasisKey {
+        key: "pair".to_owned(),
+        value: "gears without bores; its shafts and their bearings, with the axial force of helical teeth, are left out"
+            .to_owned(),
+    });
     let load = AssumedLoad { spectrum: &wanted.spectrum, gears: 1, shares: &[], overload: wanted.overload };
     let ratio = train.as_ref().map(|train| train.ratio);
     let speed = if wanted.is_backward { -wanted.speed.si() } else { wanted.speed.si() };
@@ -309,12 +341,25 @@ pub(super) fn attempted_with(
         masses,
         trains,
         basis: wanted.basis.told().into_iter().chain([of_set]).chain(of_pair).collect(),
-        assumed: assumed(&wanted.basis, &wanted.size, &load)?,
+        assumed: assumed(&wanted.basis, &wanted.size, &load)?.into_iter().chain(of_pair_assumed).collect(),
         sizes,
         file,
         ways_out: None,
         front: None,
-        warnings: all_warnings,
+        warnings: all_warnings.into_iter().chain(cut_short(&found.all)).collect(),
+    })
+}
+
+/// A warning of searches that ended before all trains were compared.
+fn cut_short(all: &[Trains]) -> Option<Warning> {
+    let cut: Vec<String> = all.iter().filter(|of| !of.is_complete).map(|of| of.stages.to_string()).collect();
+    (!cut.is_empty()).then(|| Warning {
+        name: "search-ended",
+        message: format!(
+            "the search of {} stages ended before all trains were compared, and a better one may be among the others: \
+             fewer teeth, such as --sun 17..30, or one number of --stages let it come to its end",
+            cut.join(" and ")
+        ),
     })
 }
 

@@ -62,7 +62,9 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
     if stages.file.is_none() {
         stages.ways_out = Some(search.ways_out(&stages)?);
     } else if wanted.is_front_asked {
-        stages.front = Some(search.front(larger, largest_ring(&stages))?);
+        let has_pair = stages.trains.iter().any(|trains| trains.taken && trains.has_pair);
+        let axes = if has_pair { Axes::Parallel } else { Axes::Coaxial };
+        stages.front = Some(search.front((axes, larger), largest_ring(&stages))?);
     }
     Ok(stages)
 }
@@ -182,14 +184,20 @@ impl Search<'_> {
         Ok(ways)
     }
 
-    /// The best trains whose rings are smaller and smaller than this one, until none holds: with the kinds of
-    /// bearings and modules of the best one, which may be the larger ones.
-    fn front(&self, larger: Option<SizeRequest>, mut ring: f64) -> Result<Vec<WayOutOfStages>, Error> {
+    /// The best trains whose rings are smaller and smaller than this one, until none holds: of the kind of the best
+    /// one, with its kinds of bearings and modules, which may be the larger ones.
+    fn front(
+        &self,
+        (axes, larger): (Axes, Option<SizeRequest>),
+        mut ring: f64,
+    ) -> Result<Vec<WayOutOfStages>, Error> {
         let mut points: Vec<WayOutOfStages> = vec![];
         let known = &mut self.known.borrow_mut()[usize::from(larger.is_some())];
         let mut wanted = self.wanted.clone();
         wanted.size = larger.unwrap_or(wanted.size);
-        while points.len() < MOST_SMALLER {
+        wanted.axes = axes;
+        // A pair alone has no ring.
+        while points.len() < MOST_SMALLER && ring > 0.0 {
             let most = rounded(ring * (1.0 - SMALLER), f64::floor);
             let limit = RelaxedLimit { greatest: Some(most), ..RelaxedLimit::lifted(Limit::LargestRing) };
             relax(limit, &mut wanted);

@@ -62,7 +62,7 @@ fn in_the_way(stages: &Stages) -> Option<String> {
         ));
     }
     let asked = stages.asked_ratio.abs();
-    if stages.asked_ratio > 0.0 && asked.max(1.0 / asked) <= LEAST_RATIO {
+    if stages.asked_ratio > 0.0 && asked.max(1.0 / asked) <= LEAST_RATIO && !has_pairs(stages) {
         text.push_str(&format!(
             " A stage with a held ring has a ratio above {LEAST_RATIO}; --ratios {} designs a gearbox of two gears, this one and direct drive, with other members held.",
             trimmed(asked, 6)
@@ -269,10 +269,12 @@ fn teeth(stages: &[Vec<u32>]) -> String {
 fn trains(stages: &Stages) -> Records {
     let rows =
         stages.trains.iter().flat_map(|of| [(of, of.best.as_ref(), true), (of, of.next.as_ref(), false)]);
-    // A second line only where there is a second train; none where the other kind of fast stage has trains.
+    // A second line only where there is a second train; none for tooth numbers that do not give the ratio where
+    // the other kind of fast stage has trains.
     let has_train =
         |of: &TrainsOf| stages.trains.iter().any(|other| other.stages == of.stages && other.best.is_some());
-    let rows = rows.filter(|(of, train, is_best)| train.is_some() || *is_best && !has_train(of));
+    let rows = rows
+        .filter(|(of, train, is_best)| train.is_some() || *is_best && (of.compared > 0 || !has_train(of)));
     let columns = if has_pairs(stages) {
         "stages fast_stage taken teeth ratio mass rules_missed"
     } else {
@@ -288,7 +290,8 @@ fn trains(stages: &Stages) -> Records {
                 Some([one, other]) => format!("none: the teeth give {one} to {other}"),
                 None => "none: no teeth within the bounds".to_owned(),
             },
-            None => "none holds".to_owned(),
+            None if of.complete => "none holds".to_owned(),
+            None => "none found before the search ended".to_owned(),
         })
         .number("ratio", "i", |(_, train, _)| train.map(|train| train.ratio))
         .quantity("mass", "mass", Dimension::Mass, |(_, train, _)| train.map(|train| train.mass_kg))
