@@ -141,7 +141,7 @@ fn of_one(subject: &Gearbox, question: &Question) -> Result<String, Failure> {
     if let Some(gear) = &question.gear {
         if subject.has_inputs(gear) {
             let wanted = analyze::inputs::Wanted::default();
-            let answer = analyze::inputs::answer(subject, gear, &wanted).map_err(refused)?;
+            let answer = request::inputs(subject, gear, &wanted).map_err(refused)?;
             parts.push(("inputs", json(&answer)?));
             if question.gear_tables {
                 parts.push(("gear_tables", text(&answer.report().html())));

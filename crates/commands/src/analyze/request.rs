@@ -7,8 +7,8 @@ use crate::analyze::answer::Input;
 use crate::analyze::answer::combinations::Combinations;
 use crate::analyze::answer::formulas::Formulas;
 use crate::analyze::answer::gear::OneGear;
-use crate::analyze::answer::inputs::Inputs;
 use crate::analyze::answer::inputs::map::{self, SpeedMap};
+use crate::analyze::answer::inputs::{Inputs, Wanted};
 use crate::analyze::answer::overview::Overview;
 use crate::analyze::answer::shifts::Shifts;
 use crate::analyze::table::inputs::map_csv;
@@ -161,8 +161,7 @@ impl Request {
                 Analysis::Formulas(if gearbox.is_sized { answer } else { answer.without_numbers() })
             })
         } else if let Some(gear) = gear.filter(is_given) {
-            answers::inputs::answer(gearbox, gear, &self.several.wanted())
-                .map(|of| Analysis::Inputs(Box::new(of)))
+            inputs(gearbox, gear, &self.several.wanted()).map(|of| Analysis::Inputs(Box::new(of)))
         } else if let Some(gear) = gear {
             self::gear(gearbox, gear, input).map(|gear| Analysis::Gear(Box::new(gear)))
         } else if self.all_combinations {
@@ -176,14 +175,15 @@ impl Request {
         let mut answer = answer.map_err(refuse)?;
         let mut of_formulas = vec![];
         let (judgement, warnings) = match &mut answer {
-            Analysis::Inputs(of) => (&mut of.judgement, &mut of.warnings),
             Analysis::Combinations(of) => (&mut of.judgement, &mut of.warnings),
             Analysis::Shifts(of) => (&mut of.judgement, &mut of.warnings),
             Analysis::Formulas(of) if gearbox.is_sized => (&mut of.judgement, &mut of_formulas),
             // Judged where they are made; formulas without numbers show no gearbox.
-            Analysis::Overview(_) | Analysis::Gear(_) | Analysis::Map(_) | Analysis::Formulas(_) => {
-                return Ok(answer);
-            }
+            Analysis::Overview(_)
+            | Analysis::Gear(_)
+            | Analysis::Inputs(_)
+            | Analysis::Map(_)
+            | Analysis::Formulas(_) => return Ok(answer),
         };
         *judgement = Judgement::added_to(warnings, gearbox);
         Ok(answer)
@@ -198,6 +198,16 @@ pub fn gear(gearbox: &Gearbox, name: &str, input: Input) -> Result<OneGear, Erro
     let mut gear = answers::gear::answer(gearbox, name, input)?;
     gear.judgement = Judgement::added_to(&mut gear.warnings, gearbox);
     Ok(gear)
+}
+
+/// One gear under several inputs, with its judgement.
+///
+/// # Errors
+/// Those of [`answers::inputs::answer`].
+pub fn inputs(gearbox: &Gearbox, name: &str, wanted: &Wanted) -> Result<Inputs, Error> {
+    let mut inputs = answers::inputs::answer(gearbox, name, wanted)?;
+    inputs.judgement = Judgement::added_to(&mut inputs.warnings, gearbox);
+    Ok(inputs)
 }
 
 /// The overview of a gearbox, and what practice says of it.
