@@ -161,9 +161,9 @@ impl Basis {
         own.chain(of_strength.map(|(of, value)| key(name(of), value))).chain(tools).collect()
     }
 
-    /// `strength` and `tools` of a pair on fixed axes: its gears are as sun and planet, its mesh as that of the
-    /// sun. What concerns rings, rims and several planets is left out, as is what planets alone have.
-    pub(crate) fn of_pair(&self) -> (Value, Option<Value>) {
+    /// `strength` of a pair on fixed axes: its gears are as sun and planet, its mesh as that of the sun. What
+    /// concerns rings, rims and several planets is left out, as is what planets alone have.
+    pub(crate) fn strength_of_pair(&self) -> Value {
         let mut strength = self.strength.clone();
         if let Some(own) = strength.as_mapping_mut() {
             let mut factors = Mapping::new();
@@ -179,11 +179,14 @@ impl Basis {
                 accuracy.iter_mut().for_each(|(_, value)| to_pair(value));
             }
         }
-        let tools = self.tools.clone().map(|mut tools| {
-            to_pair(&mut tools);
-            tools
-        });
-        (strength, tools)
+        strength
+    }
+
+    /// `tools` of a pair on fixed axes, whose gears are as sun and planet.
+    pub(crate) fn tools_of_pair(&self) -> Option<Value> {
+        let mut tools = self.tools.clone()?;
+        to_pair(&mut tools);
+        Some(tools)
     }
 
     /// Whether a factor of all meshes is given.

@@ -145,7 +145,8 @@ pub(crate) fn answer(
         let asked = Asked { life, viscosity, required };
         let (task, held) = task(set, &families, &asked, request, (&space, &subject.limits));
         let simple = || simple(set, (&task, &space), (&steps, &peaks), subject, request);
-        let found = match if set.set.is_pair() { None } else { simple() } {
+        // Pairs may state their centre distance.
+        let found = match (!set.set.is_pair()).then(simple).flatten() {
             Some(Ok(sizing)) => size(&sizing, request.most.max(1), goes_on),
             Some(Err(reason)) => {
                 not_sized.push(NotSized::of(NotRated::new(id, reason)));

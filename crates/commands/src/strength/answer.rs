@@ -380,7 +380,9 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
     let uneven = load_sharing.iter().filter_map(LoadSharing::warning);
     let short_lived = bearings.iter().filter_map(|bearing| bearing.warning(life));
     let is_left_out = |set: &&RatedSet<'_>| {
-        set.is_helical() && !set.set.is_pair() && !bearings::has_spans(subject, &file, set.set)
+        let data = file.set_data(set.set);
+        let has_spans = data.is_some_and(|data| data.has_bearing_spans());
+        set.is_helical() && !set.set.is_pair() && !has_spans
     };
     let helical = sets.iter().filter(is_left_out);
     let helical: Vec<&str> = helical.map(|set| set.id).collect();

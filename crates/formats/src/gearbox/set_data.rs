@@ -85,6 +85,13 @@ impl SetData<'_> {
         values.of_gears(&self.gears)
     }
 
+    /// Whether the distance of the rows of all bearings with a load rating is given, and of any.
+    #[must_use]
+    pub fn has_bearing_spans(&self) -> bool {
+        let mut rated = self.planets.iter().filter(|planet| planet.bearing.is_some()).peekable();
+        rated.peek().is_some() && rated.all(|planet| planet.bearing_span.is_some())
+    }
+
     /// Common face width of two gears in mesh.
     #[must_use]
     pub fn common_width(&self, gears: [GearOf; 2]) -> Option<Length> {

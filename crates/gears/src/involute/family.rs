@@ -409,13 +409,20 @@ fn zero(
 /// Shift in a range at which a measure that rises with it is 0, or the end of the range nearest to it.
 pub(super) fn rising_to_zero(range: &RangeInclusive<f64>, measure: impl Fn(f64) -> f64) -> f64 {
     let [low, high] = [*range.start(), *range.end()];
-    if measure(low) > 0.0 {
+    let at_low = measure(low);
+    if at_low > 0.0 {
         return low;
     }
-    if measure(high) <= 0.0 {
+    let at_high = measure(high);
+    if at_high <= 0.0 {
         return high;
     }
-    bracketed(low, high, measure)
+    // A measure is the geometry of a whole set: the ends have theirs already.
+    bracketed(low, high, |shift| match shift {
+        _ if shift == low => at_low,
+        _ if shift == high => at_high,
+        _ => measure(shift),
+    })
 }
 
 /// 0 where the specific sliding at the roots of sun and planet is equal, rising with the shift of the sun.

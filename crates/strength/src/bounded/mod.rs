@@ -247,11 +247,11 @@ impl<'a> Sets<'a> {
         duties: Vec<Vec<SetStep>>,
     ) -> Result<Option<TriedSet>, Error> {
         let ratio = teeth.ratio();
-        let of_set = Sizing { teeth, ..self.of_set.clone() };
+        let of_set = self.of_set;
         let helix = of_set.profiles.shared().helix_angle.si();
         let smaller = teeth.gears()[0].min(teeth.gears()[1]).as_f64() / libm::cos(helix);
         let planets = &of_set.space.planets;
-        let is_placed = |planets: u32| of_set.assembles(planets);
+        let is_placed = |planets: u32| of_set.assembles(teeth, planets);
         let first = planets.iter().zip(&self.shares).filter(|(of, share)| share.is_some() && is_placed(**of));
         let Some((first, Some(share))) = first.min_by_key(|(of, _)| **of) else { return Ok(None) };
         let largest = *self.bands.first().ok_or(Error::NothingToSearch { quantity: Quantity::Module })?;
@@ -266,7 +266,7 @@ impl<'a> Sets<'a> {
             ..of_set.space.clone()
         };
         let duties: Vec<Vec<SetStep>> = duties.into_iter().map(with_rest).collect();
-        let sizing = Sizing { duty: duties[0].clone(), overloads: vec![], space, ..of_set.clone() };
+        let sizing = Sizing { teeth, duty: duties[0].clone(), overloads: vec![], space, ..of_set.clone() };
         let sizes: Vec<[Length; 2]> =
             self.bands.iter().map(|module| [*module, *module * (PROPORTION * smaller)]).collect();
         let square = largest.si() * largest.si();

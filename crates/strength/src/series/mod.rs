@@ -179,8 +179,6 @@ pub struct Found {
 pub struct Trains {
     /// Number of stages.
     pub stages: usize,
-    /// Whether the first stage is a pair.
-    pub has_pair: bool,
     /// Trains within the allowed ratios.
     pub trains: u64,
     /// Stages that were sized.

@@ -86,8 +86,7 @@ pub fn search(
         search.sized = 0;
         let (found, is_complete) = search.best(most)?;
         let trains = search.trains();
-        let has_pair = order.first_pair.is_some();
-        all.push(Trains { stages: count, has_pair, trains, sized: search.sized, is_complete, found });
+        all.push(Trains { stages: count, trains, sized: search.sized, is_complete, found });
     }
     Ok(Found { sets: search.sets.len(), all })
 }

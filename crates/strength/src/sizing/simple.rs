@@ -240,9 +240,9 @@ impl Sizing {
         }
     }
 
-    /// Whether so many planets have equal angles, or those that are given.
-    pub(crate) fn assembles(&self, planets: u32) -> bool {
-        match self.teeth {
+    /// Whether so many planets of such teeth have equal angles, or those that are given.
+    pub(crate) fn assembles(&self, teeth: SetTeeth, planets: u32) -> bool {
+        match teeth {
             SetTeeth::Simple([sun, _, ring]) => {
                 self.least_planet_angle.is_some()
                     || PlanetSpacing::least_unequal(sun, ring, planets).is_equal()
@@ -522,7 +522,7 @@ pub(super) fn layouts(
             }
             Err(error) => return Err(error),
         };
-        let is_placed = task.assembles(planets);
+        let is_placed = task.assembles(task.teeth, planets);
         for &module_mm in modules_mm {
             let module = Length::from_mm(module_mm);
             let wanted: Vec<Option<f64>> = match task.held_shifts {

@@ -146,11 +146,6 @@ pub(crate) fn of_gearbox(subject: &Gearbox) -> Vec<Warning> {
 /// Warning about helical sets whose planet bearings have forces, or at a load lives: both leave out the moment of
 /// the axial forces. `strength` rates those with it whose file states the distance of their rows.
 pub(crate) fn tilted(subject: &Gearbox, has_lives: bool) -> Option<Warning> {
-    let file = subject.document.read::<GearboxFile>().ok();
-    let has_spans = |set: &PlanetSet| {
-        let data = file.as_ref().and_then(|file| file.set_data(set));
-        data.is_some_and(|data| data.planets.iter().all(|planet| planet.bearing_span.is_some()))
-    };
     // Without radius and number of planets there are no forces that could leave out the moment.
     let is_borne = |place: usize| {
         let own = subject.planet_bearings.iter().filter(|bearing| bearing.set == place);
@@ -159,8 +154,16 @@ pub(crate) fn tilted(subject: &Gearbox, has_lives: bool) -> Option<Warning> {
     let is_helical = |set: &PlanetSet| set.tooth_shape().is_helical();
     let sets = subject.train.sets().iter().enumerate();
     let sets = sets.filter(|(place, set)| is_helical(set) && is_borne(*place)).map(|(_, set)| set);
-    let counts = |set: &&PlanetSet| has_lives || !has_spans(set);
-    let sets: Vec<&PlanetSet> = sets.filter(counts).collect();
+    let mut sets: Vec<&PlanetSet> = sets.collect();
+    if sets.is_empty() {
+        return None;
+    }
+    let file = subject.document.read::<GearboxFile>().ok();
+    let has_spans = |set: &PlanetSet| {
+        let data = file.as_ref().and_then(|file| file.set_data(set));
+        data.is_some_and(|data| data.has_bearing_spans())
+    };
+    sets.retain(|set| has_lives || !has_spans(set));
     let names: Vec<&str> = sets.iter().map(|set| set.id()).collect();
     let mut warning = tilting(&names)?;
     if sets.iter().all(|set| has_spans(set)) {

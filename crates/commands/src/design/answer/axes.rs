@@ -31,15 +31,6 @@ impl Axes {
     pub(crate) fn usual(application: Option<Application>) -> Self {
         if application == Some(Application::Wind) { Self::Either } else { Self::Coaxial }
     }
-
-    /// Whether the fast stage is a pair, in all kinds of trains.
-    pub(super) const fn pairs(self) -> &'static [bool] {
-        match self {
-            Self::Coaxial => &[false],
-            Self::Parallel => &[true],
-            Self::Either => &[false, true],
-        }
-    }
 }
 
 /// Pairs to choose from.

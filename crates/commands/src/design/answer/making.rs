@@ -37,9 +37,9 @@ pub(super) struct Load<'a> {
 
 /// Writes the basis into every set, which is a simple one or a pair, and the duty into the file.
 pub(super) fn with_load(file: &mut Value, basis: &Basis, gears: &[(&str, f64)], load: Load<'_>) {
-    let of_pair = basis.of_pair();
+    let of_pair = basis.strength_of_pair();
     for_each_set(file, |set| {
-        let strength = if is_pair(set) { &of_pair.0 } else { &basis.strength };
+        let strength = if is_pair(set) { &of_pair } else { &basis.strength };
         set.insert("strength".into(), strength.clone());
     });
     with_duty(file, basis, gears, load);
@@ -86,7 +86,7 @@ fn for_each_of(key: &str, file: &mut Value, change: impl FnMut(&mut Mapping)) {
 /// Writes helix angle and tools into the sets and the duty into the file: its gears with their shares of the
 /// time.
 pub(super) fn with_duty(file: &mut Value, basis: &Basis, gears: &[(&str, f64)], load: Load<'_>) {
-    if let (Some(tools), (_, Some(of_pair))) = (&basis.tools, basis.of_pair()) {
+    if let (Some(tools), Some(of_pair)) = (&basis.tools, basis.tools_of_pair()) {
         for_each_set(file, |set| {
             let tools = if is_pair(set) { &of_pair } else { tools };
             set.insert("tools".into(), tools.clone());

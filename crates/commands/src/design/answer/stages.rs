@@ -151,11 +151,17 @@ impl Answer for Stages {
     const NAME: &'static str = "design-stages";
 }
 
+impl Stages {
+    /// The trains of which the best is taken; `None` if none holds.
+    pub(crate) fn taken(&self) -> Option<&TrainsOf> {
+        self.trains.iter().find(|trains| trains.taken)
+    }
+}
+
 impl TrainOfStages {
     /// The search goes from the fast shaft on.
     fn of(wanted: &WantedStages, train: &Train) -> Self {
         let mut stages = train.stages.clone();
-        let has_pair = stages.first().is_some_and(SetTeeth::is_pair);
         if wanted.steps_up {
             stages.reverse();
         }
@@ -163,7 +169,7 @@ impl TrainOfStages {
         Self {
             teeth: stages.iter().map(teeth).collect(),
             ratios: stages.iter().map(|stage| wanted.of_input(stage.ratio())).collect(),
-            ratio: wanted.over_output(wanted.quotient(train.ratio), has_pair),
+            ratio: wanted.over_output(wanted.quotient(train.ratio)),
             unusual_stages: train.unusual_stages,
             rules_missed: train.rules_missed,
             mass_kg: train.mass_kg,
@@ -175,12 +181,12 @@ impl TrainOfStages {
 impl TrainsOf {
     fn of(wanted: &WantedStages, trains: &Trains) -> Self {
         let mut found = trains.found.iter().map(|train| TrainOfStages::of(wanted, train));
-        let has_pair = trains.has_pair;
+        let has_pair = wanted.has_pair();
         let of_pair = if has_pair { axes::ratios() } else { [1.0; 2] };
         let sets = trains.stages - usize::from(has_pair);
         let of_one = if sets == 0 { Some([1.0; 2]) } else { wanted.teeth.ratios() };
         let of_all = |end: usize, of_set: f64| of_pair[end] * libm::pow(of_set, sets as f64);
-        let of_train = |end, of_set| wanted.over_output(wanted.quotient(of_all(end, of_set)), has_pair);
+        let of_train = |end, of_set| wanted.over_output(wanted.quotient(of_all(end, of_set)));
         let reachable = of_one.map(|[least, most]| [of_train(0, least), of_train(1, most)]);
         Self {
             stages: trains.stages,
@@ -218,7 +224,7 @@ pub(super) fn attempted(
     // Each kind of trains with the bearings that pay for it: pairs have none.
     let mut of = |axes| attempted_of_kind(&WantedStages { axes, ..wanted.clone() }, most, known, goes_on);
     let (mut best, mut other) = (of(Axes::Coaxial)?, of(Axes::Parallel)?);
-    let cost = |of: &Stages| of.trains.iter().find(|trains| trains.taken).and_then(TrainsOf::cost);
+    let cost = |of: &Stages| of.taken().and_then(TrainsOf::cost);
     if cost(&other.0).is_some_and(|other| cost(&best.0).is_none_or(|best| other < best)) {
         std::mem::swap(&mut best, &mut other);
     }
@@ -229,7 +235,7 @@ pub(super) fn attempted(
     Ok(best)
 }
 
-/// Designs stages in series of the kinds of the order.
+/// Designs stages in series of one kind.
 fn attempted_of_kind(
     wanted: &WantedStages,
     most: usize,
@@ -244,8 +250,10 @@ fn attempted_of_kind(
     let with_larger = WantedStages { size: size.clone(), ..wanted.clone() };
     let other = attempted_with(&with_larger, most, of_larger, goes_on)?;
     let whole = |of: &Stages| of.masses.map_or(f64::INFINITY, |masses| masses.whole_kg);
-    let taken = |of: &Stages| of.trains.iter().find(|trains| trains.taken)?.best.clone();
-    let missed = |of: &Stages| taken(of).map_or(u32::MAX, |train| train.rules_missed);
+    let missed = |of: &Stages| {
+        let best = of.taken().and_then(|trains| trains.best.as_ref());
+        best.map_or(u32::MAX, |train| train.rules_missed)
+    };
     let is_better = missed(&other) <= missed(&stages) && whole(&other) < BEARINGS_PAY * whole(&stages);
     if stages.file.is_none() || is_better {
         return Ok((other, Some(size)));
@@ -253,7 +261,7 @@ fn attempted_of_kind(
     Ok((stages, None))
 }
 
-/// Designs stages in series with the sizes of the order and no larger ones.
+/// Designs stages in series of one kind with the sizes of the order and no larger ones.
 pub(super) fn attempted_with(
     wanted: &WantedStages,
     most: usize,
@@ -308,9 +316,8 @@ pub(super) fn attempted_with(
     let stated = |key: &str, value: f64| BasisKey { key: key.to_owned(), value: trimmed(value, DIGITS) };
     let of_set = stated("efficiency", wanted.efficiency);
     let of_pair = stated("efficiency of a pair", axes::efficiency_of_pair(wanted.efficiency));
-    let of_pair = Some(of_pair).filter(|_| wanted.axes != Axes::Coaxial);
-    let has_pair = train.as_ref().is_some_and(|train| train.teeth.iter().any(|teeth| teeth.len() == 2));
-    let of_pair_assumed = has_pair.then(|| BasisKey {
+    let of_pair = Some(of_pair).filter(|_| wanted.has_pair());
+    let of_pair_assumed = (wanted.has_pair() && train.is_some()).then(|| BasisKey {
         key: "pair".to_owned(),
         value: "gears without bores; its shafts and their bearings, with the axial force of helical teeth, are left out"
             .to_owned(),
@@ -376,22 +383,16 @@ fn searched(
     most: usize,
     (known, goes_on): (&mut KnownSets, &dyn Fn() -> ControlFlow<()>),
 ) -> Result<Found, Error> {
-    let order = |stages, has_pair| {
-        Ok::<_, Error>(Order { most_unusual, ..order(wanted, tolerance, (stages, has_pair))? })
-    };
-    let numbers = match wanted.is_of_output {
-        // More stages lose more, so each number of them has its own torque on the input.
-        true => wanted.stages.clone().map(|stages| stages..=stages).collect(),
-        false => vec![wanted.stages.clone()],
-    };
-    let mut found = Found { sets: 0, all: vec![] };
-    for has_pair in wanted.axes.pairs() {
-        for stages in &numbers {
-            let of_number = search(&order(stages.clone(), *has_pair)?, most, known, goes_on)?;
-            found.sets = found.sets.max(of_number.sets);
-            found.all.extend(of_number.all);
-        }
+    let order = |stages| Ok::<_, Error>(Order { most_unusual, ..order(wanted, tolerance, stages)? });
+    if !wanted.is_of_output {
+        return Ok(search(&order(wanted.stages.clone())?, most, known, goes_on)?);
     }
-    found.all.sort_by_key(|trains| trains.stages);
+    // More stages lose more, so each number of them has its own torque on the input.
+    let mut found = Found { sets: 0, all: vec![] };
+    for stages in wanted.stages.clone() {
+        let of_number = search(&order(stages..=stages)?, most, known, goes_on)?;
+        found.sets = found.sets.max(of_number.sets);
+        found.all.extend(of_number.all);
+    }
     Ok(found)
 }

@@ -30,9 +30,9 @@ pub(super) fn efficiencies(wanted: &WantedStages, teeth: &[Vec<u32>]) -> Result<
 pub(super) fn order(
     wanted: &WantedStages,
     tolerance: f64,
-    (stages, has_pair): (RangeInclusive<usize>, bool),
+    stages: RangeInclusive<usize>,
 ) -> Result<Order, Error> {
-    let fast = wanted.fast(tolerance, (*stages.end(), has_pair));
+    let fast = wanted.fast(tolerance, *stages.end());
     // Materials, factors and tools are read from a file, as those of the gearbox will be.
     let sizing = |teeth: &[u32]| -> Result<Sizing, Error> {
         let making = text(wanted, &[teeth.to_vec()], wanted.torque)?;
@@ -44,7 +44,7 @@ pub(super) fn order(
         Ok(sizing)
     };
     let of_stage = sizing(&[24, 30, 84])?;
-    let of_pair = has_pair.then(|| sizing(&[24, 60])).transpose()?;
+    let of_pair = wanted.has_pair().then(|| sizing(&[24, 60])).transpose()?;
     // Products of ratios are rounded.
     let [less, more] = [1.0 - tolerance - ROUNDED, 1.0 + tolerance + ROUNDED];
     Ok(Order {

@@ -52,7 +52,12 @@ impl WantedStages {
     /// Whether the rings turn with the slow shaft and its carrier is held, so that the output turns against the
     /// input; the rings are held otherwise.
     pub(super) fn rings_turn(&self) -> bool {
-        self.turns_back && self.axes != Axes::Parallel
+        self.turns_back && !self.has_pair()
+    }
+
+    /// Whether the fast stage is a pair.
+    pub(super) fn has_pair(&self) -> bool {
+        self.axes == Axes::Parallel
     }
 
     /// Input over output, from the quotient of fast and slow.
@@ -61,9 +66,9 @@ impl WantedStages {
     }
 
     /// Input speed over output speed, from the quotient of fast and slow by amount.
-    pub(super) fn over_output(&self, quotient: f64, has_pair: bool) -> f64 {
+    pub(super) fn over_output(&self, quotient: f64) -> f64 {
         let amount = self.of_input(quotient);
-        if self.rings_turn() != has_pair { -amount } else { amount }
+        if self.rings_turn() || self.has_pair() { -amount } else { amount }
     }
 
     /// The ratio asked for, input speed over output speed.
@@ -84,7 +89,7 @@ impl WantedStages {
 
     /// The duty of the fast shaft, by the largest torque that a train of at most these stages within a
     /// tolerance has there.
-    pub(super) fn fast(&self, tolerance: f64, stages: (usize, bool)) -> InputStep {
+    pub(super) fn fast(&self, tolerance: f64, stages: usize) -> InputStep {
         let torque = match self.is_of_output {
             true => self.torque / self.least_efficiency(tolerance, stages),
             false => self.torque,
@@ -100,16 +105,13 @@ impl WantedStages {
     /// Least efficiency of trains of a number of stages, one of them a pair or none, within a tolerance: that of
     /// equal stages with the greatest ratio. The logarithm of a stage's efficiency is convex over that of its
     /// ratio. Behind a pair it is that of the pair with the least ratio.
-    fn least_efficiency(&self, tolerance: f64, (stages, has_pair): (usize, bool)) -> f64 {
+    fn least_efficiency(&self, tolerance: f64, stages: usize) -> f64 {
         let product = self.product(self.ratio * (1.0 + tolerance));
-        if has_pair {
-            let behind = Self { ratio: product / axes::ratios()[0], ..self.clone() };
-            let of_pair = axes::efficiency_of_pair(self.efficiency);
-            return if stages > 1 {
-                of_pair * behind.least_efficiency(0.0, (stages - 1, false))
-            } else {
-                of_pair
-            };
+        if self.has_pair() {
+            let ratio = product / axes::ratios()[0];
+            let behind = Self { ratio, axes: Axes::Coaxial, turns_back: false, ..self.clone() };
+            let of_sets = if stages > 1 { behind.least_efficiency(0.0, stages - 1) } else { 1.0 };
+            return axes::efficiency_of_pair(self.efficiency) * of_sets;
         }
         let stages = stages as f64;
         let k = libm::pow(product, 1.0 / stages) - 1.0;
@@ -182,22 +184,18 @@ mod tests {
                 if steps_up { with(1.0) / with(1.0 / 0.9) } else { with(0.9) / with(1.0) }
             };
             for first in [1.5, 2.5, 3.0, 4.0, 4.472, 5.0, 8.0, 12.0] {
-                assert!(
-                    wanted.least_efficiency(0.0, (2, false)) <= of(&[first, product / first]) + 1e-12,
-                    "{first}"
-                );
+                assert!(wanted.least_efficiency(0.0, 2) <= of(&[first, product / first]) + 1e-12, "{first}");
                 for second in [1.5, 2.0, 2.7144, 3.0] {
                     let third = product / (first * second);
                     let is_reduction = third >= 1.0;
                     assert!(
                         !is_reduction
-                            || wanted.least_efficiency(0.0, (3, false))
-                                <= of(&[first, second, third]) + 1e-12,
+                            || wanted.least_efficiency(0.0, 3) <= of(&[first, second, third]) + 1e-12,
                         "{first} {second}"
                     );
                 }
             }
-            assert!(wanted.least_efficiency(0.03, (2, false)) < wanted.least_efficiency(0.0, (2, false)));
+            assert!(wanted.least_efficiency(0.03, 2) < wanted.least_efficiency(0.0, 2));
         }
     }
 }

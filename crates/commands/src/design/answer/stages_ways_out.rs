@@ -62,7 +62,7 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
     if stages.file.is_none() {
         stages.ways_out = Some(search.ways_out(&stages)?);
     } else if wanted.is_front_asked {
-        let has_pair = stages.trains.iter().any(|trains| trains.taken && trains.has_pair);
+        let has_pair = stages.taken().is_some_and(|trains| trains.has_pair);
         let axes = if has_pair { Axes::Parallel } else { Axes::Coaxial };
         stages.front = Some(search.front((axes, larger), largest_ring(&stages))?);
     }
@@ -78,7 +78,7 @@ fn largest_ring(stages: &Stages) -> f64 {
 /// The train taken, with the limits under which it was found; `None` without one.
 fn way(limits: &[RelaxedLimit], stages: &Stages) -> Option<WayOutOfStages> {
     stages.file.as_ref()?;
-    let train = stages.trains.iter().find(|trains| trains.taken)?.best.clone()?;
+    let train = stages.taken()?.best.clone()?;
     Some(WayOutOfStages {
         limits: limits.to_vec(),
         teeth: train.teeth,

@@ -165,7 +165,7 @@ pub(crate) fn in_short(stages: &Stages) -> String {
         return format!("No stages in series with i = {asked}{steps_up} that hold were found.");
     };
     let mut all = vec![count(sizes.sets.len())];
-    let has_pair = stages.trains.iter().any(|trains| trains.taken && trains.has_pair);
+    let has_pair = stages.taken().is_some_and(|trains| trains.has_pair);
     all.extend(has_pair.then(|| match sizes.sets.len() {
         1 => format!("a pair of gears, {TURNS_AROUND}"),
         _ => format!("the fast one a pair of gears, {TURNS_AROUND}"),

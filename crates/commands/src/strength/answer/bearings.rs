@@ -428,15 +428,6 @@ fn missing_for_forces(bearing: &PlanetBearing) -> Vec<String> {
     all
 }
 
-/// Whether the file gives the span of all planet bearings of a set that have a load rating, and of any.
-pub(super) fn has_spans(subject: &Gearbox, file: &GearboxFile, set: &PlanetSet) -> bool {
-    let of = File { subject, file, reliability: Reliability::default() };
-    let own = subject.planet_bearings.iter().filter(|own| subject.train.sets()[own.set].id() == set.id());
-    let mut rated = own.filter(|own| own.load_rating.is_some()).peekable();
-    rated.peek().is_some()
-        && rated.all(|own| of.given(set.id(), &set.planets()[own.planet].name).bearing_span.is_some())
-}
-
 /// Force on a bearing outwards and in the direction of the push, with mesh forces increased by the uneven
 /// load sharing.
 fn shared(forces: &BearingForces, sharing: f64) -> Option<[Force; 2]> {
