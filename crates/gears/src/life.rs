@@ -24,7 +24,7 @@ use uom::si::f64::{AngularVelocity, Force, Time};
 use crate::checks::{not_negative, positive};
 use crate::{Error, Quantity};
 
-/// Rolling elements of a bearing.
+/// What a bearing turns on: rolling elements, or a film of oil.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Rolling {
     /// Balls, `p = 3`.
@@ -36,18 +36,21 @@ pub enum Rolling {
     Needles,
     /// Rollers or needles without a cage, which bear less speed.
     FullComplement,
+    /// Oil between pin and bore: a plain bearing, which has no rating life.
+    Plain,
 }
 
 impl Rolling {
     /// Every kind of rolling elements.
     pub const ALL: [Self; 4] = [Self::Balls, Self::Rollers, Self::Needles, Self::FullComplement];
 
-    /// The exponent `p`.
+    /// The exponent `p`; `None` of plain bearings.
     #[must_use]
-    pub const fn exponent(self) -> f64 {
+    pub const fn exponent(self) -> Option<f64> {
         match self {
-            Self::Balls => 3.0,
-            Self::Rollers | Self::Needles | Self::FullComplement => 10.0 / 3.0,
+            Self::Balls => Some(3.0),
+            Self::Rollers | Self::Needles | Self::FullComplement => Some(10.0 / 3.0),
+            Self::Plain => None,
         }
     }
 
@@ -59,12 +62,13 @@ impl Rolling {
             Self::Rollers => "rollers",
             Self::Needles => "needles",
             Self::FullComplement => "full_complement",
+            Self::Plain => "plain",
         }
     }
 }
 
 /// Basic rating life at one load and speed; `None` of a bearing that does not turn, carries nothing, or for
-/// which it is longer than a number holds.
+/// which it is longer than a number holds, and of plain bearings.
 ///
 /// # Errors
 /// [`Error::NotPositive`] for the load rating, [`Error::Negative`] for a load below 0 or a speed that is not
@@ -93,7 +97,8 @@ pub fn basic_rating_life(
     let load_rating_n = positive(Quantity::LoadRating, load_rating.si(), "N")?;
     let load_n = not_negative(Quantity::BearingLoad, load.si(), "N")?;
     let omega_rad_s = not_negative(Quantity::BearingSpeed, speed.si().abs(), "rad/s")?;
-    let life_s = libm::pow(load_rating_n / load_n, rolling.exponent()) * 1e6 * TAU / omega_rad_s;
+    let Some(exponent) = rolling.exponent() else { return Ok(None) };
+    let life_s = libm::pow(load_rating_n / load_n, exponent) * 1e6 * TAU / omega_rad_s;
     Ok(life_s.is_finite().then(|| Time::from_si(life_s)))
 }
 
@@ -134,6 +139,13 @@ mod tests {
         };
         assert_eq!(of(1e3, 1e2, 0.0), Ok(None));
         assert_eq!(of(1e3, 0.0, 10.0), Ok(None));
+        let plain = basic_rating_life(
+            Rolling::Plain,
+            Force::from_si(1e3),
+            Force::from_si(1e2),
+            AngularVelocity::from_si(10.0),
+        );
+        assert_eq!(plain, Ok(None));
         assert!(of(1e3, 1e2, -10.0).unwrap().is_some());
         assert!(matches!(of(0.0, 1e2, 10.0), Err(Error::NotPositive { .. })));
         assert!(matches!(of(1e3, -1.0, 10.0), Err(Error::Negative { .. })));

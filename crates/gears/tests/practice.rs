@@ -42,8 +42,9 @@ fn values_of_rules_as_worked_out_by_hand() {
         (Rolling::Needles, Rule::PinSpeed, Rule::NeedleAcceleration),
         (Rolling::FullComplement, Rule::FullPinSpeed, Rule::OrbitAcceleration),
     ] {
-        assert_eq!((pin_speed_rule(rolling), orbit_rule(rolling)), (pin, orbit));
+        assert_eq!((pin_speed_rule(rolling), orbit_rule(rolling)), (Some(pin), Some(orbit)));
     }
+    assert_eq!((pin_speed_rule(Rolling::Plain), orbit_rule(Rolling::Plain)), (None, None));
 }
 
 #[test]

@@ -67,6 +67,10 @@ pub enum Rule {
     BallLoad,
     /// Equivalent load of a planet bearing over its load rating.
     BearingLeastLoad,
+    /// Load of a plain bearing of a planet over the load that it may bear.
+    PlainLoad,
+    /// Oil film of a plain bearing over the least one with which mixed friction is away.
+    OilFilm,
     /// Dynamic factor `K_v`.
     DynamicFactor,
     /// Distance of the reference speed `N` from resonance at 1.
@@ -157,6 +161,8 @@ impl Rule {
             Self::BearingStaticSafety => "static safety of the bearing",
             Self::BallLoad => "load of a ball bearing",
             Self::BearingLeastLoad => "equivalent load of the bearing over its load rating",
+            Self::PlainLoad => "load of the plain bearing over its load rating",
+            Self::OilFilm => "oil film of the plain bearing over the least one",
             Self::DynamicFactor => "dynamic factor K_v",
             Self::Resonance => "distance of the reference speed N from 1",
             Self::LoadSharing => "load sharing factor K_gamma",
@@ -246,6 +252,8 @@ impl Rule {
             Self::BallLoad => Of::of(Warning, Range::at_most(10.0)),
             Self::BearingStaticSafety => Of::of(Warning, Range::at_least(1.5)),
             Self::BearingLeastLoad => Of::of(Warning, Range::at_least(0.02)),
+            Self::PlainLoad => Of::of(Error, Range::at_most(1.0)),
+            Self::OilFilm => Of::of(Warning, Range::at_least(1.0)),
             Self::DynamicFactor => Of::of(Warning, Range::at_most(1.3)).and(Error, Range::at_most(2.0)),
             Self::Resonance => Of::of(Warning, Range::at_least(0.15)),
             Self::CirculatingPower => Of::of(Warning, Range::at_most(0.5)),
@@ -392,9 +400,12 @@ impl Rule {
             | Self::Direction => "what is required",
             Self::AllowedPressure => "the limits of the material",
             Self::Overlap | Self::ChamberArea => "the shape of the parts",
-            Self::PinSpeed | Self::FullPinSpeed | Self::BearingStaticSafety | Self::BearingLeastLoad => {
-                "makers of bearings"
-            }
+            Self::PinSpeed
+            | Self::FullPinSpeed
+            | Self::BearingStaticSafety
+            | Self::BearingLeastLoad
+            | Self::PlainLoad => "makers of bearings",
+            Self::OilFilm => "ISO 7902",
             _ => PRACTICE,
         }
     }
@@ -431,6 +442,8 @@ impl Rule {
             Self::BearingStaticSafety => "a bearing with a larger static load rating",
             Self::BallLoad => "roller or needle bearings",
             Self::BearingLeastLoad => "a smaller bearing",
+            Self::PlainLoad => "a larger bore of wider planets, or more of them",
+            Self::OilFilm => "thicker oil, or a larger bore of wider planets",
             Self::DynamicFactor => "finer accuracy, or a lower speed",
             Self::Resonance => "other tooth numbers or another speed",
             Self::LoadSharing => "state what the factor was measured with, or the usual value",

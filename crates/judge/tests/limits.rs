@@ -71,6 +71,8 @@ const ENDS: &[(&str, f64, f64, Severity)] = &[
     ("bearing-static-safety", 1.501, 1.499, Warning),
     ("ball-load", 9.99, 10.01, Warning),
     ("bearing-least-load", 0.0201, 0.0199, Warning),
+    ("plain-load", 0.999, 1.001, Error),
+    ("oil-film", 1.001, 0.999, Warning),
     ("dynamic-factor", 1.299, 1.301, Warning),
     ("dynamic-factor", 1.999, 2.001, Error),
     ("resonance", 0.151, 0.149, Warning),

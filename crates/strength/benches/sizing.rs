@@ -69,6 +69,7 @@ fn set(teeth: [u32; 3], steps: [[f64; 4]; 3]) -> Sizing {
         overloads: vec![],
         life: Time::new::<hour>(10_000.0),
         required_contact: 1.1,
+        working_viscosity: None,
         required_root: 1.4,
         planet_rim: 3.0,
         ring_rim: 3.5,
@@ -87,7 +88,7 @@ fn set(teeth: [u32; 3], steps: [[f64; 4]; 3]) -> Sizing {
             reach: 1.0,
             width_ratio: Some(1.2),
             largest_ring: None,
-            bearings: listed().to_vec(),
+            bearings: listed().into(),
         },
     }
 }

@@ -12,6 +12,8 @@
 //! | `F_1`, `F_2` | `rows` | radial force on either row | N |
 //! | `P` | | equivalent load of both rows, for their load rating together | N |
 //!
+//! A plain bearing has two halves in place of rows, and `w` is infinite: `P` is twice the load of the half with more.
+//!
 //! The rows carry the force and the moment: `F⃗_1 + F⃗_2 = F⃗`, `z⃗·s/2 × (F⃗_1 − F⃗_2) = M⃗`.
 //!
 //! The exponent `w` is that of ISO 281 for two bearing rows as a unit, rated `2^(1 − 1/w)` times one: `2^0.7`
@@ -54,11 +56,12 @@ pub fn row_forces(force: [Force; 2], moment: [Torque; 2], span: Length) -> [[For
 /// Equivalent load `P` of both rows for their load rating together.
 #[must_use]
 pub fn equivalent_load(rolling: Rolling, rows: [Force; 2]) -> Force {
+    let largest = rows[0].max(rows[1]);
     let exponent = match rolling {
         Rolling::Balls => 10.0 / 3.0,
-        _ => 9.0 / 2.0,
+        Rolling::Rollers | Rolling::Needles | Rolling::FullComplement => 9.0 / 2.0,
+        Rolling::Plain => return 2.0 * largest,
     };
-    let largest = rows[0].max(rows[1]);
     if largest.si() == 0.0 {
         return largest;
     }
@@ -147,5 +150,7 @@ mod tests {
         let alone = life(pair.load_rating, load([3e3, 0.0]));
         assert!((alone / life(one.load_rating, Force::from_si(3e3)) - 1.0).abs() < 1e-12);
         assert_eq!(load([0.0, 0.0]).si(), 0.0);
+        let halves = [3e3, 1e3].map(Force::from_si);
+        assert_eq!(equivalent_load(Rolling::Plain, halves).si(), 6e3);
     }
 }

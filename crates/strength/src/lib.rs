@@ -16,6 +16,7 @@
 //! | [`material`] | classes of materials, a small table |
 //! | [`bearing`] | modified rating life by ISO 281 |
 //! | [`bearing_rows`] | both rows of a planet's bearings under a tilting moment |
+//! | [`plain_bearing`] | oil film of a planet's plain bearing |
 //! | [`loss`] | loss of a mesh by sliding |
 //! | [`masses`] | masses of flanges, brakes and clutches by rules |
 //! | [`sizing`] | module, face width, planets, centre distance and bearing of a set that holds over a duty |
@@ -47,6 +48,7 @@ pub mod loss;
 pub mod masses;
 pub mod material;
 pub mod mesh;
+pub mod plain_bearing;
 pub mod planets;
 mod prepared;
 pub mod rating;

@@ -24,7 +24,7 @@ fn of_set(objective: Objective) -> Sizing {
         face_widths: [20.0, 35.0, 50.0, 80.0, 120.0, 180.0, 260.0].map(mm).to_vec(),
         centre_distance_step: mm(1.0),
         largest_ring: None,
-        bearings: with_pairs(listed_rollers().iter().step_by(3)),
+        bearings: with_pairs(listed_rollers().iter().step_by(3)).into(),
         ..own.space.clone()
     };
     Sizing { objective, space, life: Time::new::<hour>(5000.0), ..own }

@@ -9,7 +9,7 @@ use epicyclic_gears::ToothCount;
 use epicyclic_strength::factor::Given;
 use epicyclic_strength::mesh::Method;
 use epicyclic_strength::series::{FirstPair, InputStep, KnownSets, Order, Teeth, search};
-use epicyclic_strength::sizing::bearing::listed_rollers;
+use epicyclic_strength::sizing::bearing::{listed_plain, listed_rollers};
 use epicyclic_strength::sizing::{Objective, SetOverload, SetStep, SetTeeth, Sizing, Space, size};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
@@ -136,14 +136,21 @@ fn small(
 ) -> Order {
     let order = conveyor();
     let objective = if whole { Objective::Whole } else { Objective::Mass };
-    let bearings = with_pairs(listed_rollers().iter().step_by(3));
+    // Plain bearings among the others, or alone.
+    let rolling = with_pairs(listed_rollers().iter().step_by(3));
+    let plain = || listed_plain().iter().step_by(4).cloned();
+    let bearings = match suns % 4 {
+        0 => rolling.into_iter().chain(plain()).collect(),
+        1 => plain().collect(),
+        _ => rolling,
+    };
     let space = Space {
         modules: modules.into_iter().map(mm).collect(),
         planets,
         face_widths: [20.0, 35.0, 50.0, 80.0].map(mm).to_vec(),
         centre_distance_step: mm(1.0),
         largest_ring: None,
-        bearings,
+        bearings: bearings.into(),
         ..order.of_stage.space.clone()
     };
     let torque = Torque::new::<newton_meter>(torque);
@@ -192,7 +199,7 @@ proptest! {
 /// The order with a pair as the first stage, whose mesh shares no load.
 fn behind_a_pair(order: Order, pinions: u32) -> Order {
     let given = Given::load_factors([1.5, 1.0, 1.1, 1.25, 1.0]);
-    let space = Space { planets: vec![1], bearings: vec![], ..order.of_stage.space.clone() };
+    let space = Space { planets: vec![1], bearings: [].into(), ..order.of_stage.space.clone() };
     let methods = [Method { given, ..Method::default() }; 2];
     let of_pair = Sizing { methods, space, ..order.of_stage.clone() };
     let first_pair = FirstPair { pinions: pinions..=pinions + 2, wheels: 30..=80, ratio: 1.5..=3.5, of_pair };

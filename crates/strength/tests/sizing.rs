@@ -80,6 +80,7 @@ fn hoist() -> Sizing {
         ],
         life: Time::new::<hour>(2000.0),
         required_contact: 1.1,
+        working_viscosity: None,
         required_root: 1.4,
         planet_rim: 2.0,
         widens_face_load: false,
@@ -522,7 +523,7 @@ fn a_warning_that_all_have_does_not_hide_another() {
     task.duty = vec![step(1.0, 60.0, 4000.0, 2500.0)];
     task.life = Time::new::<hour>(50.0);
     task.space.face_widths = [18.0, 20.0, 40.0].map(mm).to_vec();
-    (task.space.planets, task.space.bearings) = (vec![3], vec![]);
+    (task.space.planets, task.space.bearings) = (vec![3], [].into());
     let found = size_all(&task, 1).unwrap();
     let best = &found.found[0];
     assert_eq!(best.rules_missed, 1);
@@ -653,9 +654,9 @@ proptest! {
         task.space.width_ratio = ratio;
         task.objective = if ring { Objective::Ring } else { Objective::Mass };
         task.space.bearings = if rolls {
-            with_pairs(listed().iter().filter(|bearing| in_mm(bearing.bore) % 10.0 < 0.5))
+            with_pairs(listed().iter().filter(|bearing| in_mm(bearing.bore) % 10.0 < 0.5)).into()
         } else {
-            vec![]
+            [].into()
         };
         agrees(&task)?;
     }

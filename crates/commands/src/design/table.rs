@@ -264,6 +264,7 @@ fn option(one: &RelaxedLimit) -> String {
         Limit::Planets => format!("--planets ..{greatest}"),
         Limit::Stages => format!("--stages {}", range()),
         Limit::HuntingTeeth => "without --hunting-teeth".to_owned(),
+        Limit::PlainBearings => "--bearing-type plain".to_owned(),
         Limit::Bearings => "--no-bearings".to_owned(),
         Limit::Axes => "--axes either".to_owned(),
     }

@@ -121,11 +121,11 @@ impl Application {
 
     /// Kinds of planet bearings.
     pub(crate) const fn bearings(self) -> &'static [BearingType] {
-        use BearingType::{FullComplement, Needles, Rollers, RollersInBore};
+        use BearingType::{FullComplement, Needles, Plain, Rollers, RollersInBore};
         match self {
             Self::Conveyor | Self::Mixer => &[Rollers],
             Self::Travel | Self::Slewing | Self::Winch => &[Rollers, FullComplement],
-            Self::Wind => &[Rollers, RollersInBore],
+            Self::Wind => &[Rollers, RollersInBore, Plain],
             Self::Robot | Self::Automatic => &[Needles],
         }
     }

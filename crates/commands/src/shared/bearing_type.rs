@@ -1,7 +1,7 @@
 //! Kinds of planet bearings to choose from.
 
 use epicyclic_gears::life::Rolling;
-use epicyclic_strength::sizing::bearing::{Bearing, listed, listed_rollers};
+use epicyclic_strength::sizing::bearing::{Bearing, listed, listed_plain, listed_rollers};
 use epicyclic_strength::sizing::in_bore;
 
 /// Kinds of planet bearings.
@@ -17,6 +17,8 @@ pub enum BearingType {
     Needles,
     /// Cylindrical rollers without a cage, in the bore of the planet.
     FullComplement,
+    /// Plain bearings as wide as the planet, of 7 N/mm² at most; their oil film is judged.
+    Plain,
 }
 
 impl BearingType {
@@ -30,6 +32,7 @@ impl BearingType {
             Self::RollersInBore => in_bore::listed(Rolling::Rollers),
             Self::Needles => in_bore::listed(Rolling::Needles),
             Self::FullComplement => in_bore::listed(Rolling::FullComplement),
+            Self::Plain => listed_plain(),
         }
     }
 }

@@ -50,6 +50,7 @@ pub use saved::saved;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 use uom::si::f64::{AngularVelocity, Length, Torque};
 
 /// Sizes of a gearbox's sets with sufficient strength over the duty and the least mass or ring.
@@ -117,7 +118,7 @@ pub(crate) fn answer(
     let (to_size, others) = sets_to_size(subject, &file)?;
     let mut not_sized: Vec<NotSized> = others.into_iter().map(NotSized::of).collect();
     let missing = MissingKeys::of(subject, &file, &Basis::default(), Purpose::Sizes)?;
-    let Asked { life, viscosity, required } = Asked::of(&file, &missing)?;
+    let asked = Asked::of(&file, &missing)?;
     let steps = steps(subject, &file.duty)?;
     let peaks = peaks(subject, &file.overload, None)?;
     let is_left_out = |set: &&SetToSize<'_>| {
@@ -142,7 +143,6 @@ pub(crate) fn answer(
         let id = set.set.id();
         let space = request.space();
         let families = Families::of(set);
-        let asked = Asked { life, viscosity, required };
         let (task, held) = task(set, &families, &asked, request, (&space, &subject.limits));
         let simple = || simple(set, (&task, &space), (&steps, &peaks), subject, request);
         // Pairs may state their centre distance.
@@ -218,9 +218,9 @@ pub(crate) fn answer(
         gearbox: subject.train.name().to_owned(),
         basis,
         edition: Edition::default().to_string(),
-        life_s: life.si(),
-        oil_viscosity_m2_s: viscosity.si(),
-        required,
+        life_s: asked.life.si(),
+        oil_viscosity_m2_s: asked.viscosity.si(),
+        required: asked.required,
         minimise: request.objective(),
         aim: request.aim,
         sought: Sought::of(request, &subject.limits),
@@ -254,12 +254,11 @@ pub(crate) fn sizing_of(subject: &Gearbox, request: &Request) -> Result<Sizing, 
     let file: GearboxFile = subject.document.read()?;
     let (to_size, others) = sets_to_size(subject, &file)?;
     let missing = MissingKeys::of(subject, &file, &Basis::default(), Purpose::Sizes)?;
-    let Asked { life, viscosity, required } = Asked::of(&file, &missing)?;
+    let asked = Asked::of(&file, &missing)?;
     let steps = steps(subject, &file.duty)?;
     let peaks = peaks(subject, &file.overload, None)?;
     let space = request.space();
     let sized = to_size.first().and_then(|set| {
-        let asked = Asked { life, viscosity, required };
         let (task, _) = task(set, &Families::of(set), &asked, request, (&space, &subject.limits));
         let sizing = simple(set, (&task, &space), (&steps, &peaks), subject, request)?.ok()?;
         // Bounds of many sets would only find that nothing holds.
@@ -326,6 +325,7 @@ fn simple(
         gears,
         methods,
         viscosity: task.viscosity,
+        working_viscosity: task.working_viscosity,
         duty,
         overloads,
         life: task.life,
@@ -345,7 +345,7 @@ fn simple(
             face_widths: task.face_widths[0].clone(),
             planets: if teeth.is_pair() { vec![1] } else { counts() },
             largest_ring: space.largest_ring.filter(|_| !teeth.is_pair()),
-            bearings: planet.map_or_else(Vec::new, |planet| planet.bearings.clone()),
+            bearings: planet.map_or_else(|| [].into(), |planet| Arc::clone(&planet.bearings)),
             ..space.clone()
         },
     }))
@@ -399,7 +399,7 @@ fn task(
     let planet = |(kind, planet): (usize, &PlanetData)| SizedPlanet {
         is_tilted: is_tilted(set, kind),
         bearings: match (planet.bearing, planet.bore) {
-            (Some((load_rating, rolling)), bore) => vec![Bearing {
+            (Some((load_rating, rolling)), bore) => Arc::from([Bearing {
                 designation: String::new(),
                 rolling,
                 bore: Length::default(),
@@ -408,9 +408,9 @@ fn task(
                 rows: 0,
                 load_rating,
                 static_load_rating: planet.static_load_rating,
-            }],
-            (None, Some(bore)) => fitting(&space.bearings, bore),
-            (None, None) => space.bearings.clone(),
+            }]),
+            (None, Some(bore)) => fitting(&space.bearings, bore).into(),
+            (None, None) => Arc::clone(&space.bearings),
         },
         bore: planet.bore,
         mass: planet.mass,
@@ -436,6 +436,7 @@ fn task(
         width_ratio: space.width_ratio,
         largest_ring: space.largest_ring,
         viscosity: set.viscosity,
+        working_viscosity: asked.working_viscosity,
         life: asked.life,
         required_contact: asked.required.flank,
         required_root: asked.required.root,

@@ -8,6 +8,7 @@ use crate::shared::lists::Quantities;
 use epicyclic_formats::{RangeError, Span};
 use epicyclic_gears::involute::family::Aim;
 use epicyclic_gears::involute::set::Limits;
+use epicyclic_gears::life::Rolling;
 use epicyclic_gears::mesh::USUAL_PLANET_GAP;
 use epicyclic_judge as judge;
 use epicyclic_strength::sizing::bearing::Bearing;
@@ -144,7 +145,7 @@ impl Request {
             reach: REACH,
             width_ratio: self.width_ratio.map(Number::get),
             largest_ring: self.max_ring.map(|ring| ring.0),
-            bearings: self.bearings(),
+            bearings: self.bearings().into(),
         }
     }
 
@@ -164,6 +165,11 @@ impl Request {
     pub(crate) fn bearing_kinds(&self) -> &[BearingType] {
         let usual = self.application.map_or(&BearingType::USUAL[..], Application::bearings);
         self.bearing_type.as_deref().unwrap_or(usual)
+    }
+
+    /// Whether the planets may have bearings of tables, but no plain ones.
+    pub(crate) fn lacks_plain_bearings(&self) -> bool {
+        !self.no_bearings && self.bearings.is_none() && !self.bearing_kinds().contains(&BearingType::Plain)
     }
 
     /// The request with larger sizes where it states none: modules beyond the usual ones, and rollers in
@@ -190,8 +196,9 @@ impl Request {
             Some(bearings) => bearings.clone(),
             None => kinds.iter().flat_map(|kind| kind.listed()).cloned().collect(),
         };
-        let pairs: Vec<Bearing> =
-            single.iter().filter(|_| self.bearing_rows > 1).map(Bearing::pair).collect();
+        // A plain bearing is as wide as its planet.
+        let is_one = |bearing: &&Bearing| self.bearing_rows > 1 && bearing.rolling != Rolling::Plain;
+        let pairs: Vec<Bearing> = single.iter().filter(is_one).map(Bearing::pair).collect();
         [single, pairs].concat()
     }
 

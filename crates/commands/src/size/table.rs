@@ -11,6 +11,7 @@ use crate::table::figure::{Figure, hours, text};
 use crate::table::quantities::{quantity, words};
 use crate::table::report::AsReport;
 use crate::table::report::{Part, Records, Report, Row, Section, warned};
+use epicyclic_gears::life::Rolling;
 use epicyclic_strength::sizing::{Objective, Requirement};
 use epicyclic_units::Dimension;
 
@@ -167,6 +168,15 @@ pub(crate) fn designs<'s>(
     let width_ratio = |design: &SizedDesign| {
         design.families.iter().map(|family| family.face_width_over_diameter).fold(0.0, f64::max)
     };
+    let is_plain = |design: &SizedDesign| {
+        let mut own = design.planet_sizes.iter().filter_map(|planet| planet.bearing.as_ref());
+        own.any(|bearing| bearing.rolling == Rolling::Plain.name())
+    };
+    let governs = "Governs: what has the least reserve of torque; flanks have that of S_H².";
+    let note = match sets.iter().flat_map(&of).any(is_plain) {
+        true => format!("{governs} Plain bearings have no L_10: their load and oil film are checked."),
+        false => governs.to_owned(),
+    };
     Table::new(
         name,
         sets.iter().flat_map(|set| (1_u32..).zip(of(set)).map(move |(place, one)| (set, place, one))),
@@ -197,7 +207,7 @@ pub(crate) fn designs<'s>(
         format!("{title}: bearings and their life, least safeties"),
         "set place bearing governing bearing_hours flank_safety root_safety",
     )
-    .note("Governs: what has the least reserve of torque; flanks have that of S_H².")
+    .note(&note)
     .the_answer_if(name == "designs")
     .records()
 }

@@ -311,6 +311,8 @@ pub(crate) struct Asked {
     pub(crate) life: Time,
     /// Viscosity of the oil at 40 °C.
     pub(crate) viscosity: KinematicViscosity,
+    /// Viscosity of the oil in the planets' bearings.
+    pub(crate) working_viscosity: Option<KinematicViscosity>,
     /// Required safeties.
     pub(crate) required: Required,
 }
@@ -327,7 +329,8 @@ impl Asked {
         };
         let required = Required::of(file.required.as_ref());
         required.check().map_err(|error| located(missing.document, &Path::root(), &error))?;
-        Ok(Self { life: life.0, viscosity: oil.viscosity.0, required })
+        let working_viscosity = oil.working_viscosity.map(|viscosity| viscosity.0);
+        Ok(Self { life: life.0, viscosity: oil.viscosity.0, working_viscosity, required })
     }
 }
 
@@ -335,7 +338,7 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
     let (gear, input) = (request.gear.as_deref(), request.load.input());
     let file: GearboxFile = subject.document.read()?;
     let (sets, not_rated) = rated_set::sets(subject, &file)?;
-    let Asked { life, viscosity, required } = Asked::of(&file, &missing(subject, &file, request)?)?;
+    let Asked { life, viscosity, required, .. } = Asked::of(&file, &missing(subject, &file, request)?)?;
     let mut found = Found { not_rated, ..Found::default() };
     let (mut bearings, mut shared_flanks) = (vec![], vec![]);
     let is_at_point = input.load.is_some();

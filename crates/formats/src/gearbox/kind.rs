@@ -5,7 +5,7 @@ use epicyclic_train::set::SetKind;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// Rolling elements of a bearing.
+/// What a bearing turns on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum RollingEntry {
@@ -21,6 +21,8 @@ pub enum RollingEntry {
     Needles,
     /// Rollers or needles without a cage, which bear less speed.
     FullComplement,
+    /// Oil: a plain bearing, whose `load_rating` is the load that it may bear.
+    Plain,
 }
 
 impl From<RollingEntry> for Rolling {
@@ -30,6 +32,7 @@ impl From<RollingEntry> for Rolling {
             RollingEntry::Rollers => Self::Rollers,
             RollingEntry::Needles => Self::Needles,
             RollingEntry::FullComplement => Self::FullComplement,
+            RollingEntry::Plain => Self::Plain,
         }
     }
 }

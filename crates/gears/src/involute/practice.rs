@@ -153,21 +153,24 @@ pub fn pin_speed(speed_rad_s: f64, mean_diameter_m: f64) -> f64 {
     speed_rad_s * 60.0 / TAU * 1e3 * mean_diameter_m
 }
 
-/// Rule for the speed of a bearing on its pin.
+/// Rule for the speed of a bearing on its pin; `None` of plain bearings, whose film grows with it.
 #[must_use]
-pub const fn pin_speed_rule(rolling: Rolling) -> Rule {
+pub const fn pin_speed_rule(rolling: Rolling) -> Option<Rule> {
     match rolling {
-        Rolling::FullComplement => Rule::FullPinSpeed,
-        _ => Rule::PinSpeed,
+        Rolling::Balls | Rolling::Rollers | Rolling::Needles => Some(Rule::PinSpeed),
+        Rolling::FullComplement => Some(Rule::FullPinSpeed),
+        Rolling::Plain => None,
     }
 }
 
-/// Rule for the acceleration of the planets about the axis.
+/// Rule for the acceleration of the planets about the axis; `None` of plain bearings, which have no rolling
+/// elements.
 #[must_use]
-pub const fn orbit_rule(rolling: Rolling) -> Rule {
+pub const fn orbit_rule(rolling: Rolling) -> Option<Rule> {
     match rolling {
-        Rolling::Needles => Rule::NeedleAcceleration,
-        _ => Rule::OrbitAcceleration,
+        Rolling::Balls | Rolling::Rollers | Rolling::FullComplement => Some(Rule::OrbitAcceleration),
+        Rolling::Needles => Some(Rule::NeedleAcceleration),
+        Rolling::Plain => None,
     }
 }
 

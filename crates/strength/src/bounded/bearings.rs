@@ -1,5 +1,6 @@
 //! The narrowest bearing that fits into a planet and lives long enough.
 
+use crate::plain_bearing::USUAL_PRESSURE;
 use crate::sizing::bearing::Bearing;
 use crate::sizing::task::eligible;
 use crate::tolerance::RIM;
@@ -20,6 +21,8 @@ struct OfKind {
 #[derive(Debug)]
 pub(super) struct Bearings {
     kinds: [OfKind; 4],
+    /// Diameters of plain bearings, ascending.
+    plain: Vec<f64>,
     /// Whether planets need no bearing.
     is_none: bool,
 }
@@ -41,9 +44,12 @@ impl Bearings {
                 }
                 by_diameter.push((bearing.outside_diameter.si(), known.clone()));
             }
-            OfKind { exponent: rolling.exponent(), by_diameter }
+            OfKind { exponent: rolling.exponent().unwrap_or(f64::INFINITY), by_diameter }
         };
-        Self { kinds: Rolling::ALL.map(kind), is_none: all.is_empty() }
+        let plain = all.iter().filter(|bearing| bearing.rolling == Rolling::Plain);
+        let mut plain: Vec<f64> = plain.map(|bearing| bearing.outside_diameter.si()).collect();
+        plain.sort_by(f64::total_cmp);
+        Self { kinds: Rolling::ALL.map(kind), plain, is_none: all.is_empty() }
     }
 
     /// `(Σ turns·(F/F_max)^p)^(1/p)` of each kind of bearings over steps of a life, turns in millions, and
@@ -68,5 +74,11 @@ impl Bearings {
             ratings.get(ratings.partition_point(|[rating, _]| *rating < needed)).map(|[_, width]| *width)
         };
         self.kinds.iter().zip(wear).filter_map(of_kind).reduce(f64::min)
+    }
+
+    /// Width of the plain bearing that fits into a bore and bears a force; `None` if none is among the bearings.
+    pub(super) fn plain_width(&self, bore: f64, force: f64) -> Option<f64> {
+        let fitting = self.plain.partition_point(|diameter| *diameter <= bore * (1.0 + RIM));
+        fitting.checked_sub(1).map(|place| force / (USUAL_PRESSURE * self.plain[place]))
     }
 }

@@ -26,6 +26,7 @@ use epicyclic_gears::involute::practice::{of_face_load, orbit_acceleration, orbi
 use epicyclic_gears::life::Rolling;
 use epicyclic_judge::{Range, Rule, Severity};
 use epicyclic_units::Physical;
+use std::cell::Cell;
 use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -181,6 +182,8 @@ pub(crate) struct Sets<'a> {
     bands: Vec<Length>,
     widths: Vec<Length>,
     bearings: Bearings,
+    /// Accelerations of the planets that each kind of bearings usually bears, in g.
+    accelerations: Vec<Range>,
 }
 
 impl<'a> Sets<'a> {
@@ -211,6 +214,7 @@ impl<'a> Sets<'a> {
             bands,
             widths: sorted(&space.face_widths),
             bearings: Bearings::new(&space.bearings, of_set.is_helical()),
+            accelerations: accelerations(of_set),
         }
     }
 
@@ -311,33 +315,41 @@ impl<'a> Sets<'a> {
         }))
     }
 
-    /// Every number of planets and module that may hold under a load.
-    fn choices<'s>(&'s self, set: &'s TriedSet, load: Load) -> impl Iterator<Item = Choice> + 's {
+    /// Every number of planets and module that may hold under a load, unless its cost cannot lie below a bound
+    /// that is known by then.
+    fn choices<'s>(
+        &'s self,
+        set: &'s TriedSet,
+        load: Load,
+        known: impl Fn() -> Option<Cost> + 's,
+    ) -> impl Iterator<Item = Choice> + 's {
         let planets = self.of_set.space.planets.iter().zip(&self.shares).zip(&set.placed).enumerate();
         let planets = planets.filter_map(|(place, ((planets, share), placed))| {
             Some((place, *planets, (*share)?)).filter(|_| *placed)
         });
         // Torque of the sun over which that of the carrier is; a pair has none.
         let of_carrier = if set.teeth.is_pair() { 0.0 } else { set.ratio };
-        planets.flat_map(move |(place, planets, share)| {
-            self.modules.iter().filter_map(move |module| {
-                let band = self.bands.partition_point(|largest| *largest >= *module) - 1;
-                let force = load.torque * share * of_carrier / (set.radius * module.si());
-                let least = self.width_of_bearings(set, (*module, band), (force, share), load)?;
-                let tried = set.tried.iter().filter_map(|tried| {
-                    let volume = tried.volumes[band][load.duty] * load.torque * share;
-                    let acceleration = orbit_acceleration(tried.radius * module.si(), load.carrier_speed);
-                    let missed = self.of_orbit(acceleration);
-                    self.at(set, tried, (place, *module, missed), [volume, least])
-                });
-                let (bound, width) = tried.min()?;
-                Some(Choice { planets, module: *module, width, bound })
-            })
+        let modules = planets.flat_map(|planets| self.modules.iter().map(move |module| (planets, *module)));
+        modules.filter_map(move |((place, planets, share), module)| {
+            let band = self.bands.partition_point(|largest| *largest >= module) - 1;
+            let force = load.torque * share * of_carrier / (set.radius * module.si());
+            let least = self.width_of_bearings(set, (module, band), (force, share), load)?;
+            let mut best: Option<(Cost, usize)> = None;
+            for tried in &set.tried {
+                let volume = tried.volumes[band][load.duty] * load.torque * share;
+                let acceleration = orbit_acceleration(tried.radius * module.si(), load.carrier_speed);
+                let missed = self.of_orbit(acceleration);
+                let known = best.map(|(cost, _)| cost).into_iter().chain(known()).min();
+                let own = self.at(set, tried, (place, module, missed), [volume, least], known);
+                best = best.into_iter().chain(own).min();
+            }
+            let (bound, width) = best?;
+            Some(Choice { planets, module, width, bound })
         })
     }
 
     /// Width of the narrowest bearing that may live long enough under a force of the teeth and the pull of
-    /// the planets: these are as wide as bearings and flanks need.
+    /// the planets: these are as wide as bearings and flanks need. Of plain bearings the pull is left out.
     fn width_of_bearings(
         &self,
         set: &TriedSet,
@@ -349,26 +361,30 @@ impl<'a> Sets<'a> {
         let bore = set.bore * module;
         let volumes = set.tried.iter().map(|tried| tried.volumes[band][load.duty]);
         let face = volumes.fold(f64::INFINITY, f64::min) * load.torque * share / (module * module);
-        let mut least = self.bearings.width(bore, force, of_torque)?;
-        loop {
-            let pull = set.pull * module.powi(3) * least.max(face) * load.carrier_speed.powi(2);
-            let wider = self.bearings.width(bore, (pull - AGAINST_PULL * force).max(0.0), of_pull)?;
-            if wider <= least {
-                return Some(least);
+        let rolling = || {
+            let mut least = self.bearings.width(bore, force, of_torque)?;
+            loop {
+                let pull = set.pull * module.powi(3) * least.max(face) * load.carrier_speed.powi(2);
+                let wider = self.bearings.width(bore, (pull - AGAINST_PULL * force).max(0.0), of_pull)?;
+                if wider <= least {
+                    return Some(least);
+                }
+                // Wider planets are heavier.
+                least = wider;
             }
-            // Wider planets are heavier.
-            least = wider;
-        }
+        };
+        rolling().into_iter().chain(self.bearings.plain_width(bore, force)).reduce(f64::min)
     }
 
     /// Bound and narrowest face width of a set at a centre distance whose flanks need a volume, and whose
-    /// bearings a width.
+    /// bearings a width; `None` if it cannot hold, and where it would not be below a known bound.
     fn at(
         &self,
         set: &TriedSet,
         tried: &Tried,
         (planets, module, missed): (usize, Length, u32),
         [volume, least]: [f64; 2],
+        known: Option<Cost>,
     ) -> Option<(Cost, usize)> {
         let largest = self.of_set.space.largest_ring;
         if largest.is_some_and(|largest| module * tried.ring > largest * (1.0 + RIM)) {
@@ -383,21 +399,20 @@ impl<'a> Sets<'a> {
         };
         let width = (first..self.widths.len()).find(holds)?;
         let face = self.widths.get(width)?.si();
-        let missed = tried.missed + missed + self.of_width(face / (module * set.smaller))?;
         let gears = tried.sections[planets] * module * module * face;
         let mass = self.of_set.objective.mass(gears, structure(tried.ring * module, face));
+        let missed = tried.missed + missed;
+        // Most are too heavy, whatever the rules say of their width.
+        if known.is_some_and(|known| known < Cost::of(missed, mass)) {
+            return None;
+        }
+        let missed = missed + self.of_width(face / (module * set.smaller))?;
         Some((Cost::of(missed, mass), width))
     }
 
     /// Whether planets miss the rules of their orbit on every kind of bearings.
     fn of_orbit(&self, acceleration: f64) -> u32 {
-        let Some(limits) = &self.of_set.practice else { return 0 };
-        let bearings = self.of_set.space.bearings.iter().map(|bearing| bearing.rolling);
-        let alone = self.of_set.space.bearings.is_empty().then_some(self.of_set.planet_pin.rolling);
-        let holds = |rolling: Rolling| {
-            limits.judge(orbit_rule(rolling), acceleration).severity < Some(Severity::Warning)
-        };
-        u32::from(!bearings.chain(alone).any(holds))
+        u32::from(!self.accelerations.iter().any(|range| range.contains(acceleration)))
     }
 
     /// `K_Hβ` that is given.
@@ -428,7 +443,11 @@ impl<'a> Sets<'a> {
 
     /// The bound below the cost of a set under a load; `None` if nothing can hold.
     pub(crate) fn bound(&self, set: &TriedSet, load: Load) -> Option<Cost> {
-        self.choices(set, load).map(|choice| choice.bound).min()
+        let known: Cell<Option<Cost>> = Cell::new(None);
+        for choice in self.choices(set, load, || known.get()) {
+            known.set(known.get().into_iter().chain([choice.bound]).min());
+        }
+        known.get()
     }
 
     /// Sizes a set for a duty and overloads whose bound is that of a load; `None` if nothing holds. If they are
@@ -441,15 +460,15 @@ impl<'a> Sets<'a> {
         known: &mut Geometries,
         goes_on: &dyn Fn() -> ControlFlow<()>,
     ) -> Result<Option<Cost>, Error> {
-        use Rule::{BearingLeastLoad, FullPinSpeed, HelicalSpeed, PinSpeed, SpurSpeed};
+        use Rule::{BearingLeastLoad, FullPinSpeed, HelicalSpeed, OilFilm, PinSpeed, SpurSpeed};
         let mut practice = self.of_set.practice.clone();
         if let Some(limits) = practice.as_mut().filter(|_| is_least) {
             // More load may hold what the least load misses, and less speed what the greatest misses.
-            for rule in [BearingLeastLoad, SpurSpeed, HelicalSpeed, PinSpeed, FullPinSpeed] {
+            for rule in [BearingLeastLoad, SpurSpeed, HelicalSpeed, PinSpeed, FullPinSpeed, OilFilm] {
                 limits.state(rule, Range::OPEN);
             }
         }
-        let mut choices: Vec<Choice> = self.choices(set, load).collect();
+        let mut choices: Vec<Choice> = self.choices(set, load, || None).collect();
         choices.sort_by_key(|choice| choice.bound);
         let of_set = self.of_set;
         let duty = with_rest(duty);
@@ -476,6 +495,21 @@ impl<'a> Sets<'a> {
         }
         Ok(best)
     }
+}
+
+/// Accelerations that each kind of bearings usually bears; any where practice does not count.
+fn accelerations(of_set: &Sizing) -> Vec<Range> {
+    let Some(limits) = &of_set.practice else { return vec![Range::OPEN] };
+    let bearings = &of_set.space.bearings;
+    let alone = bearings.is_empty().then_some(of_set.planet_pin.rolling);
+    let mut kinds: Vec<Rolling> = vec![];
+    for rolling in bearings.iter().map(|bearing| bearing.rolling).chain(alone) {
+        if !kinds.contains(&rolling) {
+            kinds.push(rolling);
+        }
+    }
+    let range = |rolling| orbit_rule(rolling).map_or(Range::OPEN, |rule| limits.bounds(rule).required());
+    kinds.into_iter().map(range).collect()
 }
 
 /// Greatest torque of a duty, N·m.

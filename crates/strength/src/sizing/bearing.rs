@@ -1,4 +1,4 @@
-//! The bearings that planets may turn on: two small tables, and tables of one's own.
+//! The bearings that planets may turn on: two small tables, tables of one's own, and plain bearings.
 //!
 //! A table is a text of lines `designation,rolling,d_mm,D_mm,B_mm,C_kN,C0_kN` below a header that names these
 //! columns, in any order; `C0_kN` may be missing or empty. Lines that begin with `#` are remarks. Cells are
@@ -11,10 +11,12 @@
 //! could be read.
 
 use crate::Error;
+use crate::plain_bearing::USUAL_PRESSURE;
 use epicyclic_gears::life::Rolling;
 use epicyclic_units::Physical;
+use std::borrow::Cow;
 use std::sync::LazyLock;
-use uom::si::f64::{Force, Length};
+use uom::si::f64::{Force, Length, Pressure};
 
 /// A bearing of a planet.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,11 +29,12 @@ pub struct Bearing {
     pub bore: Length,
     /// Outside diameter `D`: bore of the planet.
     pub outside_diameter: Length,
-    /// Width `B`.
+    /// Width `B`; 0 of a plain bearing that is no [part of a planet](Self::in_planet) yet.
     pub width: Length,
-    /// Rows of rolling elements; 0 where load ratings alone are known, which may be those of any.
+    /// Rows of rolling elements; 0 where load ratings alone are known, which may be those of any. A plain bearing has
+    /// two halves.
     pub rows: u32,
-    /// Basic dynamic load rating `C`.
+    /// Basic dynamic load rating `C`; of a plain bearing the load that it may bear.
     pub load_rating: Force,
     /// Basic static load rating `C_0`, if known.
     pub static_load_rating: Option<Force>,
@@ -75,6 +78,28 @@ impl Bearing {
             static_load_rating: self.static_load_rating.map(|rating| 2.0 * rating),
             ..self.clone()
         }
+    }
+
+    /// The bearing in a planet of this width: a plain one is as wide and may bear the usual
+    /// [pressure](USUAL_PRESSURE); others stay as they are.
+    ///
+    /// ```
+    /// use epicyclic_strength::sizing::bearing;
+    /// use epicyclic_units::Physical;
+    /// use uom::si::f64::Length;
+    ///
+    /// let plain = bearing::listed_plain().iter().find(|bearing| bearing.designation == "plain 100").unwrap();
+    /// let width = Length::from_mm(90.0);
+    /// // 7 N/mm² on 100 mm x 90 mm.
+    /// assert!((plain.in_planet(width).load_rating.si() - 63e3).abs() < 1e-6);
+    /// ```
+    #[must_use]
+    pub fn in_planet(&self, width: Length) -> Cow<'_, Self> {
+        if self.rolling != Rolling::Plain {
+            return Cow::Borrowed(self);
+        }
+        let load_rating = Pressure::from_si(USUAL_PRESSURE) * self.outside_diameter * width;
+        Cow::Owned(Self { width, load_rating, ..self.clone() })
     }
 
     /// Whether planets that a moment tilts may turn on it. The rollers of one row would bear at one end, and
@@ -141,6 +166,28 @@ static ROLLERS: LazyLock<Vec<Bearing>> = LazyLock::new(|| {
 #[must_use]
 pub fn listed_rollers() -> &'static [Bearing] {
     &ROLLERS
+}
+
+static PLAIN: LazyLock<Vec<Bearing>> = LazyLock::new(|| {
+    let fine = (15..100).step_by(5).chain((100..300).step_by(10));
+    let bearing = |mm: u32| Bearing {
+        designation: format!("plain {mm}"),
+        rolling: Rolling::Plain,
+        bore: Length::from_mm(f64::from(mm)),
+        outside_diameter: Length::from_mm(f64::from(mm)),
+        width: Length::default(),
+        rows: 2,
+        load_rating: Force::default(),
+        static_load_rating: None,
+    };
+    fine.chain((300..=1000).step_by(20)).map(bearing).collect()
+});
+
+/// Plain bearings by diameter, which is that of the pin and of the planet's bore: the bush is part of the pin or
+/// of the planet.
+#[must_use]
+pub fn listed_plain() -> &'static [Bearing] {
+    &PLAIN
 }
 
 /// Columns of a table; the last may be missing.

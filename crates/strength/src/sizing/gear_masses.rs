@@ -1,6 +1,5 @@
 //! Masses of the gears of a layout over their face width, and the bores of planets.
 
-use super::rated::rim_of;
 use super::task::{Body, Layout, Task};
 use crate::tolerance::RIM;
 use epicyclic_gears::geometry::GearKind;
@@ -10,11 +9,11 @@ use uom::si::f64::Length;
 
 /// Masses of the gears of a layout over their face width.
 pub(super) struct Masses {
-    /// Gears of each family together, planets solid, kg/m.
-    pub(super) solid: Vec<f64>,
+    /// Central gears of each family together, kg/m.
+    central: Vec<f64>,
     /// One solid planet of each kind, by family, kg/m.
     planets: Vec<Vec<f64>>,
-    /// Number of planets times their density, of each kind and family, kg/m³.
+    /// Density of one planet of each kind, by family, kg/m³.
     bored: Vec<Vec<f64>>,
     /// The largest bore that leaves each kind of planets its rim, m.
     pub(super) largest_bore: Vec<f64>,
@@ -29,7 +28,7 @@ impl Masses {
     pub(super) fn new(task: &Task, layout: &Layout) -> Self {
         let families = task.face_widths.len();
         let mut own = Self {
-            solid: vec![0.0; families],
+            central: vec![0.0; families],
             planets: vec![vec![0.0; families]; task.planets.len()],
             bored: vec![vec![0.0; families]; task.planets.len()],
             largest_bore: vec![],
@@ -49,15 +48,18 @@ impl Masses {
                         FRAC_PI_4 * (gear.root_diameter() * module.si() + 2.0 * rim).powi(2) - filled
                     }
                 };
-            own.solid[sized.family] += task.count(place, layout.planets) * one;
-            if let Body::Planet(planet) = sized.body {
-                own.planets[planet][sized.family] += one;
-                own.bored[planet][sized.family] += density;
+            match sized.body {
+                Body::Central => own.central[sized.family] += one,
+                Body::Planet(planet) => {
+                    own.planets[planet][sized.family] += one;
+                    own.bored[planet][sized.family] += density;
+                }
             }
         }
         let bore = |planet: usize| {
+            let most = widest_bore(task, layout, planet);
             let bores = task.bores(planet).map(Physical::si);
-            bores.filter(|bore| leaves_rim(task, layout, planet, *bore)).fold(f64::NEG_INFINITY, f64::max)
+            bores.filter(|bore| *bore <= most).fold(f64::NEG_INFINITY, f64::max)
         };
         own.largest_bore = (0..task.planets.len()).map(bore).collect();
         own
@@ -65,10 +67,9 @@ impl Masses {
 
     /// Mass of all gears with these bores and widths, kg.
     pub(super) fn all(&self, planets: u32, bores: impl Iterator<Item = f64>, widths: &[f64]) -> f64 {
-        let by_width = |of: &[f64]| of.iter().zip(widths).map(|(one, width)| one * width).sum::<f64>();
-        let bored: f64 =
-            self.bored.iter().zip(bores).map(|(of, bore)| FRAC_PI_4 * bore * bore * by_width(of)).sum();
-        by_width(&self.solid) - f64::from(planets) * bored
+        let central: f64 = self.central.iter().zip(widths).map(|(one, width)| one * width).sum();
+        let one: f64 = bores.enumerate().map(|(planet, bore)| self.planet(planet, bore, widths)).sum();
+        central + f64::from(planets) * one
     }
 
     /// Mass of carrier and housing, kg.
@@ -106,14 +107,15 @@ fn smallest(task: &Task, layout: &Layout, family: usize) -> f64 {
     of_sun.or_else(|| gears().map(diameter).reduce(f64::min)).unwrap_or(f64::INFINITY)
 }
 
-/// Whether a bore leaves each gear of the planets its rim; no bore always does.
-pub(super) fn leaves_rim(task: &Task, layout: &Layout, planet: usize, bore: f64) -> bool {
-    let least = |gear: usize| {
+/// The widest bore that leaves each gear of the planets its rim, m; 0 where none does.
+pub(super) fn widest_bore(task: &Task, layout: &Layout, planet: usize) -> f64 {
+    let bore = |gear: usize| {
+        let module = layout.module(task, gear).si();
         let stated = task.gears[gear].gear.rim.map_or(0.0, Physical::si);
-        (task.planet_rim * layout.module(task, gear).si()).max(stated)
+        let rim = (task.planet_rim * module).max(stated) * (1.0 - RIM);
+        layout.gears[gear].root_diameter() * module - 2.0 * rim
     };
-    let leaves = |gear: usize| rim_of(task, layout, gear, bore) >= least(gear) * (1.0 - RIM);
-    bore == 0.0 || task.gears_of(planet).all(leaves)
+    task.gears_of(planet).map(bore).fold(f64::INFINITY, f64::min).max(0.0)
 }
 
 impl Task {

@@ -90,7 +90,7 @@ const ROLLERS_MM: &[f64] = &[
     50.0, 60.0, 70.0, 80.0,
 ];
 
-/// Elements of one kind in bores of many sizes, by bore and width; none of balls.
+/// Elements of one kind in bores of many sizes, by bore and width; none of balls and of plain bearings.
 #[must_use]
 pub fn listed(rolling: Rolling) -> &'static [Bearing] {
     static ALL: LazyLock<[Vec<Bearing>; 3]> = LazyLock::new(|| {
@@ -98,7 +98,7 @@ pub fn listed(rolling: Rolling) -> &'static [Bearing] {
             .map(|rolling| made(rolling, &family(rolling)))
     });
     match rolling {
-        Rolling::Balls => &[],
+        Rolling::Balls | Rolling::Plain => &[],
         Rolling::Rollers => &ALL[0],
         Rolling::Needles => &ALL[1],
         Rolling::FullComplement => &ALL[2],
@@ -119,7 +119,7 @@ const fn family(rolling: Rolling) -> Family {
             lengths: &[1.0, 1.5, 2.0, 3.0],
             spacing: 1.0,
         },
-        Rolling::Rollers | Rolling::Balls => {
+        Rolling::Rollers | Rolling::Balls | Rolling::Plain => {
             Family { elements: ROLLERS_MM, pins: &[3.5, 4.5, 6.0], lengths: &[1.0, 1.5, 2.0], spacing: 1.3 }
         }
     }

@@ -103,6 +103,7 @@ pub(crate) use simple::with_rest;
 pub use simple::{HeldShifts, SetOverload, SetStep, SetTeeth, Sizing, size};
 use std::f64::consts::FRAC_PI_4;
 use std::fmt;
+use std::sync::Arc;
 pub use task::{
     Body, Design, DesignedPlanet, Governing, Layout, MeshLoads, Pin, PlanetStep, SizedGear, SizedMesh,
     SizedPlanet, StaticDemand, Task,
@@ -149,7 +150,7 @@ pub struct Space {
     /// The greatest outside diameter of a ring; `None` without bound.
     pub largest_ring: Option<Length>,
     /// Bearings of the planets; empty if planets have no bearing of a table.
-    pub bearings: Vec<Bearing>,
+    pub bearings: Arc<[Bearing]>,
 }
 
 /// Modules of series I of ISO 54 from 1 to 50 mm, in mm.

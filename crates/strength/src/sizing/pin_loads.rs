@@ -46,13 +46,34 @@ pub(super) fn bearing_duty(
     steps.collect()
 }
 
-/// Lives of a bearing under the loads of each kind of planets.
-pub(super) fn lives(duties: &[(usize, Vec<PinStep>)], bearing: &Bearing) -> Result<Vec<Option<Time>>, Error> {
-    let life = |(_, duty): &(usize, Vec<PinStep>)| {
+/// Life of a bearing, and the load that it bears for the required life over its own.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Borne {
+    /// `None` of plain bearings, and of those that never turn under load.
+    pub(super) life: Option<Time>,
+    /// `None` without load.
+    pub(super) ratio: Option<f64>,
+}
+
+/// What a bearing bears under the loads of each kind of planets.
+pub(super) fn borne(
+    duties: &[(usize, Vec<PinStep>)],
+    bearing: &Bearing,
+    required: Time,
+) -> Result<Vec<Borne>, Error> {
+    let of = |(_, duty): &(usize, Vec<PinStep>)| {
+        let Some(exponent) = bearing.rolling.exponent() else {
+            let loads = duty.iter().filter(|pin| pin.step.share > 0.0).map(|pin| pin.step.load.si());
+            let greatest = loads.fold(0.0, f64::max);
+            let ratio = (greatest > 0.0).then(|| bearing.load_rating.si() / greatest);
+            return Ok(Borne { life: None, ratio });
+        };
         let steps: Vec<BearingStep> = duty.iter().map(|pin| pin.step).collect();
-        life_over_duty(bearing.rolling, bearing.load_rating, &steps, Reliability::Percent90)
+        let life = life_over_duty(bearing.rolling, bearing.load_rating, &steps, Reliability::Percent90)?;
+        let ratio = life.map(|life| libm::pow(life.hours() / required.hours(), 1.0 / exponent));
+        Ok(Borne { life, ratio })
     };
-    duties.iter().map(life).collect()
+    duties.iter().map(of).collect()
 }
 
 #[cfg(test)]

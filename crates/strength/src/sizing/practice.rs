@@ -6,16 +6,18 @@
 //! value outside a range that is stated in place of a usual one. The rules are those of
 //! [`practice`](epicyclic_gears::involute::practice) for gears, meshes, widths, gaps and speeds,
 //! [`Rule::LoadSharing`], the rims, and for bearings
-//! [`Rule::BallLoad`], [`Rule::BearingStaticSafety`], [`Rule::BearingLeastLoad`], and those of speed and
-//! acceleration that hold for their rolling elements.
+//! [`Rule::BallLoad`], [`Rule::BearingStaticSafety`], [`Rule::BearingLeastLoad`], those of speed and
+//! acceleration that hold for their rolling elements, and [`Rule::PlainLoad`], [`Rule::OilFilm`].
 
 use super::bearing::Bearing;
 use super::pin_loads::PinStep;
 use super::rated::rim_of;
 use super::task::{Body, Layout, Task};
+use crate::bearing::BearingStep;
 use crate::factor::{Side, Symbol};
 use crate::load::load_sharing;
 use crate::material::Class;
+use crate::plain_bearing::film_ratio;
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::Pair;
 use epicyclic_gears::involute::practice::{
@@ -33,7 +35,7 @@ const PRICE: f64 = 1.25;
 /// Whether any rule is missed, and an objective with the price of the rules.
 pub(crate) fn priced(rules_missed: u32, objective: f64) -> [f64; 2] {
     let is_unusual = if rules_missed == 0 { 0.0 } else { 1.0 };
-    [is_unusual, objective * libm::pow(PRICE, f64::from(rules_missed))]
+    [is_unusual, objective * (0..rules_missed).fold(1.0, |all, _| all * PRICE)]
 }
 
 /// Rules that verdicts miss with a warning or an error.
@@ -262,8 +264,15 @@ pub(super) fn of_pin(
     let rolling = bearing.map_or(pin.rolling, |bearing| bearing.rolling);
     let fastest = layout.bearing_loads[kind].iter().map(|step| step.carrier_speed.si().abs());
     let acceleration = orbit_acceleration(layout.radii[kind].si(), fastest.fold(0.0, f64::max));
-    all.push(limits.judge(orbit_rule(rolling), acceleration));
-    if let Some(bearing) = bearing {
+    all.extend(orbit_rule(rolling).map(|rule| limits.judge(rule, acceleration)));
+    if let Some(bearing) = bearing.filter(|bearing| bearing.rolling == Rolling::Plain) {
+        let steps: Vec<BearingStep> = duty.iter().map(|pin| pin.step).collect();
+        let greatest = steps.iter().filter(|step| step.share > 0.0).map(|step| step.load.si());
+        let greatest = greatest.fold(0.0, f64::max);
+        all.push(limits.judge(Rule::PlainLoad, greatest / bearing.load_rating.si()));
+        let film = film_ratio([bearing.outside_diameter, bearing.width], &steps, task.bearing_oil());
+        all.extend(film.map(|ratio| limits.judge(Rule::OilFilm, ratio)));
+    } else if let Some(bearing) = bearing {
         // Overloads come without a share of the time, and count for the static safety alone.
         let forces = duty.iter().filter(|pin| pin.step.share > 0.0).map(|pin| pin.force.si());
         let greatest = forces.fold(0.0, f64::max);
@@ -283,7 +292,8 @@ pub(super) fn of_pin(
         }
         if let Some(diameter) = bearing.mean_diameter().or(pin.mean_diameter) {
             let fastest = duty.iter().map(|pin| pin.step.speed.si().abs()).fold(0.0, f64::max);
-            all.push(limits.judge(pin_speed_rule(rolling), pin_speed(fastest, diameter.si())));
+            let speed = pin_speed(fastest, diameter.si());
+            all.extend(pin_speed_rule(rolling).map(|rule| limits.judge(rule, speed)));
         }
     }
     Misses::of(all)

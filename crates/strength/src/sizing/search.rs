@@ -1,8 +1,8 @@
 //! Designs in ascending order of the objective, until enough of them hold.
 
 use super::bearing::Bearing;
-use super::gear_masses::{Masses, leaves_rim};
-use super::pin_loads::{PinStep, bearing_duty, lives};
+use super::gear_masses::{Masses, widest_bore};
+use super::pin_loads::{Borne, PinStep, bearing_duty, borne};
 use super::practice::{Misses, Practice, of_pin, priced};
 use super::rated::{Place, Ratings, rim_of};
 use super::task::{Body, Design, DesignedPlanet, Governing, Layout, Task};
@@ -17,7 +17,7 @@ use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 use std::ops::ControlFlow;
 use std::rc::Rc;
-use uom::si::f64::{Force, Length, Mass, Time};
+use uom::si::f64::{Force, Length, Mass};
 
 /// The best `most` designs of these layouts, unless `goes_on`, which is called now and then, breaks. `tried`
 /// is what was left out before.
@@ -398,8 +398,8 @@ impl Search<'_> {
         let bore = |bearing: &Bearing| bearing.outside_diameter.si();
         let of_kind = |kind: &usize| task.gears_of(*kind).map(|gear| widths[task.gears[gear].family]).sum();
         let width: f64 = kinds.iter().map(of_kind).fold(f64::INFINITY, f64::min);
-        let is_too_large =
-            |bearing: &&Bearing| !kinds.iter().all(|kind| leaves_rim(task, own, *kind, bore(bearing)));
+        let widest = kinds.iter().map(|kind| widest_bore(task, own, *kind)).fold(f64::INFINITY, f64::min);
+        let is_too_large = |bearing: &&Bearing| bore(bearing) > widest;
         // The best that holds, and of the others the one that misses least.
         let (mut best, mut nearest): (Option<Held>, Option<(f64, Held)>) = (None, None);
         let (mut is_none, mut refused) = (true, Misses::default());
@@ -414,8 +414,9 @@ impl Search<'_> {
         let bearings = &bearings[bearings.partition_point(is_too_large)..];
         'bearings: for bearing in bearings.iter().filter(|bearing| bearing.width.si() <= width) {
             is_none = false;
+            let bearing = &*bearing.in_planet(Length::from_si(width));
             let (bore, rolling, span) = (bore(bearing), bearing.rolling, span_of(bearing));
-            let carried = |life: &Time| libm::pow(life.hours() / task.life.hours(), 1.0 / rolling.exponent());
+            let least = |all: &[Borne]| all.iter().filter_map(|of| of.ratio).fold(f64::INFINITY, f64::min);
             let is_alike = |of: &Alike| of.bore == bore && of.rolling == rolling && of.span == span;
             let known = match alike.take().filter(is_alike) {
                 Some(known) => alike.insert(known),
@@ -427,8 +428,7 @@ impl Search<'_> {
                         bearing_duty(own, *kind, (mass, sharing), (rolling, span))
                     };
                     let duties: Vec<_> = kinds.iter().map(|kind| (*kind, duty(kind))).collect();
-                    let lives = lives(&duties, bearing)?;
-                    let ratio = lives.iter().flatten().map(carried).fold(f64::INFINITY, f64::min);
+                    let ratio = least(&borne(&duties, bearing, task.life)?);
                     alike.insert(Alike { bore, rolling, span, duties, required: bearing.load_rating / ratio })
                 }
             };
@@ -440,8 +440,8 @@ impl Search<'_> {
             if is_miss((bearing.load_rating / known.required).si() * (1.0 + SAME)) {
                 continue;
             }
-            let (duties, lives) = (&known.duties, lives(&known.duties, bearing)?);
-            let mut ratio = lives.iter().flatten().map(carried).fold(f64::INFINITY, f64::min);
+            let (duties, all) = (&known.duties, borne(&known.duties, bearing, task.life)?);
+            let mut ratio = least(&all);
             // Teeth only lower it.
             if is_miss(ratio) {
                 continue;
@@ -456,12 +456,12 @@ impl Search<'_> {
             if best.as_ref().is_some_and(|best| best.misses.of_bearing() <= held.misses.of_bearing()) {
                 continue;
             }
-            for (kind, life) in kinds.iter().copied().zip(lives) {
-                held.governing.extend(life.map(|life| Governing {
+            for (kind, Borne { life, ratio: of_bearing }) in kinds.iter().copied().zip(all) {
+                held.governing.extend(of_bearing.map(|value| Governing {
                     requirement: Requirement::BearingLife,
                     mesh: None,
                     gear: task.gears_of(kind).next().unwrap_or_default(),
-                    value: carried(&life),
+                    value,
                     required: 1.0,
                 }));
                 held.planets.push(made(kind, Some(bearing), bore, (span, life)));
@@ -496,7 +496,7 @@ struct Alike {
     rolling: Rolling,
     span: Option<Length>,
     duties: Vec<(usize, Vec<PinStep>)>,
-    /// Load rating that lives as long as required.
+    /// Load rating that bears the loads for the required life.
     required: Force,
 }
 

@@ -144,6 +144,8 @@ pub struct Sizing {
     pub methods: [Method; 2],
     /// Viscosity of the oil at 40 °C.
     pub viscosity: KinematicViscosity,
+    /// Viscosity of the oil in the bearings, as [`Task::working_viscosity`].
+    pub working_viscosity: Option<KinematicViscosity>,
     /// The duty.
     pub duty: Vec<SetStep>,
     /// The overloads.
@@ -209,7 +211,7 @@ impl Sizing {
         let body = |place: usize| if place == 1 && !is_pair { Body::Planet(0) } else { Body::Central };
         let gear = |place: usize| SizedGear { gear: self.gears[place], body: body(place), family: 0 };
         let planet = SizedPlanet {
-            bearings: self.space.bearings.clone(),
+            bearings: Arc::clone(&self.space.bearings),
             is_tilted: self.is_helical(),
             bore: self.planet_bore,
             mass: self.planet_mass,
@@ -227,6 +229,7 @@ impl Sizing {
             width_ratio: self.space.width_ratio,
             largest_ring: self.space.largest_ring,
             viscosity: self.viscosity,
+            working_viscosity: self.working_viscosity,
             life: self.life,
             required_contact: self.required_contact,
             required_root: self.required_root,

@@ -8,6 +8,7 @@ use super::{Objective, Requirement};
 use crate::checks::{not_negative, positive, within};
 use crate::factor::{Side, Symbol};
 use crate::mesh::{Gear, Method};
+use crate::plain_bearing::{dynamic_viscosity, usual_viscosity};
 use crate::root::factors::MOST_ROOT_ROUGHNESS;
 use crate::spectrum::{GearDuty, Step, Worn, check_shares};
 use crate::{Error, Quantity};
@@ -53,7 +54,7 @@ pub struct SizedMesh {
 #[derive(Debug, Clone, PartialEq)]
 pub struct SizedPlanet {
     /// Bearings to choose from; empty if planets have no bearing of a table.
-    pub bearings: Vec<Bearing>,
+    pub bearings: Arc<[Bearing]>,
     /// Whether axial forces of helical teeth tilt the planets, which then turn on pairs of bearings.
     pub is_tilted: bool,
     /// Bore if no bearing is chosen; `None` of solid planets.
@@ -185,6 +186,8 @@ pub struct Task {
     pub largest_ring: Option<Length>,
     /// Viscosity of the oil at 40 °C.
     pub viscosity: KinematicViscosity,
+    /// Viscosity of the oil in the planets' bearings; `None` for the usual one of plain bearings.
+    pub working_viscosity: Option<KinematicViscosity>,
     /// Required life of teeth and bearings.
     pub life: Time,
     /// Required safety of the flanks.
@@ -225,6 +228,11 @@ impl Task {
         let external = gears.filter(|(_, gear)| gear.kind() == GearKind::External);
         let smallest = external.map(|(_, gear)| gear.reference_diameter()).fold(f64::INFINITY, f64::min);
         Some(widened(given, width / (smallest * layout.modules[family].si())))
+    }
+
+    /// Dynamic viscosity of the oil in plain bearings, Pa·s.
+    pub(super) fn bearing_oil(&self) -> f64 {
+        self.working_viscosity.map_or_else(|| usual_viscosity(self.viscosity), dynamic_viscosity)
     }
 
     /// Refuses quantities that are no requirement.
@@ -269,11 +277,6 @@ impl Task {
     /// Rim of a ring at a module.
     pub(super) fn ring_rim(&self, gear: usize, module: Length) -> Length {
         self.gears[gear].gear.rim.unwrap_or(module * self.ring_rim)
-    }
-
-    /// How many of a gear there are.
-    pub(super) fn count(&self, gear: usize, planets: u32) -> f64 {
-        if self.gears[gear].body == Body::Central { 1.0 } else { f64::from(planets) }
     }
 
     /// Gears of a kind of planets.
@@ -346,7 +349,8 @@ pub struct DesignedPlanet {
     /// Distance of the rows of the bearing, with which it is rated; `None` where nothing tilts the planet, and
     /// where the rows are not known.
     pub span: Option<Length>,
-    /// `L_10` of the bearing over the duty; `None` without a bearing, and where it never turns under load.
+    /// `L_10` of the bearing over the duty; `None` without a bearing, of plain ones, and where it never turns under
+    /// load.
     pub life: Option<Time>,
 }
 

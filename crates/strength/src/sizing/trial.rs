@@ -87,11 +87,9 @@ impl Sizing {
                 }
                 SetTeeth::Pair(_) => Length::default(),
             };
-            let section = |count: &u32| {
-                let layout = super::Layout { planets: *count, ..own.clone() };
-                Masses::new(&task, &layout).all(*count, [bore.si()].into_iter(), &[1.0])
-            };
             let masses = Masses::new(&task, own);
+            let bores = || task.planets.iter().map(|_| bore.si());
+            let section = |count: &u32| masses.all(*count, bores(), &[1.0]);
             let planet = |kind: usize| masses.planet(kind, bore.si(), &[1.0]).max(0.0);
             trials.push(Trial {
                 misses,

@@ -74,6 +74,7 @@ pub(crate) fn conveyor() -> Order {
         overloads: vec![],
         life: Time::new::<hour>(30_000.0),
         required_contact: 1.2,
+        working_viscosity: None,
         required_root: 1.5,
         planet_rim: 3.0,
         ring_rim: 3.5,
@@ -92,7 +93,7 @@ pub(crate) fn conveyor() -> Order {
             reach: 1.0,
             width_ratio: None,
             largest_ring: Some(mm(540.0)),
-            bearings: with_pairs(listed_rollers()),
+            bearings: with_pairs(listed_rollers()).into(),
         },
     };
     Order {

@@ -42,11 +42,11 @@ pub(crate) fn warning(subject: &Gearbox, worked: &[&Worked<'_>]) -> Option<Warni
                 planet_name(set, bearing.planet),
                 analysis.gear().name()
             );
-            let on_pin = turning
-                .zip(diameter)
-                .map(|(speed, diameter)| (pin_speed_rule(rolling), pin_speed(speed.si(), diameter.si())));
-            let in_orbit = carrier.zip(bearing.radius).map(|(carrier, radius)| {
-                (orbit_rule(rolling), orbit_acceleration(radius.si(), carrier.si()))
+            let on_pin = turning.zip(diameter).and_then(|(speed, diameter)| {
+                Some((pin_speed_rule(rolling)?, pin_speed(speed.si(), diameter.si())))
+            });
+            let in_orbit = carrier.zip(bearing.radius).and_then(|(carrier, radius)| {
+                Some((orbit_rule(rolling)?, orbit_acceleration(radius.si(), carrier.si())))
             });
             let misses = on_pin.into_iter().chain(in_orbit).filter_map(|(rule, value)| {
                 let verdict = subject.limits.judge(rule, value);

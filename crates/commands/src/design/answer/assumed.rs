@@ -4,10 +4,12 @@
 use crate::error::Error;
 use crate::shared::application::Application;
 use crate::shared::basis::{Basis, BasisKey};
+use crate::shared::bearing_type::BearingType;
 use crate::size::options::Request as SizeRequest;
 use clap::ValueEnum;
 use epicyclic_strength::factor::{Edition, Symbol};
 use epicyclic_strength::load::{Floating, MOST_SHARING, load_sharing};
+use epicyclic_strength::plain_bearing::USUAL_PRESSURE;
 use epicyclic_units::Physical;
 use epicyclic_units::format::trimmed;
 
@@ -102,6 +104,15 @@ fn of_application(size: &SizeRequest, is_helical: bool, assume: &mut impl FnMut(
         } else {
             ""
         };
+        if size.bearing_kinds().contains(&BearingType::Plain) && size.bearings.is_none() {
+            assume(
+                "plain bearings",
+                format!(
+                    "{} N/mm² at most, clearance 0.8 ‰·v^¼ with the sliding speed v in m/s, oil of 70 °C; their heat is not calculated",
+                    USUAL_PRESSURE / 1e6
+                ),
+            );
+        }
         assume("load of the bearings", format!("the torques of the duty with K_γ, without K_A{rows}"));
     }
     if let Some(modules) = usual.and_then(Application::modules).filter(|_| size.modules.is_none()) {

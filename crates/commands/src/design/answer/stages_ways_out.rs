@@ -133,6 +133,7 @@ fn candidates(wanted: &WantedStages, has_many_trains: bool) -> Vec<RelaxedLimit>
             *size.planet_counts().end() < MOST_SHARING,
         ),
         (lifted(Limit::WidthRatio), size.width_ratio.is_some()),
+        (lifted(Limit::PlainBearings), size.lacks_plain_bearings()),
         (lifted(Limit::Bearings), !size.no_bearings),
     ];
     all.into_iter().filter(|(_, is_narrow)| *is_narrow).map(|(limit, _)| limit).collect()

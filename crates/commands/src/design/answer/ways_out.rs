@@ -10,6 +10,7 @@ use crate::select::answer::candidate::Criterion;
 use crate::select::answer::reached::{ReachedSpeed, largest_deviation};
 use crate::select::answer::teeth::Watch;
 use crate::select::answer::{self as select, Relaxation, RelaxedCriterion};
+use crate::shared::bearing_type::BearingType;
 use epicyclic_selection::Space;
 use epicyclic_strength::load::MOST_SHARING;
 use epicyclic_units::{Number, Physical, Quantity};
@@ -111,7 +112,9 @@ pub enum Limit {
     Stages,
     /// Restriction to gears without common divisors; removed.
     HuntingTeeth,
-    /// Rolling bearings of the planets: planets without bearings.
+    /// Rolling bearings of the planets: plain bearings.
+    PlainBearings,
+    /// Bearings of the planets: planets without bearings.
     Bearings,
     /// Shafts in one line; relaxed to either kind of fast stage.
     Axes,
@@ -263,6 +266,7 @@ impl Search<'_> {
             (RelaxedLimit::lifted(Limit::FaceWidths), own.face_widths.is_some()),
             (RelaxedLimit::lifted(Limit::LargestRing), own.max_ring.is_some()),
             (planets, *own.planet_counts().end() < most),
+            (RelaxedLimit::lifted(Limit::PlainBearings), own.lacks_plain_bearings()),
             (RelaxedLimit::lifted(Limit::Bearings), !own.no_bearings),
         ];
         let mut ways = vec![];
@@ -343,9 +347,12 @@ impl RelaxedLimit {
                 wanted.bounds.planets = *wanted.bounds.planets.start()..=greatest as u32;
                 self.relax_size(&mut wanted.size);
             }
-            Limit::WidthRatio | Limit::Modules | Limit::FaceWidths | Limit::LargestRing | Limit::Bearings => {
-                self.relax_size(&mut wanted.size);
-            }
+            Limit::WidthRatio
+            | Limit::Modules
+            | Limit::FaceWidths
+            | Limit::LargestRing
+            | Limit::PlainBearings
+            | Limit::Bearings => self.relax_size(&mut wanted.size),
             // Of stages in series.
             Limit::Stages | Limit::HuntingTeeth | Limit::Axes => {}
         }
@@ -359,6 +366,7 @@ impl RelaxedLimit {
             }
             Limit::Modules => size.modules = None,
             Limit::FaceWidths => size.face_widths = None,
+            Limit::PlainBearings => size.bearing_type = Some(vec![BearingType::Plain]),
             Limit::Bearings => {
                 (size.no_bearings, size.bearing_type, size.bearings) = (true, None, None);
             }

@@ -167,16 +167,13 @@ fn of_lacks(judge: &mut Judge, sets: &[Of<'_>], missing: &Missing, not_rated: &[
             if judge.has_any(&of, &[set.id(), &name]) {
                 continue;
             }
+            let is_plain = Rolling::from(planet.rolling) == Rolling::Plain;
             let keys = [
                 ("load_rating", planet.bearing.is_some()),
-                ("static_load_rating", planet.static_load_rating.is_some()),
+                ("static_load_rating", planet.static_load_rating.is_some() || is_plain),
                 ("bearing_diameter", planet.bearing_diameter.is_some()),
             ];
-            let balls = (Rolling::from(planet.rolling) == Rolling::Balls).then_some(Rule::BallLoad);
-            let rules = [Rule::BearingLife, Rule::BearingStaticSafety, Rule::BearingLeastLoad];
-            let rules: Vec<Rule> =
-                rules.into_iter().chain([pin_speed_rule(planet.rolling.into())]).chain(balls).collect();
-            judge.lacks(&of, &rules, joined(&missing.lives, lacking(&keys)));
+            judge.lacks(&of, &of_rolling(planet.rolling.into()), joined(&missing.lives, lacking(&keys)));
         }
     }
 }
@@ -267,6 +264,13 @@ fn of_face_loads(
     }
 }
 
+/// Rules for a bearing on its pin, with loads and lives.
+fn of_rolling(rolling: Rolling) -> Vec<Rule> {
+    let Some(speed) = pin_speed_rule(rolling) else { return vec![Rule::PlainLoad, Rule::OilFilm] };
+    let rules = [Rule::BearingLife, Rule::BearingStaticSafety, Rule::BearingLeastLoad, speed];
+    rules.into_iter().chain((rolling == Rolling::Balls).then_some(Rule::BallLoad)).collect()
+}
+
 /// Name of the bearing of a planet; planets of short sets have no name.
 fn bearing_name(set: &PlanetSet, place: usize) -> String {
     match set.planets()[place].name.as_str() {
@@ -285,12 +289,27 @@ fn of_bearing(
 ) {
     let name = bearing_name(set, place);
     let (of, name_of) = ([set.id(), name.as_str()], format!("{}, {name}", set.id()));
-    let speed_rule = pin_speed_rule(planet.rolling.into());
+    let rolling = Rolling::from(planet.rolling);
     if bearing.greatest_force_n.is_none() {
-        let rules = [Rule::BearingLife, Rule::BearingStaticSafety, Rule::BearingLeastLoad, speed_rule];
-        return judge.lacks(&name_of, &rules, bearing.missing.clone());
+        return judge.lacks(&name_of, &of_rolling(rolling), bearing.missing.clone());
     }
     let idle = || vec!["does not turn under load".to_owned()];
+    let Some(speed_rule) = pin_speed_rule(rolling) else {
+        let loads = bearing.steps.iter().map(|step| step.equivalent_load_n);
+        judge.see(Rule::PlainLoad, &of, loads.fold(0.0, f64::max) / bearing.load_rating_n);
+        let is_idle =
+            !bearing.steps.iter().any(|step| step.equivalent_load_n > 0.0 && step.speed_rad_s != 0.0);
+        match bearing.film_ratio {
+            Some(ratio) => judge.see(Rule::OilFilm, &of, ratio),
+            None if is_idle => judge.lacks(&name_of, &[Rule::OilFilm], idle()),
+            None => {
+                let keys =
+                    [("bearing_diameter", planet.bearing_diameter.is_some()), ("oil and face_width", false)];
+                judge.lacks(&name_of, &[Rule::OilFilm], lacking(&keys));
+            }
+        }
+        return;
+    };
     match bearing.life_s() {
         Some(life) => judge.see_least(Rule::BearingLife, &of, required_life_s / HOUR_S, life / HOUR_S),
         None => judge.lacks(&name_of, &[Rule::BearingLife], idle()),
@@ -304,7 +323,7 @@ fn of_bearing(
         }
     }
     let force = bearing.steps.iter().map(|step| step.force_n).fold(0.0, f64::max);
-    if !bearing.rollers && force > 0.0 {
+    if rolling == Rolling::Balls && force > 0.0 {
         judge.see(Rule::BallLoad, &of, force / 1e3);
     }
     // A bearing at rest needs no load to keep its elements rolling.
@@ -334,7 +353,8 @@ fn of_speeds(
     let toothed = in_mesh(subject, data, set, data.modules.iter().any(Option::is_some));
     let (Ok(toothed), Ok(steps)) = (&toothed, steps) else {
         let is_helical = set.tooth_shape().is_helical();
-        let orbits = data.planets.iter().filter(|_| !set.is_pair()).map(|of| orbit_rule(of.rolling.into()));
+        let orbits = data.planets.iter().filter(|_| !set.is_pair());
+        let orbits = orbits.filter_map(|of| orbit_rule(of.rolling.into()));
         let of_mesh = if is_helical { Rule::HelicalSpeed } else { Rule::SpurSpeed };
         let rules: Vec<Rule> = [of_mesh].into_iter().chain(orbits).collect();
         let why: Vec<String> = steps.as_ref().err().cloned().into_iter().collect();
@@ -363,7 +383,9 @@ fn of_speeds(
             let of = [set.id(), planet.name.as_str()];
             // Planets of short sets have no name.
             let of = &of[..1 + usize::from(!planet.name.is_empty())];
-            judge.see(orbit_rule(of_file.rolling.into()), of, orbit_acceleration(*radius, carrier));
+            if let Some(rule) = orbit_rule(of_file.rolling.into()) {
+                judge.see(rule, of, orbit_acceleration(*radius, carrier));
+            }
         }
     }
 }

@@ -18,9 +18,9 @@ pub struct BearingOverDuty {
     pub set: String,
     /// Name of the planet, or its number in the set.
     pub planet: String,
-    /// Whether the bearing has rollers; otherwise it has balls.
-    pub rollers: bool,
-    /// Basic dynamic load rating in N.
+    /// What it turns on: balls, rollers, needles, `full_complement`, plain.
+    pub rolling: &'static str,
+    /// Basic dynamic load rating in N; of a plain bearing the load that it may bear.
     pub load_rating_n: f64,
     /// Mean diameter of the bearing in m; null if not given.
     pub mean_diameter_m: Option<f64>,
@@ -39,9 +39,13 @@ pub struct BearingOverDuty {
     /// Static safety: static load rating over the greatest force, with a span over twice that of a row; null
     /// without that rating.
     pub static_safety: Option<f64>,
-    /// Basic rating life over the duty in s, which 90 % of the bearings reach; null if the bearing never
-    /// turns under load.
+    /// Basic rating life over the duty in s, which 90 % of the bearings reach; null of a plain bearing and if the
+    /// bearing never turns under load.
     pub basic_life_s: Option<f64>,
+    /// Oil film of a plain bearing over the least one that keeps mixed friction away, in the step with the
+    /// thinnest; null of other bearings, without `bearing_diameter` and `face_width`, and if it never turns under
+    /// load.
+    pub film_ratio: Option<f64>,
     /// Modified rating life over the duty; null if it is not asked for or cannot be computed.
     pub modified: Option<ModifiedLife>,
     /// Forces and speeds in the steps of the duty.

@@ -9,6 +9,8 @@
 //! [`epicyclic_strength::bearing_rows`] takes the place of `F`; `f_s` is then that of the row with more load.
 //! `K_γ` multiplies this moment, too.
 //!
+//! Plain bearings have no life; their oil film is that of [`epicyclic_strength::plain_bearing`].
+//!
 //! `F_t` and `F_r` are the mesh forces without losses, `F_c` is the centrifugal force
 //! ([`planet_bearings`](epicyclic_train::planet_bearings)). `F_max` also covers the file's overloads; `a_ISO`
 //! is that of [`epicyclic_strength::bearing`].
@@ -26,15 +28,17 @@ use crate::shared::gearbox::Gearbox;
 use crate::shared::toothed::{lacking, toothed};
 use crate::tolerance::{ROUNDED, rounded};
 use epicyclic_formats::Path;
-use epicyclic_formats::gearbox::GearboxFile;
+use epicyclic_formats::gearbox::{GearboxFile, SetData};
 use epicyclic_gears::life::Rolling;
 use epicyclic_strength::bearing::{
     BearingStep, Reliability, life_modification, life_over_duty, viscosity_ratio,
 };
 use epicyclic_strength::bearing_rows::{equivalent_load, row_forces};
 use epicyclic_strength::load::{Floating, load_sharing};
+use epicyclic_strength::plain_bearing::{self, dynamic_viscosity, usual_viscosity};
 use epicyclic_train::PlanetSet;
 use epicyclic_train::planet_bearings::{BearingForces, Lack, PlanetBearing};
+use epicyclic_train::planet_set::GearOf;
 use epicyclic_train::toothed::ToothedSet;
 use epicyclic_units::{Physical, Quantity};
 use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length, Torque};
@@ -137,7 +141,7 @@ impl File<'_> {
         let data = self.file.set_data(set);
         let strength = data.as_ref().and_then(|data| data.strength);
         let stated = given.load_sharing.or_else(|| strength.and_then(given_sharing));
-        let floating = data.and_then(|data| data.floating).map_or(Floating::Assumed, floating);
+        let floating = data.as_ref().and_then(|data| data.floating).map_or(Floating::Assumed, floating);
         let sharing = match stated {
             Some(stated) => Some(stated),
             None => load_sharing(bearing.planets.unwrap_or(1), floating).ok(),
@@ -148,7 +152,7 @@ impl File<'_> {
         let mut row = BearingOverDuty {
             set: set.id().to_owned(),
             planet: planet_name(set, bearing.planet),
-            rollers: rolling != Rolling::Balls,
+            rolling: rolling.name(),
             load_rating_n: rating.si(),
             mean_diameter_m: given.bearing_diameter.map(|diameter| diameter.0.si()),
             load_sharing: sharing,
@@ -158,6 +162,7 @@ impl File<'_> {
             greatest_row_force_n: None,
             static_safety: None,
             basic_life_s: None,
+            film_ratio: None,
             modified: None,
             steps: vec![],
             missing: vec![],
@@ -217,7 +222,9 @@ impl File<'_> {
             life_over_duty(rolling, rating, steps, reliability).map(|life| life.map(Physical::si))
         };
         row.basic_life_s = life(&steps, Reliability::Percent90)?;
-        if let Some(conditions) = conditions {
+        if rolling == Rolling::Plain {
+            row.film_ratio = data.as_ref().and_then(|data| self.film(data, bearing.planet, &steps));
+        } else if let Some(conditions) = conditions {
             match self.modify(rolling, &conditions, &mut steps, &mut row.steps) {
                 Ok(()) => {
                     row.modified = Some(ModifiedLife {
@@ -231,6 +238,19 @@ impl File<'_> {
         }
         row.missing = missing;
         Ok(row)
+    }
+
+    /// Oil film of a plain bearing as wide as its planet, over the least one.
+    fn film(&self, data: &SetData<'_>, planet: usize, steps: &[BearingStep]) -> Option<f64> {
+        let own = data.of.iter().zip(&data.face_widths);
+        let own = own.filter(|(gear, _)| matches!(gear, GearOf::Planet(of, _) if *of == planet));
+        let width: Option<Length> = own.map(|(_, width)| *width).sum();
+        let oil = self.file.oil.as_ref()?;
+        let viscosity = oil
+            .working_viscosity
+            .map_or_else(|| usual_viscosity(oil.viscosity.0), |stated| dynamic_viscosity(stated.0));
+        let diameter = data.planets[planet].bearing_diameter?;
+        plain_bearing::film_ratio([diameter, width?], steps, viscosity)
     }
 
     /// Data of the bearings of a planet in the file.

@@ -43,10 +43,19 @@ pub(super) fn axial_forces(all: &[AxialForce]) -> Records {
 pub(super) fn bearings(all: &[BearingOverDuty]) -> Records {
     let modified = |one: &BearingOverDuty| one.modified.and_then(|modified| modified.life_s);
     let has_spans = all.iter().any(|one| one.span_m.is_some());
+    let has_films = all.iter().any(|one| one.film_ratio.is_some());
+    let note = format!(
+        "K_γ: of the forces of the meshes. F: the greatest of duty and overloads. f_s: static load rating over it. {}L_10: basic life, L_nm: modified life over the duty, of the bearings stated.",
+        if has_films {
+            "h_0/h_lim: oil film of a plain bearing over the least one; it has no life. "
+        } else {
+            ""
+        }
+    );
     let table = Table::new("bearings", all.iter())
         .text("set", "set", |one| &one.set)
         .text("planet", "planet", |one| &one.planet)
-        .words("rolling", "of", |one| if one.rollers { "rollers" } else { "balls" })
+        .words("rolling", "of", |one| Figure::choice(one.rolling, one.rolling.replace('_', " ")))
         .quantity("load_rating", "C", Dimension::Force, |one| one.load_rating_n)
         .printed("load_sharing", "K_γ", 2, |one| one.load_sharing)
         .quantity("span", "s", Dimension::Length, |one| one.span_m)
@@ -55,6 +64,8 @@ pub(super) fn bearings(all: &[BearingOverDuty]) -> Records {
         .quantity("greatest_row_force", "F_row", Dimension::Force, |one| one.greatest_row_force_n)
         .only_if(has_spans)
         .printed("static_safety", "f_s", 3, |one| one.static_safety)
+        .printed("film_ratio", "h_0/h_lim", 2, |one| one.film_ratio)
+        .only_if(has_films)
         .quantity("basic_life", "", Dimension::Time, |one| one.basic_life_s)
         .number("basic_hours", "L_10, h", |one| one.basic_life_s.map(hours))
         .for_people()
@@ -64,10 +75,10 @@ pub(super) fn bearings(all: &[BearingOverDuty]) -> Records {
         .for_people()
         .view(
             "Planet bearings over the duty",
-            "set planet rolling load_rating load_sharing greatest_force static_safety basic_hours reliability \
+            "set planet rolling load_rating load_sharing greatest_force static_safety film_ratio basic_hours reliability \
              modified_hours",
         )
-        .note("K_γ: of the forces of the meshes. F: the greatest of duty and overloads. f_s: static load rating over it. L_10: basic life, L_nm: modified life over the duty, of the bearings stated.");
+        .note(&note);
     if !has_spans {
         return table.records();
     }
