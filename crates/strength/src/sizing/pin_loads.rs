@@ -98,8 +98,8 @@ mod tests {
         let own = Layout {
             planets: 3,
             modules: vec![],
-            gears: vec![],
-            pairs: vec![],
+            gears: [].into(),
+            pairs: [].into(),
             radii: vec![Length::from_si(0.2)],
             is_aim_met: true,
             loads: [].into(),

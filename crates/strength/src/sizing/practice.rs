@@ -145,23 +145,24 @@ pub(super) struct Practice {
 
 impl Practice {
     pub(super) fn of(task: &Task, layout: &Layout, limits: &Limits) -> Self {
-        let ends = task.meshes.iter().zip(&layout.pairs).map(|(mesh, pair)| (mesh.gears, pair));
+        let ends = task.meshes.iter().zip(layout.pairs.iter()).map(|(mesh, pair)| (mesh.gears, pair));
         let diameters = width_diameters(&ends.collect::<Vec<_>>());
-        let widths = task.meshes.iter().zip(&layout.pairs).zip(diameters).map(|((mesh, pair), diameter)| {
-            let family = task.gears[mesh.gears[0]].family;
-            let module = layout.modules[family].si();
-            Width {
-                family,
-                diameter: diameter.map(|diameter| diameter * module),
-                face_load: mesh
-                    .method
-                    .given
-                    .of(Side::First, Symbol::FaceContact)
-                    .filter(|_| !task.widens_face_load),
-                pair: *pair,
-                module,
-            }
-        });
+        let widths =
+            task.meshes.iter().zip(layout.pairs.iter()).zip(diameters).map(|((mesh, pair), diameter)| {
+                let family = task.gears[mesh.gears[0]].family;
+                let module = layout.modules[family].si();
+                Width {
+                    family,
+                    diameter: diameter.map(|diameter| diameter * module),
+                    face_load: mesh
+                        .method
+                        .given
+                        .of(Side::First, Symbol::FaceContact)
+                        .filter(|_| !task.widens_face_load),
+                    pair: *pair,
+                    module,
+                }
+            });
         let widths = widths.collect();
         let of_loads = of_planets(task, layout, limits).into_iter().chain(of_speeds(task, layout, limits));
         let of_layout = Misses::of_geometry(task, layout, limits).with(Misses::of(of_loads));
@@ -194,7 +195,7 @@ fn of_gears(task: &Task, layout: &Layout, limits: &Limits) -> Vec<Verdict> {
     let is_of_pair = task.planets.is_empty();
     let of = |(place, gear)| {
         let sized = &task.gears[place];
-        let own = task.meshes.iter().zip(&layout.pairs).filter(|(mesh, _)| mesh.gears.contains(&place));
+        let own = task.meshes.iter().zip(layout.pairs.iter()).filter(|(mesh, _)| mesh.gears.contains(&place));
         let rule = shift_rule(gear, sized.body != Body::Central, is_of_pair);
         let is_hardened = sized.gear.material.class == Class::CaseHardened;
         let verdicts = of_gear(limits, rule, gear, own.map(|(_, pair)| pair), is_hardened);

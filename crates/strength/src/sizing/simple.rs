@@ -25,6 +25,7 @@ use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet};
 use epicyclic_gears::mesh::TipCircle;
 use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_judge as judge;
+use epicyclic_numerics::threads::map;
 use epicyclic_units::Physical;
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -500,6 +501,9 @@ fn made(task: &Sizing, planets: u32, centre: Option<f64>) -> Result<Made, Option
     }
 }
 
+/// Centre distances between two questions whether to go on.
+const AT_A_TIME: usize = 64;
+
 /// The gears at every centre distance of the space, and how many were left out.
 pub(super) fn layouts(
     task: &Sizing,
@@ -540,12 +544,16 @@ pub(super) fn layouts(
                 tried.left_out.spacing += wanted.len() as u64 * designs;
                 continue;
             }
-            for centre in wanted {
+            let mut all_made = vec![];
+            for some in wanted.chunks(AT_A_TIME) {
                 if goes_on().is_break() {
                     return Err(Error::Cancelled);
                 }
-                tried.geometries += 1;
-                match made(task, planets, centre) {
+                all_made.extend(map(some, |centre| made(task, planets, *centre)));
+            }
+            tried.geometries += all_made.len() as u64;
+            for made in all_made {
+                match made {
                     Ok(made) if made.do_touch => tried.left_out.planets_touch += designs,
                     Ok(Made { gears, pairs, centre, is_aim_met, .. }) => {
                         let radius = module * centre;
@@ -553,8 +561,8 @@ pub(super) fn layouts(
                         all.push(Layout {
                             planets,
                             modules: vec![module],
-                            gears,
-                            pairs,
+                            gears: gears.into(),
+                            pairs: pairs.into(),
                             radii: vec![radius],
                             is_aim_met,
                             loads: Arc::clone(loads),

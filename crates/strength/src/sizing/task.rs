@@ -151,9 +151,9 @@ pub struct Layout {
     /// Module of each family.
     pub modules: Vec<Length>,
     /// The gears, in modules.
-    pub gears: Vec<InvoluteGear>,
+    pub gears: Arc<[InvoluteGear]>,
     /// The meshes, in modules.
-    pub pairs: Vec<Pair>,
+    pub pairs: Arc<[Pair]>,
     /// Distance of the centres of each kind of planets from the main axis.
     pub radii: Vec<Length>,
     /// Whether the aim of the profile shifts is met in full.
@@ -224,7 +224,7 @@ impl Task {
         let own = |mesh: &&SizedMesh| self.gears[mesh.gears[0]].family == family;
         let mesh = self.meshes.iter().find(own).filter(|_| self.widens_face_load)?;
         let given = mesh.method.given.of(Side::First, Symbol::FaceContact)?;
-        let gears = self.gears.iter().zip(&layout.gears).filter(|(gear, _)| gear.family == family);
+        let gears = self.gears.iter().zip(layout.gears.iter()).filter(|(gear, _)| gear.family == family);
         let external = gears.filter(|(_, gear)| gear.kind() == GearKind::External);
         let smallest = external.map(|(_, gear)| gear.reference_diameter()).fold(f64::INFINITY, f64::min);
         Some(widened(given, width / (smallest * layout.modules[family].si())))

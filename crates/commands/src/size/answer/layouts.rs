@@ -212,12 +212,12 @@ impl Making<'_> {
                             return Ok(Err(Reason::NoTorquesFollow));
                         };
                         let gear = |gear: &GearOf| toothed.gear(*gear).copied();
-                        let gears: Option<Vec<InvoluteGear>> = self.set.data.of.iter().map(gear).collect();
+                        let gears: Option<Arc<[InvoluteGear]>> = self.set.data.of.iter().map(gear).collect();
                         let radius = |radius: &Option<f64>| Length::from_si(radius.unwrap_or_default());
                         all.push(Layout {
                             planets,
                             modules: place.modules.clone(),
-                            gears: gears.unwrap_or_default(),
+                            gears: gears.unwrap_or_else(|| [].into()),
                             pairs: toothed.meshes.iter().map(|mesh| mesh.pair).collect(),
                             radii: toothed.radii.iter().map(radius).collect(),
                             is_aim_met,
