@@ -77,6 +77,11 @@ impl Masses {
         super::structure(self.largest, widths.iter().sum())
     }
 
+    /// Length along the axis, m.
+    pub(super) fn length(&self, widths: &[f64]) -> f64 {
+        super::length(self.largest, widths.iter().sum())
+    }
+
     /// Mass of a planet, kg.
     pub(super) fn planet(&self, planet: usize, bore: f64, widths: &[f64]) -> f64 {
         let own = self.planets[planet].iter().zip(&self.bored[planet]).zip(widths);

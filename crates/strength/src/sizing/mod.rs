@@ -132,6 +132,17 @@ pub fn structure(diameter: f64, face_width: f64) -> f64 {
     STEEL * FRAC_PI_4 * diameter * diameter * (CHEEKS * diameter + WALL * face_width)
 }
 
+/// Length of a set along its axis in m, with the cheeks of its carrier and its covers, by the outside diameter of
+/// its ring and its face width, in m.
+///
+/// ```text
+/// L = b + 0.12·D
+/// ```
+#[must_use]
+pub fn length(diameter: f64, face_width: f64) -> f64 {
+    face_width + CHEEKS * diameter
+}
+
 /// The discrete space.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Space {

@@ -329,6 +329,7 @@ impl Search<'_> {
             rules_missed: misses.count(),
             mass: Mass::from_si(masses.all(own.planets, planets.iter().map(bore), &widths)),
             structure: Mass::from_si(masses.structure(&widths)),
+            length: Length::from_si(masses.length(&widths)),
             face_loads: (0..widths.len()).map(|family| task.face_load(own, family, widths[family])).collect(),
             ring_diameter: masses.ring,
             rims: (0..own.gears.len()).map(rim).collect(),

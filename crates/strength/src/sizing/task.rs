@@ -375,6 +375,8 @@ pub struct Design {
     pub mass: Mass,
     /// Mass of carrier and housing, by a [rule](super::structure).
     pub structure: Mass,
+    /// Length along the axis with the carrier's cheeks and covers, by the same [rule](super::length).
+    pub length: Length,
     /// Ratings of the meshes over the duty; `None` of a mesh that the duty does not load.
     pub meshes: Vec<Option<[GearDuty<Worn>; 2]>>,
     /// The overload requirement that is met least; `None` where no overload loads the set.

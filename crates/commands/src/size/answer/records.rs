@@ -325,6 +325,8 @@ pub struct SizedDesign {
     pub mass_kg: f64,
     /// Mass of carrier and housing in kg, by a rule.
     pub structure_kg: f64,
+    /// Length along the axis in m, with the cheeks of the carrier and covers by a rule.
+    pub length_m: f64,
     /// Damage and safety of each gear of each mesh that the duty loads.
     pub over_duty: Vec<SizedGear>,
     /// Requirement with the least margin against the overloads of the file; null if none loads the set.
@@ -399,6 +401,7 @@ impl SizedDesign {
             ring_diameter_m: design.ring_diameter.map(Physical::si),
             mass_kg: design.mass.si(),
             structure_kg: design.structure.si(),
+            length_m: design.length.si(),
             over_duty: over_duty.flatten().collect(),
             overload: design.overload.as_ref().map(|one| Governing::of((set, families), one)),
             governing: Governing::of((set, families), &design.governing),
