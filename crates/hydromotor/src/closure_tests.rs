@@ -2,6 +2,7 @@ use super::*;
 use crate::numbers::Bounds;
 use epicyclic_units::Physical;
 use proptest::prelude::*;
+use std::sync::LazyLock;
 use uom::si::f64::Length;
 
 fn mm(value: f64) -> Length {
@@ -209,15 +210,15 @@ fn both_branches_of_the_integral_occur() {
     assert!(arcs.r2 < arcs.a);
 }
 
+/// All numbers with a family, found once for all tests: it takes longer than most of them.
+static WITH_A_FAMILY: LazyLock<Vec<MotorNumbers>> = LazyLock::new(|| {
+    let all = Bounds::default().all().unwrap().into_iter();
+    all.filter(|numbers| Family::new(*numbers, mm(1.0)).is_ok()).collect()
+});
+
 /// Random numbers with a family, and a part of it.
 pub(crate) fn any_motor() -> impl Strategy<Value = (MotorNumbers, f64)> {
-    let sets: Vec<_> = Bounds::default()
-        .all()
-        .unwrap()
-        .into_iter()
-        .filter(|numbers| Family::new(*numbers, mm(1.0)).is_ok())
-        .collect();
-    (proptest::sample::select(sets), 0.01..0.99)
+    (proptest::sample::select(WITH_A_FAMILY.as_slice()), 0.01..0.99)
 }
 
 proptest! {

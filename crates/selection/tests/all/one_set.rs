@@ -3,6 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
+use crate::brute_common;
 use epicyclic_gears::involute::closing::Closing;
 use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
@@ -19,9 +20,6 @@ use uom::si::f64::{Length, Pressure, Torque};
 use uom::si::length::millimeter;
 use uom::si::pressure::megapascal;
 use uom::si::torque::newton_meter;
-
-#[path = "brute_common/mod.rs"]
-mod brute_common;
 
 /// Links of sun, ring and carrier, the teeth, and whether the output is to reverse.
 type Key = (SetRoles, ToothNumbers, bool);

@@ -215,26 +215,26 @@ proptest! {
 
     #[test]
     fn gearboxes(text in prop_oneof![
-        changed(include_str!("../../../examples/scheme-ii-3.yaml")),
-        changed(include_str!("../../../examples/sized-gearbox.yaml")),
-        changed(include_str!("../../../examples/closed-by-ordinary-train.yaml")),
-        changed(include_str!("../../../examples/every-gearbox-key.yaml")),
-        changed(include_str!("../../../examples/ravigneaux.yaml")),
-        changed(include_str!("../../../examples/wolfrom.yaml")),
-        changed(include_str!("../../../examples/power-split.yaml")),
+        changed(include_str!("../../../../examples/scheme-ii-3.yaml")),
+        changed(include_str!("../../../../examples/sized-gearbox.yaml")),
+        changed(include_str!("../../../../examples/closed-by-ordinary-train.yaml")),
+        changed(include_str!("../../../../examples/every-gearbox-key.yaml")),
+        changed(include_str!("../../../../examples/ravigneaux.yaml")),
+        changed(include_str!("../../../../examples/wolfrom.yaml")),
+        changed(include_str!("../../../../examples/power-split.yaml")),
     ]) {
         if let Err(error) = gearbox(&text) { is_placed(&error); }
     }
 
     #[test]
-    fn motors(text in changed(include_str!("../../../examples/motor-5x3.yaml"))) {
+    fn motors(text in changed(include_str!("../../../../examples/motor-5x3.yaml"))) {
         if let Err(error) = hydromotor(&text) { is_placed(&error); }
     }
 
     #[test]
     fn drives(text in prop_oneof![
-        changed(include_str!("../../../examples/minimal-drive.yaml")),
-        changed(include_str!("../../../examples/xe215cll-drive.yaml")),
+        changed(include_str!("../../../../examples/minimal-drive.yaml")),
+        changed(include_str!("../../../../examples/xe215cll-drive.yaml")),
     ]) {
         if let Err(error) = whole_drive(&text) { is_placed(&error); }
     }
@@ -245,7 +245,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: cases(200), ..ProptestConfig::default() })]
 
     #[test]
-    fn lists_of_transmissions(text in changed(include_str!("../../../examples/real-transmissions.yaml"))) {
+    fn lists_of_transmissions(text in changed(include_str!("../../../../examples/real-transmissions.yaml"))) {
         if let Err(error) = transmissions(&text) { is_placed(&error); }
     }
 
@@ -261,7 +261,7 @@ proptest! {
 
 #[test]
 fn an_efficiency_near_nothing_is_refused() {
-    let text = include_str!("../../../examples/sized-gearbox.yaml").replace("97 %", "1e-308 %");
+    let text = include_str!("../../../../examples/sized-gearbox.yaml").replace("97 %", "1e-308 %");
     assert!(gearbox(&text).unwrap_err().contains("mesh efficiency 1e-310: at least 0.000001"));
 }
 
@@ -271,7 +271,7 @@ fn many_changed_files_are_still_gearboxes() {
     use proptest::strategy::ValueTree as _;
     use proptest::test_runner::TestRunner;
     let mut runner = TestRunner::deterministic();
-    let strategy = changed(include_str!("../../../examples/sized-gearbox.yaml"));
+    let strategy = changed(include_str!("../../../../examples/sized-gearbox.yaml"));
     let read =
         (0..300).filter(|_| gearbox(&strategy.new_tree(&mut runner).unwrap().current()).is_ok()).count();
     assert!(read > 40, "{read}");

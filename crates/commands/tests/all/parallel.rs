@@ -6,9 +6,7 @@
     reason = "helpers of tests, which clippy does not know for such"
 )]
 
-mod common;
-
-use common::{GO_ON, stages, taken};
+use crate::common::{GO_ON, stages, taken};
 use epicyclic_commands::design::Request;
 use epicyclic_commands::design::answer::stages::Stages;
 use epicyclic_commands::design::answer::ways_out::Limit;

@@ -2,9 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
-mod common;
-
-use common::{conveyor, helical, helix_angles, mm, with_pairs};
+use crate::common::{conveyor, helical, helix_angles, mm, with_pairs};
 use epicyclic_gears::ToothCount;
 use epicyclic_strength::lightest::{Costed, Gearbox, LoadedSet, lightest};
 use epicyclic_strength::sizing::bearing::listed_rollers;

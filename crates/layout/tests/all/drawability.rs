@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
-#[path = "../../train/tests/common/machines.rs"]
+#[path = "../../../train/tests/common/machines.rs"]
 mod machines;
 
 use epicyclic_layout as drawability;

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
+use crate::brute_common as brute;
 use epicyclic_gears::involute::closing::Closing;
 use epicyclic_gears::involute::search::ProfileShift;
 use epicyclic_gears::synthesis::{Bounds, ToothNumbers};
@@ -16,9 +17,6 @@ use uom::si::f64::{Length, Pressure, Torque};
 use uom::si::length::millimeter;
 use uom::si::pressure::megapascal;
 use uom::si::torque::newton_meter;
-
-#[path = "brute_common/mod.rs"]
-mod brute;
 
 fn excavator() -> Requirements {
     Requirements::new(RatioSeries::of_braked_gears(&[1.95 / 1.33, 1.95 / 0.76]).unwrap())

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
-#[path = "common/trial.rs"]
+#[path = "../common/trial.rs"]
 mod trial;
 
 use epicyclic_gears::arrangement::{ArrangedCandidate, ArrangedTeeth, Arrangement, ArrangementBounds};

@@ -1,0 +1,19 @@
+//! Commands against second ways. One program: its tests run side by side.
+
+mod arranged_teeth;
+mod bearings;
+mod clutches;
+#[allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests, which clippy does not know for such")]
+#[path = "../common/mod.rs"]
+mod common;
+mod design;
+mod every_set;
+mod idlers;
+mod judgement;
+mod motor_search;
+mod output_play;
+mod parallel;
+mod size;
+mod size_every_set;
+mod synthesis;
+mod vibrating_sets;

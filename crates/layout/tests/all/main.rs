@@ -1,0 +1,4 @@
+//! Drawability against second ways. One program: its tests run side by side.
+
+mod drawability;
+mod half_plane;

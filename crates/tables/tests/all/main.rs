@@ -1,0 +1,4 @@
+//! Parquet files of searches. One program: its tests run side by side.
+
+mod atlas;
+mod parts;
