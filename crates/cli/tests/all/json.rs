@@ -162,6 +162,10 @@ fn folder() -> tempfile::TempDir {
     }
     std::fs::write(folder.path().join("free.yaml"), FREE).unwrap();
     std::fs::write(folder.path().join("worn.yaml"), worn()).unwrap();
+    let bearing =
+        "face_width: 550 mm\n    load_rating: 2 MN\n    bearing_rolling: plain\n    bearing_diameter: 450 mm";
+    let plain = wind_stage().replace("face_width: 550 mm", bearing);
+    std::fs::write(folder.path().join("plain.yaml"), plain).unwrap();
     // Driven both ways, each flank of its planets is in both meshes.
     let reversed = wind_stage().replace("torque: 600 kN·m", "torque: -600 kN·m");
     std::fs::write(folder.path().join("reversed.yaml"), reversed).unwrap();

@@ -109,7 +109,14 @@ pub(crate) fn masses(of: &Masses) -> Section {
     ];
     rows.extend(others.into_iter().filter_map(|(name, label, mass)| Some(row(name, label, mass?))));
     rows.push(row("whole", "whole", of.whole_kg));
-    let note = "All but the gears by rules usual of the trade; oil, lubrication, actuation and the motor are not in them. The length above is that of the gears with carriers and covers, 0.12 of the ring's diameter a set, without shafts.";
+    let note = match of.shift_elements_kg {
+        Some(_) => {
+            "All but the gears by rules usual of the trade; oil, lubrication, actuation and the motor are not in them."
+        }
+        None => {
+            "All but the gears by rules usual of the trade; oil, lubrication, actuation and the motor are not in them. The length above is that of the gears with carriers and covers, 0.12 of the ring's diameter a set, without shafts."
+        }
+    };
     Section { name: "masses", title: "Masses", columns: &[], rows, note }
 }
 

@@ -33,6 +33,7 @@ pub(crate) fn sizes(sets: &[SetSizes]) -> Records {
         [any(|set| !set.bearings.is_empty()), any(|set| set.flank.is_some() || set.root.is_some())];
     let of_strength = shown(&[
         ("set", true),
+        ("rolling", has_bearings),
         ("load_rating", has_bearings),
         ("bearing_life", has_bearings && any(|set| life(set).is_some())),
         ("flank_safety", is_rated),
@@ -50,6 +51,12 @@ pub(crate) fn sizes(sets: &[SetSizes]) -> Records {
         .measured("ring_diameter", "ring Ø", Dimension::Length, 1, |set| set.ring_diameter_m)
         .measured("mass", "gears", Dimension::Mass, 1, |set| set.mass_kg)
         .measured("structure", "carrier, housing", Dimension::Mass, 1, |set| set.structure_kg)
+        .words("rolling", "bearing", |set| {
+            let mut kinds: Vec<String> =
+                set.bearings.iter().map(|bearing| bearing.rolling.replace('_', " ")).collect();
+            kinds.dedup();
+            kinds
+        })
         .list("load_rating", "C", Dimension::Force, |set| {
             set.bearings.iter().map(|bearing| bearing.load_rating_n).collect()
         })

@@ -4,7 +4,6 @@ mod arranged_teeth;
 mod bearings;
 mod clutches;
 #[allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests, which clippy does not know for such")]
-#[path = "../common/mod.rs"]
 mod common;
 mod design;
 mod every_set;
@@ -13,6 +12,7 @@ mod judgement;
 mod motor_search;
 mod output_play;
 mod parallel;
+mod plain;
 mod size;
 mod size_every_set;
 mod synthesis;

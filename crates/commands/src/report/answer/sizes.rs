@@ -54,7 +54,9 @@ pub struct SetSizes {
 pub struct SizedBearing {
     /// Name of the planet, or its number in the set.
     pub planet: String,
-    /// Basic dynamic load rating in N.
+    /// What it turns on: balls, rollers, needles, `full_complement`, plain.
+    pub rolling: &'static str,
+    /// Basic dynamic load rating in N; of a plain bearing the load that it may bear.
     pub load_rating_n: f64,
     /// Life over the duty in s, the modified one if it is known; null without a duty.
     pub life_s: Option<f64>,
@@ -127,8 +129,10 @@ impl SetSizes {
             let name = planet_name(set, place);
             let over_duty = strength.iter().flat_map(|one| &one.bearings);
             let own = over_duty.filter(|one| one.set == set.id() && one.planet == name);
+            let (rating, rolling) = planet.bearing?;
             Some(SizedBearing {
-                load_rating_n: planet.bearing?.0.si(),
+                rolling: rolling.name(),
+                load_rating_n: rating.si(),
                 life_s: own.filter_map(BearingOverDuty::life_s).reduce(f64::min),
                 planet: name,
             })

@@ -6,9 +6,7 @@
     reason = "helpers of tests, which clippy does not know for such"
 )]
 
-mod common;
-
-use common::{stages, taken};
+use crate::common::{stages, taken};
 use epicyclic_commands::design::answer::stages::Stages;
 use epicyclic_commands::design::answer::ways_out::Limit;
 use epicyclic_commands::shared::gearbox::Gearbox;
