@@ -71,6 +71,8 @@ pub enum Rule {
     PlainLoad,
     /// Oil film of a plain bearing over the least one with which mixed friction is away.
     OilFilm,
+    /// Heat of a plain bearing, which nothing here calculates.
+    PlainHeat,
     /// Dynamic factor `K_v`.
     DynamicFactor,
     /// Distance of the reference speed `N` from resonance at 1.
@@ -163,6 +165,7 @@ impl Rule {
             Self::BearingLeastLoad => "equivalent load of the bearing over its load rating",
             Self::PlainLoad => "load of the plain bearing over its load rating",
             Self::OilFilm => "oil film of the plain bearing over the least one",
+            Self::PlainHeat => "heat of plain bearings",
             Self::DynamicFactor => "dynamic factor K_v",
             Self::Resonance => "distance of the reference speed N from 1",
             Self::LoadSharing => "load sharing factor K_gamma",
@@ -276,6 +279,7 @@ impl Rule {
             | Self::FaceLoad
             | Self::FlankSafety
             | Self::RootSafety
+            | Self::PlainHeat
             | Self::Scuffing
             | Self::Micropitting => none,
         }
@@ -304,6 +308,7 @@ impl Rule {
         let is_other = matches!(
             self,
             Self::Direction
+                | Self::PlainHeat
                 | Self::Scuffing
                 | Self::Micropitting
                 | Self::MotorPressure
@@ -454,6 +459,7 @@ impl Rule {
             Self::OilTemperature => "a cooler, or a larger housing",
             Self::RatioDeviation => "other tooth numbers",
             Self::Direction => "another scheme, or one external mesh more",
+            Self::PlainHeat => "calculate its heat and flow of oil by ISO 7902",
             Self::Scuffing => "rate it by ISO/TS 6336-20 or -21",
             Self::Micropitting => "rate it by ISO/TS 6336-22",
             Self::AllowedPressure | Self::ContactStress => "a larger module, or less pressure",

@@ -25,13 +25,14 @@
 //! for mixed friction to be away is that of a table by diameter and sliding speed, 3 to 18 µm.
 //!
 //! # Left out
-//! Heat and the flow of oil, elastic deformation, starting under load, changes of the load faster than the film
+//! Planets that stand still under load, which have no film; heat and the flow of oil, elastic deformation, starting under load, changes of the load faster than the film
 //! follows.
 //!
 //! # Source
 //! ISO 7902:2020, DIN 31652: full bearings of 360°; the clearance by Vogelpohl. The tests solve Reynolds's equation.
 
 use crate::bearing::BearingStep;
+use crate::tolerance::NO_FILM;
 use epicyclic_numerics::roots::bracketed;
 use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length, Pressure};
@@ -39,11 +40,17 @@ use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length, Pressure}
 /// Load over diameter and width that a planet's bush of bronze usually bears, N/m²: ISO 7902-3.
 pub const USUAL_PRESSURE: f64 = 7e6;
 
+/// Load over diameter and width that such a bush bears for a short time, N/m²; ISO 7902-3 has up to 25e6.
+pub const GREATEST_PRESSURE: f64 = 20e6;
+
 /// Density of oil, kg/m³.
 const OIL: f64 = 870.0;
 
 /// Slope of the viscosity of mineral oils over temperature, by Ubbelohde and Walther.
 const SLOPE: f64 = 3.5;
+
+/// Viscosity at 40 °C below which the slope holds no longer, mm²/s.
+const THIN: f64 = 2.0;
 
 /// Temperatures of the stated viscosity and in the bearing, K.
 const TEMPERATURES: [f64; 2] = [313.15, 343.15];
@@ -101,8 +108,10 @@ pub fn sommerfeld_number(eccentricity: f64, width_ratio: f64) -> f64 {
 #[must_use]
 pub fn usual_viscosity(at_40: KinematicViscosity) -> f64 {
     let [from, to] = TEMPERATURES.map(libm::log10);
-    let twice = libm::log10(libm::log10(1e6 * at_40.si() + 0.7)) - SLOPE * (to - from);
-    dynamic_viscosity(KinematicViscosity::from_mm2_s(libm::exp10(libm::exp10(twice)) - 0.7))
+    let known = at_40.mm2_s().max(THIN);
+    let twice = libm::log10(libm::log10(known + 0.7)) - SLOPE * (to - from);
+    let warm = libm::exp10(libm::exp10(twice)) - 0.7;
+    dynamic_viscosity(at_40 * (warm / known))
 }
 
 /// Dynamic viscosity of oil in Pa·s.
@@ -137,12 +146,10 @@ impl PlainBearing {
         let number = self.pressure(load).si() * square / (viscosity * speed.si().abs());
         let ratio = (self.width / self.diameter).si().min(1.0);
         let miss = |free: f64| sommerfeld_number(1.0 - free, ratio) - number;
-        // What is left of the gap; below the least of these parts no film is left.
-        let [least, most] = [1e-9, 1.0];
-        if miss(least) <= 0.0 {
+        if miss(NO_FILM) <= 0.0 {
             return Length::default();
         }
-        gap * bracketed(least, most, miss)
+        gap * bracketed(NO_FILM, 1.0, miss)
     }
 
     /// Least film at a speed with which mixed friction is away.
@@ -150,7 +157,7 @@ impl PlainBearing {
     pub fn needed_film(&self, speed: AngularVelocity) -> Length {
         let sliding = speed.si().abs() * self.diameter.si() / 2.0;
         let row = DIAMETERS.partition_point(|end| *end < self.diameter.si());
-        Length::from_si(1e-6 * FILMS[row][SPEEDS.partition_point(|end| *end < sliding)])
+        Length::from_um(FILMS[row][SPEEDS.partition_point(|end| *end < sliding)])
     }
 }
 
@@ -158,9 +165,9 @@ impl PlainBearing {
 /// of its greatest speed; `None` where nothing turns under load.
 #[must_use]
 pub fn film_ratio([diameter, width]: [Length; 2], duty: &[BearingStep], viscosity: f64) -> Option<f64> {
-    let turning =
-        duty.iter().filter(|step| step.share > 0.0 && step.load.si() > 0.0 && step.speed.si() != 0.0);
-    let fastest = turning.clone().map(|step| step.speed.si().abs()).fold(0.0, f64::max);
+    let steps = duty.iter().filter(|step| step.share > 0.0);
+    let fastest = steps.clone().map(|step| step.speed.si().abs()).fold(0.0, f64::max);
+    let turning = steps.filter(|step| step.load.si() > 0.0 && step.speed.si() != 0.0);
     let bearing = PlainBearing::usual(diameter, width, AngularVelocity::from_si(fastest));
     let ratio = |step: &BearingStep| {
         (bearing.film(step.load, step.speed, viscosity) / bearing.needed_film(step.speed)).si()

@@ -1,5 +1,6 @@
 //! Tolerances of this crate: differences that count as zero.
 //!
+//! - `NO_FILM`: the thinnest film that is looked for, over the gap; surfaces are rougher by far.
 //! - `SAME`: the last step of an iteration, over the value. It is some units of rounding, and Newton's method
 //!   makes no smaller step.
 //! - `EDGE`: a centre distance beyond the reach of a search, over the step. The natural centre distance and
@@ -7,6 +8,9 @@
 //! - `RIM`: the shortfall of the rim of a planet from the least one, over it. A file states a rim with 14
 //!   digits.
 //! - `WHOLE`: difference of the shares of a duty from 1. Shares written with nine digits add up to 1.
+
+/// A film thinner than this part of the gap of a plain bearing is none.
+pub(crate) const NO_FILM: f64 = 1e-9;
 
 /// Newton's method has ended when its step is below this share of the value.
 pub(crate) const SAME: f64 = 1e-13;

@@ -167,9 +167,14 @@ impl Request {
         self.bearing_type.as_deref().unwrap_or(usual)
     }
 
+    /// Whether the planets may have plain bearings.
+    pub(crate) fn has_plain_bearings(&self) -> bool {
+        !self.no_bearings && self.bearings.is_none() && self.bearing_kinds().contains(&BearingType::Plain)
+    }
+
     /// Whether the planets may have bearings of tables, but no plain ones.
     pub(crate) fn lacks_plain_bearings(&self) -> bool {
-        !self.no_bearings && self.bearings.is_none() && !self.bearing_kinds().contains(&BearingType::Plain)
+        !self.no_bearings && self.bearings.is_none() && !self.has_plain_bearings()
     }
 
     /// The request with larger sizes where it states none: modules beyond the usual ones, and rollers in

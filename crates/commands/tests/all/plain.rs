@@ -6,11 +6,13 @@
     reason = "helpers of tests, which clippy does not know for such"
 )]
 
-use crate::common::{stages, taken};
+use crate::common::{GO_ON, stages, taken};
 use epicyclic_commands::design::answer::stages::Stages;
 use epicyclic_commands::design::answer::ways_out::Limit;
 use epicyclic_commands::shared::gearbox::Gearbox;
+use epicyclic_commands::size;
 use epicyclic_commands::strength::{self, Strength};
+use epicyclic_commands::words::request;
 use epicyclic_judge::Severity;
 use epicyclic_strength::bearing::BearingStep;
 use epicyclic_strength::plain_bearing::{film_ratio, usual_viscosity};
@@ -65,7 +67,13 @@ fn the_file_of_a_design_has_its_load_and_film() {
         let oil = usual_viscosity(KinematicViscosity::new::<square_millimeter_per_second>(220.0));
         let film = film_ratio([diameter, width].map(Length::new::<meter>), &[own], oil).unwrap();
         assert!((row.film_ratio.unwrap() / film - 1.0).abs() < 1e-9 && film >= 1.0, "{row:?} {film}");
-        assert_eq!((row.basic_life_s, row.static_safety), (None, None));
+        assert_eq!(row.basic_life_s, None);
+        assert!((row.pressure_pa.unwrap() * diameter * width / step.equivalent_load_n - 1.0).abs() < 1e-9);
+        let safety = judged(&strength, "bearing-static-safety").unwrap();
+        assert!(
+            (safety.0 * step.equivalent_load_n / (20e6 * diameter * width) - 1.0).abs() < 1e-9,
+            "{safety:?}"
+        );
         let (load, severity) = judged(&strength, "plain-load").unwrap();
         assert!(
             (load * bearing.load_rating_n / step.equivalent_load_n - 1.0).abs() < 1e-9 && severity.is_none()
@@ -76,6 +84,7 @@ fn the_file_of_a_design_has_its_load_and_film() {
         }
         let not_judged =
             |name: &str| strength.judgement.not_judged.iter().any(|one| one.rules.contains(&name));
+        assert!(not_judged("plain-heat"), "nothing calculates it");
         assert!(
             !not_judged("bearing-life") && !not_judged("plain-load"),
             "{:?}",
@@ -120,4 +129,64 @@ fn where_no_rolling_bearing_holds_plain_ones_are_a_way_out() {
         .unwrap_or_else(|| panic!("{ways:?}"));
     let held = stages(&format!("{words}|--bearing-type=plain"));
     assert_eq!(way.teeth, taken(&held).teeth);
+}
+
+/// A torque that comes a few times is no load of the film, but of the bush.
+#[test]
+fn an_overload_is_judged_by_the_static_safety() {
+    let file = designed(0).file.unwrap();
+    let peak = |newton_metres: u32| {
+        strength_of(&format!("{file}overload:\n- gear: only\n  torque: {newton_metres} N·m\n"))
+    };
+    let [usual, much] = [peak(1000), peak(20_000)];
+    assert_eq!(judged(&usual, "bearing-static-safety").unwrap().1, None);
+    assert_eq!(judged(&much, "bearing-static-safety").unwrap().1, Some(Severity::Warning));
+    assert_eq!(judged(&usual, "plain-load"), judged(&much, "plain-load"));
+}
+
+/// Of very thin oil, and of a fast step without load: the film is no thicker.
+#[test]
+fn thin_oil_and_idle_steps_make_no_film() {
+    let step = |share, load, speed| BearingStep {
+        share,
+        load: Force::new::<newton>(load),
+        speed: AngularVelocity::new::<radian_per_second>(speed),
+        modification: 1.0,
+    };
+    let size = [0.2, 0.18].map(Length::new::<meter>);
+    let film = |duty: &[BearingStep], viscosity: f64| {
+        let oil = usual_viscosity(KinematicViscosity::new::<square_millimeter_per_second>(viscosity));
+        film_ratio(size, duty, oil).unwrap()
+    };
+    let steady = [step(1.0, 1e5, 20.0)];
+    let all = [0.01, 0.1, 1.0, 2.0, 10.0, 220.0].map(|viscosity| film(&steady, viscosity));
+    assert!(all.windows(2).all(|two| two[0] < two[1]), "{all:?}");
+    let idle = film(&[step(0.5, 1e5, 20.0), step(0.5, 0.0, 200.0)], 220.0);
+    let nearly = film(&[step(0.5, 1e5, 20.0), step(0.5, 1.0, 200.0)], 220.0);
+    assert!((idle / nearly - 1.0).abs() < 1e-9 && idle < all[5], "{idle} {nearly} {all:?}");
+}
+
+/// `size` keeps what the file states of a plain bearing, and seeks one where it states the kind alone.
+#[test]
+fn sizes_take_the_plain_bearing_that_a_file_states() {
+    let file = designed(0).file.unwrap();
+    let sized = |text: &str| {
+        let gearbox = Gearbox::parse("box.yaml", text.as_bytes()).unwrap();
+        let request: size::Request = request("--most=1|--width-ratio=1.2".split('|')).unwrap();
+        request.answer(&gearbox, &GO_ON).unwrap()
+    };
+    let line =
+        |key: &str| file.lines().find(|line| line.trim_start().starts_with(key)).unwrap().to_owned() + "\n";
+    let without = |keys: &[&str]| keys.iter().fold(file.clone(), |text, key| text.replace(&line(key), ""));
+    let free =
+        without(&["load_rating:", "static_load_rating:", "planet_bore:", "bearing_diameter:", "face_width:"]);
+    let found = sized(&free);
+    let bearing = found.sets[0].found[0].planet_sizes[0].bearing.clone().unwrap();
+    assert_eq!(bearing.rolling, "plain");
+    let bored = sized(&without(&["load_rating:", "static_load_rating:", "bearing_diameter:"]));
+    let bore = bored.sets[0].found[0].planet_sizes[0].bearing.clone().unwrap().outside_diameter_m;
+    assert!((bore.unwrap() - bearing.outside_diameter_m.unwrap()).abs() < 1e-3, "{bored:?}");
+    // Less than the load: no width helps.
+    let weak = without(&["face_width:"]).replace(&line("load_rating:"), "  load_rating: 100 N\n");
+    assert!(sized(&weak).sets[0].found.is_empty());
 }

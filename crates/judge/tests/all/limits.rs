@@ -139,7 +139,7 @@ const VALUES: [(&str, f64, f64); 14] = [
 ];
 
 /// Rules that nothing here calculates a value for.
-const WITHOUT_VALUE: [Rule; 2] = [Rule::Scuffing, Rule::Micropitting];
+const WITHOUT_VALUE: [Rule; 3] = [Rule::PlainHeat, Rule::Scuffing, Rule::Micropitting];
 
 fn named(name: &str) -> Rule {
     name.parse().unwrap()

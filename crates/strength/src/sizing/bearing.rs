@@ -11,9 +11,10 @@
 //! could be read.
 
 use crate::Error;
-use crate::plain_bearing::USUAL_PRESSURE;
+use crate::plain_bearing::{GREATEST_PRESSURE, USUAL_PRESSURE};
 use epicyclic_gears::life::Rolling;
 use epicyclic_units::Physical;
+use epicyclic_units::format::trimmed;
 use std::borrow::Cow;
 use std::sync::LazyLock;
 use uom::si::f64::{Force, Length, Pressure};
@@ -80,8 +81,8 @@ impl Bearing {
         }
     }
 
-    /// The bearing in a planet of this width: a plain one is as wide and may bear the usual
-    /// [pressure](USUAL_PRESSURE); others stay as they are.
+    /// The bearing in a planet of this width: a [listed](listed_plain) plain one is as wide and may bear the usual
+    /// [pressure](USUAL_PRESSURE), for a short time the [greatest](GREATEST_PRESSURE); others stay as they are.
     ///
     /// ```
     /// use epicyclic_strength::sizing::bearing;
@@ -95,11 +96,12 @@ impl Bearing {
     /// ```
     #[must_use]
     pub fn in_planet(&self, width: Length) -> Cow<'_, Self> {
-        if self.rolling != Rolling::Plain {
+        if self.rolling != Rolling::Plain || self.load_rating.si() > 0.0 {
             return Cow::Borrowed(self);
         }
-        let load_rating = Pressure::from_si(USUAL_PRESSURE) * self.outside_diameter * width;
-        Cow::Owned(Self { width, load_rating, ..self.clone() })
+        let bears = |pressure| Pressure::from_si(pressure) * self.outside_diameter * width;
+        let static_load_rating = Some(bears(GREATEST_PRESSURE));
+        Cow::Owned(Self { width, load_rating: bears(USUAL_PRESSURE), static_load_rating, ..self.clone() })
     }
 
     /// Whether planets that a moment tilts may turn on it. The rollers of one row would bear at one end, and
@@ -168,20 +170,28 @@ pub fn listed_rollers() -> &'static [Bearing] {
     &ROLLERS
 }
 
+/// Digits of a diameter in a designation.
+const DIGITS: usize = 6;
+
 static PLAIN: LazyLock<Vec<Bearing>> = LazyLock::new(|| {
     let fine = (15..100).step_by(5).chain((100..300).step_by(10));
-    let bearing = |mm: u32| Bearing {
-        designation: format!("plain {mm}"),
+    fine.chain((300..=1000).step_by(20)).map(|mm: u32| plain(Length::from_mm(f64::from(mm)))).collect()
+});
+
+/// A plain bearing in a bore of this diameter.
+#[must_use]
+pub fn plain(bore: Length) -> Bearing {
+    Bearing {
+        designation: format!("plain {}", trimmed(bore.mm(), DIGITS)),
         rolling: Rolling::Plain,
-        bore: Length::from_mm(f64::from(mm)),
-        outside_diameter: Length::from_mm(f64::from(mm)),
+        bore,
+        outside_diameter: bore,
         width: Length::default(),
         rows: 2,
         load_rating: Force::default(),
         static_load_rating: None,
-    };
-    fine.chain((300..=1000).step_by(20)).map(bearing).collect()
-});
+    }
+}
 
 /// Plain bearings by diameter, which is that of the pin and of the planet's bore: the bush is part of the pin or
 /// of the planet.

@@ -266,14 +266,19 @@ pub(super) fn of_pin(
     let fastest = layout.bearing_loads[kind].iter().map(|step| step.carrier_speed.si().abs());
     let acceleration = orbit_acceleration(layout.radii[kind].si(), fastest.fold(0.0, f64::max));
     all.extend(orbit_rule(rolling).map(|rule| limits.judge(rule, acceleration)));
-    if let Some(bearing) = bearing.filter(|bearing| bearing.rolling == Rolling::Plain) {
+    // A stated one is judged where its width and diameter are known.
+    let is_plain = |bearing: &&Bearing| bearing.rolling == Rolling::Plain && bearing.width.si() > 0.0;
+    if let Some(bearing) = bearing.filter(is_plain) {
         let steps: Vec<BearingStep> = duty.iter().map(|pin| pin.step).collect();
         let greatest = steps.iter().filter(|step| step.share > 0.0).map(|step| step.load.si());
         let greatest = greatest.fold(0.0, f64::max);
         all.push(limits.judge(Rule::PlainLoad, greatest / bearing.load_rating.si()));
         let film = film_ratio([bearing.outside_diameter, bearing.width], &steps, task.bearing_oil());
         all.extend(film.map(|ratio| limits.judge(Rule::OilFilm, ratio)));
-    } else if let Some(bearing) = bearing {
+        let at_rest = duty.iter().map(|pin| pin.at_rest.si()).fold(0.0, f64::max);
+        let rating = bearing.static_load_rating.filter(|_| at_rest > 0.0);
+        all.extend(rating.map(|rating| limits.judge(Rule::BearingStaticSafety, rating.si() / at_rest)));
+    } else if let Some(bearing) = bearing.filter(|bearing| bearing.rolling != Rolling::Plain) {
         // Overloads come without a share of the time, and count for the static safety alone.
         let forces = duty.iter().filter(|pin| pin.step.share > 0.0).map(|pin| pin.force.si());
         let greatest = forces.fold(0.0, f64::max);

@@ -55,7 +55,7 @@ pub struct PlanetBearing {
     /// Moment of the axial forces that tilts the planet, in N·m; not contained in the resultant force. Null
     /// for spur teeth.
     pub tilting_moment_n_m: Option<f64>,
-    /// Basic dynamic load rating of the bearings of one planet, in N; null if not given.
+    /// Basic dynamic load rating of the bearings of one planet, in N; null if not given, and of plain bearings.
     pub bearing_load_rating_n: Option<f64>,
     /// Planet speed relative to its carrier in rad/s; null if unknown.
     pub bearing_speed_rad_s: Option<f64>,
@@ -195,6 +195,8 @@ fn one(
     } else {
         bearing.lacks.iter().map(|lack| Lack::of(set, lack)).collect()
     };
+    // A plain bearing has no rating life.
+    let rolling = bearing.load_rating.filter(|(_, rolling)| rolling.exponent().is_some());
     Ok(PlanetBearing {
         set: set.id().to_owned(),
         gear: analysis.gear().name().to_owned(),
@@ -214,7 +216,7 @@ fn one(
         force_n: si(forces.total),
         axial_forces_n: axial.map(|axial| axial.forces.map(Physical::si)),
         tilting_moment_n_m: axial.map(|axial| axial.tilting_moment.si()),
-        bearing_load_rating_n: bearing.load_rating.map(|(rating, _)| rating.si()),
+        bearing_load_rating_n: rolling.map(|(rating, _)| rating.si()),
         bearing_speed_rad_s: si(turning),
         bearing_life_s: si(life),
         missing,

@@ -4,12 +4,11 @@
 use crate::error::Error;
 use crate::shared::application::Application;
 use crate::shared::basis::{Basis, BasisKey};
-use crate::shared::bearing_type::BearingType;
 use crate::size::options::Request as SizeRequest;
 use clap::ValueEnum;
 use epicyclic_strength::factor::{Edition, Symbol};
 use epicyclic_strength::load::{Floating, MOST_SHARING, load_sharing};
-use epicyclic_strength::plain_bearing::USUAL_PRESSURE;
+use epicyclic_strength::plain_bearing::{GREATEST_PRESSURE, USUAL_PRESSURE};
 use epicyclic_units::Physical;
 use epicyclic_units::format::trimmed;
 
@@ -68,7 +67,8 @@ pub(super) fn assumed(
     assume("helix angle", helix_angle(basis, size));
     let is_helical = basis.helix_angle.is_some_and(|angle| angle.0.si() != 0.0);
     of_application(size, is_helical, &mut assume);
-    assume("standards", format!("{}, method B; bearings ISO 281 and ISO 76", Edition::default()));
+    let plain = if size.has_plain_bearings() { ", plain ones ISO 7902" } else { "" };
+    assume("standards", format!("{}, method B; bearings ISO 281 and ISO 76{plain}", Edition::default()));
     Ok(all)
 }
 
@@ -104,12 +104,13 @@ fn of_application(size: &SizeRequest, is_helical: bool, assume: &mut impl FnMut(
         } else {
             ""
         };
-        if size.bearing_kinds().contains(&BearingType::Plain) && size.bearings.is_none() {
+        if size.has_plain_bearings() {
             assume(
                 "plain bearings",
                 format!(
-                    "{} N/mm² at most, clearance 0.8 ‰·v^¼ with the sliding speed v in m/s, oil of 70 °C; their heat is not calculated",
-                    USUAL_PRESSURE / 1e6
+                    "{} N/mm² at most, {} for a short time, clearance 0.8 ‰·v^¼ with the sliding speed v in m/s, oil of 70 °C; their heat is not calculated",
+                    USUAL_PRESSURE / 1e6,
+                    GREATEST_PRESSURE / 1e6
                 ),
             );
         }

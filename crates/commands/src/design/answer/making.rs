@@ -138,13 +138,18 @@ pub(super) const BEARINGS_DECIDE: &str = "bearings-decide";
 /// have not; `None` where planets may have a full complement of rollers or needles in their bore.
 fn bearings_decide(size: &Size, file: &GearboxFile, request: &SizeRequest) -> Option<Warning> {
     let is_bought = |kind: &BearingType| matches!(kind, BearingType::Balls | BearingType::Rollers);
-    let has_more = |kind: &BearingType| is_bought(kind) || *kind == BearingType::RollersInBore;
+    let has_more = |kind: &BearingType| {
+        is_bought(kind) || matches!(kind, BearingType::RollersInBore | BearingType::Plain)
+    };
     let kinds = request.bearing_kinds();
     if request.bearings.is_some() || !kinds.iter().all(has_more) {
         return None;
     }
-    let more =
-        if kinds.iter().all(is_bought) { "rollers-in-bore,full-complement" } else { "full-complement" };
+    let more = match kinds {
+        _ if kinds.contains(&BearingType::Plain) => "rollers-in-bore,full-complement,plain",
+        _ if kinds.iter().all(is_bought) => "rollers-in-bore,full-complement,plain",
+        _ => "full-complement,plain",
+    };
     let required = file.required.as_ref()?;
     let is_decided = |design: &SizedDesign| {
         let teeth = design.over_duty.iter().map(|of| {

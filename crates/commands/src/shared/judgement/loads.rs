@@ -167,10 +167,9 @@ fn of_lacks(judge: &mut Judge, sets: &[Of<'_>], missing: &Missing, not_rated: &[
             if judge.has_any(&of, &[set.id(), &name]) {
                 continue;
             }
-            let is_plain = Rolling::from(planet.rolling) == Rolling::Plain;
             let keys = [
                 ("load_rating", planet.bearing.is_some()),
-                ("static_load_rating", planet.static_load_rating.is_some() || is_plain),
+                ("static_load_rating", planet.static_load_rating.is_some()),
                 ("bearing_diameter", planet.bearing_diameter.is_some()),
             ];
             judge.lacks(&of, &of_rolling(planet.rolling.into()), joined(&missing.lives, lacking(&keys)));
@@ -266,7 +265,9 @@ fn of_face_loads(
 
 /// Rules for a bearing on its pin, with loads and lives.
 fn of_rolling(rolling: Rolling) -> Vec<Rule> {
-    let Some(speed) = pin_speed_rule(rolling) else { return vec![Rule::PlainLoad, Rule::OilFilm] };
+    let Some(speed) = pin_speed_rule(rolling) else {
+        return vec![Rule::PlainLoad, Rule::BearingStaticSafety, Rule::OilFilm];
+    };
     let rules = [Rule::BearingLife, Rule::BearingStaticSafety, Rule::BearingLeastLoad, speed];
     rules.into_iter().chain((rolling == Rolling::Balls).then_some(Rule::BallLoad)).collect()
 }
@@ -303,25 +304,20 @@ fn of_bearing(
             Some(ratio) => judge.see(Rule::OilFilm, &of, ratio),
             None if is_idle => judge.lacks(&name_of, &[Rule::OilFilm], idle()),
             None => {
-                let keys =
-                    [("bearing_diameter", planet.bearing_diameter.is_some()), ("oil and face_width", false)];
+                let diameter = planet.bearing_diameter.is_some();
+                let keys = [("bearing_diameter", diameter), ("face_width", !diameter)];
                 judge.lacks(&name_of, &[Rule::OilFilm], lacking(&keys));
             }
         }
+        judge.lacks(&name_of, &[Rule::PlainHeat], vec!["no method here".to_owned()]);
+        of_static(judge, (&of, &name_of), planet, bearing);
         return;
     };
     match bearing.life_s() {
         Some(life) => judge.see_least(Rule::BearingLife, &of, required_life_s / HOUR_S, life / HOUR_S),
         None => judge.lacks(&name_of, &[Rule::BearingLife], idle()),
     }
-    match bearing.static_safety {
-        Some(safety) => judge.see(Rule::BearingStaticSafety, &of, safety),
-        None => {
-            let is_known = planet.static_load_rating.is_some();
-            let why = if is_known { "carries no load" } else { "static_load_rating" };
-            judge.lacks(&name_of, &[Rule::BearingStaticSafety], vec![why.to_owned()]);
-        }
-    }
+    of_static(judge, (&of, &name_of), planet, bearing);
     let force = bearing.steps.iter().map(|step| step.force_n).fold(0.0, f64::max);
     if rolling == Rolling::Balls && force > 0.0 {
         judge.see(Rule::BallLoad, &of, force / 1e3);
@@ -336,6 +332,23 @@ fn of_bearing(
     match bearing.mean_diameter_m {
         Some(diameter) => judge.see(speed_rule, &of, pin_speed(fastest, diameter)),
         None => judge.lacks(&name_of, &[speed_rule], vec!["bearing_diameter".to_owned()]),
+    }
+}
+
+/// Static safety of a planet bearing.
+fn of_static(
+    judge: &mut Judge,
+    (of, name_of): (&[&str], &str),
+    planet: &PlanetData,
+    bearing: &BearingOverDuty,
+) {
+    match bearing.static_safety {
+        Some(safety) => judge.see(Rule::BearingStaticSafety, of, safety),
+        None => {
+            let is_known = planet.static_load_rating.is_some();
+            let why = if is_known { "carries no load" } else { "static_load_rating" };
+            judge.lacks(name_of, &[Rule::BearingStaticSafety], vec![why.to_owned()]);
+        }
     }
 }
 

@@ -42,6 +42,9 @@ pub struct BearingOverDuty {
     /// Basic rating life over the duty in s, which 90 % of the bearings reach; null of a plain bearing and if the
     /// bearing never turns under load.
     pub basic_life_s: Option<f64>,
+    /// Greatest load of the duty over diameter and width of a plain bearing, in Pa; null of other bearings, and without
+    /// `bearing_diameter` and `face_width`.
+    pub pressure_pa: Option<f64>,
     /// Oil film of a plain bearing over the least one that keeps mixed friction away, in the step with the
     /// thinnest; null of other bearings, without `bearing_diameter` and `face_width`, and if it never turns under
     /// load.

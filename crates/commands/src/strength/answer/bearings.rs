@@ -162,6 +162,7 @@ impl File<'_> {
             greatest_row_force_n: None,
             static_safety: None,
             basic_life_s: None,
+            pressure_pa: None,
             film_ratio: None,
             modified: None,
             steps: vec![],
@@ -223,7 +224,11 @@ impl File<'_> {
         };
         row.basic_life_s = life(&steps, Reliability::Percent90)?;
         if rolling == Rolling::Plain {
-            row.film_ratio = data.as_ref().and_then(|data| self.film(data, bearing.planet, &steps));
+            if let Some(size) = data.as_ref().and_then(|data| plain_size(data, bearing.planet)) {
+                let loads = steps.iter().filter(|step| step.share > 0.0).map(|step| step.load.si());
+                row.pressure_pa = Some(loads.fold(0.0, f64::max) / (size[0] * size[1]).si());
+                row.film_ratio = self.film(size, &steps);
+            }
         } else if let Some(conditions) = conditions {
             match self.modify(rolling, &conditions, &mut steps, &mut row.steps) {
                 Ok(()) => {
@@ -240,17 +245,13 @@ impl File<'_> {
         Ok(row)
     }
 
-    /// Oil film of a plain bearing as wide as its planet, over the least one.
-    fn film(&self, data: &SetData<'_>, planet: usize, steps: &[BearingStep]) -> Option<f64> {
-        let own = data.of.iter().zip(&data.face_widths);
-        let own = own.filter(|(gear, _)| matches!(gear, GearOf::Planet(of, _) if *of == planet));
-        let width: Option<Length> = own.map(|(_, width)| *width).sum();
+    /// Oil film of a plain bearing over the least one.
+    fn film(&self, size: [Length; 2], steps: &[BearingStep]) -> Option<f64> {
         let oil = self.file.oil.as_ref()?;
         let viscosity = oil
             .working_viscosity
             .map_or_else(|| usual_viscosity(oil.viscosity.0), |stated| dynamic_viscosity(stated.0));
-        let diameter = data.planets[planet].bearing_diameter?;
-        plain_bearing::film_ratio([diameter, width?], steps, viscosity)
+        plain_bearing::film_ratio(size, steps, viscosity)
     }
 
     /// Data of the bearings of a planet in the file.
@@ -426,6 +427,14 @@ impl File<'_> {
         }
         Ok(())
     }
+}
+
+/// Diameter and width of a plain bearing, which is as wide as its planet.
+fn plain_size(data: &SetData<'_>, planet: usize) -> Option<[Length; 2]> {
+    let own = data.of.iter().zip(&data.face_widths);
+    let own = own.filter(|(gear, _)| matches!(gear, GearOf::Planet(of, _) if *of == planet));
+    let width: Option<Length> = own.map(|(_, width)| *width).sum();
+    Some([data.planets[planet].bearing_diameter?, width?])
 }
 
 /// Data that are missing for the forces on a bearing.

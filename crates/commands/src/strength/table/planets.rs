@@ -47,7 +47,7 @@ pub(super) fn bearings(all: &[BearingOverDuty]) -> Records {
     let note = format!(
         "K_γ: of the forces of the meshes. F: the greatest of duty and overloads. f_s: static load rating over it. {}L_10: basic life, L_nm: modified life over the duty, of the bearings stated.",
         if has_films {
-            "h_0/h_lim: oil film of a plain bearing over the least one; it has no life. "
+            "p: greatest load of the duty over diameter and width of a plain bearing; h_0/h_lim: its oil film over the least one, oil of 70 °C unless working_viscosity is stated; it has no life. "
         } else {
             ""
         }
@@ -64,6 +64,8 @@ pub(super) fn bearings(all: &[BearingOverDuty]) -> Records {
         .quantity("greatest_row_force", "F_row", Dimension::Force, |one| one.greatest_row_force_n)
         .only_if(has_spans)
         .printed("static_safety", "f_s", 3, |one| one.static_safety)
+        .number("pressure", "p, N/mm²", |one| one.pressure_pa.map(|pressure| pressure / 1e6))
+        .only_if(has_films)
         .printed("film_ratio", "h_0/h_lim", 2, |one| one.film_ratio)
         .only_if(has_films)
         .quantity("basic_life", "", Dimension::Time, |one| one.basic_life_s)
@@ -75,7 +77,7 @@ pub(super) fn bearings(all: &[BearingOverDuty]) -> Records {
         .for_people()
         .view(
             "Planet bearings over the duty",
-            "set planet rolling load_rating load_sharing greatest_force static_safety film_ratio basic_hours reliability \
+            "set planet rolling load_rating load_sharing greatest_force static_safety pressure film_ratio basic_hours reliability \
              modified_hours",
         )
         .note(&note);
