@@ -309,7 +309,6 @@ fn of_bearing(
                 judge.lacks(&name_of, &[Rule::OilFilm], lacking(&keys));
             }
         }
-        judge.lacks(&name_of, &[Rule::PlainHeat], vec!["no method here".to_owned()]);
         of_static(judge, (&of, &name_of), planet, bearing);
         return;
     };

@@ -9,7 +9,7 @@ use crate::shared::gearbox::Gearbox as Subject;
 use crate::shared::tooth_checks::answer::ToothChecks;
 use crate::strength::answer::Strength;
 use crate::tolerance::rounded;
-use epicyclic_formats::gearbox::{GearboxFile, WrittenSize, written_with_sizes};
+use epicyclic_formats::gearbox::{GearboxFile, RollingEntry, WrittenSize, written_with_sizes};
 use epicyclic_judge::Rule;
 use epicyclic_train::Gearbox;
 
@@ -88,12 +88,14 @@ impl Judgement {
         let is_wanted = |id: &str| set.is_none_or(|set| set == id);
         judge.take_tooth_checks(&ToothChecks::of(subject.tooth_checks(), is_wanted));
         let is_listed = subject.document.value().get("transmissions").is_some();
+        let mut has_plain = false;
         if let Ok(file) = subject.document.read::<GearboxFile>()
             && !is_listed
         {
             for set in subject.train.sets().iter().filter(|set| is_wanted(set.id())) {
                 if let Some(data) = file.set_data(set) {
                     teeth::judge(&mut judge, subject, &file, set, &data);
+                    has_plain |= data.planets.iter().any(|of| of.rolling == RollingEntry::Plain);
                 }
             }
             loads::judge(&mut judge, subject, &file, set, strength);
@@ -103,6 +105,10 @@ impl Judgement {
         }
         let why = "no method here".to_owned();
         judge.lacks(subject.train.name(), &[Rule::Scuffing, Rule::Micropitting], vec![why]);
+        if has_plain {
+            let why = "left to the maker of the bearings".to_owned();
+            judge.lacks(subject.train.name(), &[Rule::PlainHeat], vec![why]);
+        }
         judge
     }
 }
