@@ -24,7 +24,7 @@ use uom::si::f64::{AngularVelocity, Force, Time};
 use crate::checks::{not_negative, positive};
 use crate::{Error, Quantity};
 
-/// What a bearing turns on: rolling elements, or a film of oil.
+/// Rolling elements of a bearing, or the film of oil that a plain one turns on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Rolling {
     /// Balls, `p = 3`.

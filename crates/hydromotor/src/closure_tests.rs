@@ -210,7 +210,7 @@ fn both_branches_of_the_integral_occur() {
     assert!(arcs.r2 < arcs.a);
 }
 
-/// All numbers with a family, found once for all tests: it takes longer than most of them.
+/// Numbers with a family, found once for all tests: most tests take less time than this search.
 static WITH_A_FAMILY: LazyLock<Vec<MotorNumbers>> = LazyLock::new(|| {
     let all = Bounds::default().all().unwrap().into_iter();
     all.filter(|numbers| Family::new(*numbers, mm(1.0)).is_ok()).collect()

@@ -25,7 +25,7 @@
 //! for mixed friction to be away is that of a table by diameter and sliding speed, 3 to 18 µm.
 //!
 //! # Left out
-//! Planets that stand still under load, which have no film; heat and the flow of oil, elastic deformation, starting under load, changes of the load faster than the film
+//! Steps without speed, in which there is no film; heat and the flow of oil, elastic deformation, starting under load, changes of the load faster than the film
 //! follows.
 //!
 //! # Source
@@ -94,30 +94,27 @@ pub fn sommerfeld_number(eccentricity: f64, width_ratio: f64) -> f64 {
         / (second + eccentricity)
 }
 
-/// Dynamic viscosity in Pa·s of a mineral oil in a bearing, by its kinematic one at 40 °C.
+/// Dynamic viscosity in Pa·s of a mineral oil in a bearing: by its kinematic one there where it is stated, or by that
+/// at 40 °C.
 ///
 /// ```
-/// use epicyclic_strength::plain_bearing::usual_viscosity;
+/// use epicyclic_strength::plain_bearing::viscosity;
 /// use epicyclic_units::Physical;
 /// use uom::si::f64::KinematicViscosity;
 ///
 /// // ISO VG 220: 50 mm²/s at 70 °C.
-/// let of = usual_viscosity(KinematicViscosity::from_mm2_s(220.0));
+/// let of = viscosity(KinematicViscosity::from_mm2_s(220.0), None);
 /// assert!((of / 870.0 * 1e6 - 50.0).abs() < 1.0);
 /// ```
 #[must_use]
-pub fn usual_viscosity(at_40: KinematicViscosity) -> f64 {
-    let [from, to] = TEMPERATURES.map(libm::log10);
-    let known = at_40.mm2_s().max(THIN);
-    let twice = libm::log10(libm::log10(known + 0.7)) - SLOPE * (to - from);
-    let warm = libm::exp10(libm::exp10(twice)) - 0.7;
-    dynamic_viscosity(at_40 * (warm / known))
-}
-
-/// Dynamic viscosity of oil in Pa·s.
-#[must_use]
-pub fn dynamic_viscosity(kinematic: KinematicViscosity) -> f64 {
-    OIL * kinematic.si()
+pub fn viscosity(at_40: KinematicViscosity, stated: Option<KinematicViscosity>) -> f64 {
+    let warm = || {
+        let [from, to] = TEMPERATURES.map(libm::log10);
+        let known = at_40.mm2_s().max(THIN);
+        let twice = libm::log10(libm::log10(known + 0.7)) - SLOPE * (to - from);
+        at_40 * ((libm::exp10(libm::exp10(twice)) - 0.7) / known)
+    };
+    OIL * stated.unwrap_or_else(warm).si()
 }
 
 impl PlainBearing {

@@ -31,7 +31,6 @@ use epicyclic_formats::Document;
 use epicyclic_formats::gearbox::{GearboxFile, PlanetData};
 use epicyclic_gears::geometry::GearKind;
 use epicyclic_gears::involute::family::Aim;
-use epicyclic_gears::life::Rolling;
 use epicyclic_judge::Limits;
 use epicyclic_strength as strength;
 use epicyclic_strength::factor::Edition;
@@ -410,9 +409,11 @@ fn task(
                 load_rating,
                 static_load_rating: planet.static_load_rating,
             }]),
-            (None, Some(bore)) if is_plain(planet) => [plain(bore)].into(),
+            (None, Some(bore)) if planet.is_on_plain_bearings() => [plain(bore)].into(),
             (None, Some(bore)) => fitting(&space.bearings, bore).into(),
-            (None, None) if is_plain(planet) && request.bearing_type.is_none() => listed_plain().into(),
+            (None, None) if planet.is_on_plain_bearings() && request.bearing_type.is_none() => {
+                listed_plain().into()
+            }
             (None, None) => Arc::clone(&space.bearings),
         },
         bore: planet.bore,
@@ -454,11 +455,6 @@ fn task(
     (task, held.into_iter().filter(|(_, is_held)| *is_held).map(|(key, _)| key).collect())
 }
 
-/// Whether a file asks for plain bearings.
-fn is_plain(planet: &PlanetData) -> bool {
-    Rolling::from(planet.rolling) == Rolling::Plain
-}
-
 /// Whether planets of a kind have helical teeth, whose axial forces tilt them.
 fn is_tilted(set: &SetToSize<'_>, kind: usize) -> bool {
     let is_own = |gear: &GearOf| matches!(gear, GearOf::Planet(own, _) if *own == kind);
@@ -475,7 +471,7 @@ fn fitting(bearings: &[Bearing], bore: Length) -> Vec<Bearing> {
 
 /// Warning of planets that get no bearing since none has the stated bore as its outside diameter.
 fn unfitted(set: &SetToSize<'_>, bearings: &[Bearing]) -> Option<Warning> {
-    let is_open = |planet: &PlanetData| planet.bearing.is_none() && !is_plain(planet);
+    let is_open = |planet: &PlanetData| planet.bearing.is_none() && !planet.is_on_plain_bearings();
     let stated = set.data.planets.iter().enumerate().filter(|(_, planet)| is_open(planet));
     let mut bores = stated.filter_map(|(place, planet)| Some((place, planet.bore?)));
     let (place, bore) =

@@ -15,7 +15,7 @@ use epicyclic_commands::strength::{self, Strength};
 use epicyclic_commands::words::request;
 use epicyclic_judge::Severity;
 use epicyclic_strength::bearing::BearingStep;
-use epicyclic_strength::plain_bearing::{film_ratio, usual_viscosity};
+use epicyclic_strength::plain_bearing::{self, film_ratio};
 use uom::si::angular_velocity::radian_per_second;
 use uom::si::f64::{AngularVelocity, Force, KinematicViscosity, Length};
 use uom::si::kinematic_viscosity::square_millimeter_per_second;
@@ -64,7 +64,8 @@ fn the_file_of_a_design_has_its_load_and_film() {
             speed: AngularVelocity::new::<radian_per_second>(step.speed_rad_s),
             modification: 1.0,
         };
-        let oil = usual_viscosity(KinematicViscosity::new::<square_millimeter_per_second>(220.0));
+        let oil =
+            plain_bearing::viscosity(KinematicViscosity::new::<square_millimeter_per_second>(220.0), None);
         let film = film_ratio([diameter, width].map(Length::new::<meter>), &[own], oil).unwrap();
         assert!((row.film_ratio.unwrap() / film - 1.0).abs() < 1e-9 && film >= 1.0, "{row:?} {film}");
         assert_eq!(row.basic_life_s, None);
@@ -155,7 +156,10 @@ fn thin_oil_and_idle_steps_make_no_film() {
     };
     let size = [0.2, 0.18].map(Length::new::<meter>);
     let film = |duty: &[BearingStep], viscosity: f64| {
-        let oil = usual_viscosity(KinematicViscosity::new::<square_millimeter_per_second>(viscosity));
+        let oil = plain_bearing::viscosity(
+            KinematicViscosity::new::<square_millimeter_per_second>(viscosity),
+            None,
+        );
         film_ratio(size, duty, oil).unwrap()
     };
     let steady = [step(1.0, 1e5, 20.0)];

@@ -5,7 +5,7 @@ use epicyclic_train::set::SetKind;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// What a bearing turns on.
+/// Rolling elements of a bearing, or the oil that a plain one turns on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum RollingEntry {

@@ -72,6 +72,14 @@ pub struct PlanetData {
     pub bearing_span: Option<Length>,
 }
 
+impl PlanetData {
+    /// Whether its bearings are plain ones.
+    #[must_use]
+    pub fn is_on_plain_bearings(&self) -> bool {
+        self.rolling == RollingEntry::Plain
+    }
+}
+
 impl SetData<'_> {
     /// Place of a gear among the gears.
     #[must_use]

@@ -26,7 +26,6 @@ use epicyclic_gears::involute::practice::{of_face_load, orbit_acceleration, orbi
 use epicyclic_gears::life::Rolling;
 use epicyclic_judge::{Range, Rule, Severity};
 use epicyclic_units::Physical;
-use std::cell::Cell;
 use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -315,37 +314,39 @@ impl<'a> Sets<'a> {
         }))
     }
 
-    /// Every number of planets and module that may hold under a load, unless its cost cannot lie below a bound
-    /// that is known by then.
-    fn choices<'s>(
-        &'s self,
-        set: &'s TriedSet,
+    /// Every number of planets that a set may have, by its index, with every module.
+    fn places(&self, set: &TriedSet) -> impl Iterator<Item = (usize, Length)> {
+        let is_placed = |place: &usize| set.placed[*place] && self.shares[*place].is_some();
+        let planets = (0..set.placed.len()).filter(is_placed);
+        planets.flat_map(|place| self.modules.iter().map(move |module| (place, *module)))
+    }
+
+    /// The choice with the least bound of a number of planets and a module; `None` if nothing can hold under the
+    /// load, and where no bound would be below a known one.
+    fn choice(
+        &self,
+        set: &TriedSet,
         load: Load,
-        known: impl Fn() -> Option<Cost> + 's,
-    ) -> impl Iterator<Item = Choice> + 's {
-        let planets = self.of_set.space.planets.iter().zip(&self.shares).zip(&set.placed).enumerate();
-        let planets = planets.filter_map(|(place, ((planets, share), placed))| {
-            Some((place, *planets, (*share)?)).filter(|_| *placed)
-        });
+        (place, module): (usize, Length),
+        known: Option<Cost>,
+    ) -> Option<Choice> {
+        let share = self.shares[place]?;
         // Torque of the sun over which that of the carrier is; a pair has none.
         let of_carrier = if set.teeth.is_pair() { 0.0 } else { set.ratio };
-        let modules = planets.flat_map(|planets| self.modules.iter().map(move |module| (planets, *module)));
-        modules.filter_map(move |((place, planets, share), module)| {
-            let band = self.bands.partition_point(|largest| *largest >= module) - 1;
-            let force = load.torque * share * of_carrier / (set.radius * module.si());
-            let least = self.width_of_bearings(set, (module, band), (force, share), load)?;
-            let mut best: Option<(Cost, usize)> = None;
-            for tried in &set.tried {
-                let volume = tried.volumes[band][load.duty] * load.torque * share;
-                let acceleration = orbit_acceleration(tried.radius * module.si(), load.carrier_speed);
-                let missed = self.of_orbit(acceleration);
-                let known = best.map(|(cost, _)| cost).into_iter().chain(known()).min();
-                let own = self.at(set, tried, (place, module, missed), [volume, least], known);
-                best = best.into_iter().chain(own).min();
-            }
-            let (bound, width) = best?;
-            Some(Choice { planets, module, width, bound })
-        })
+        let band = self.bands.partition_point(|largest| *largest >= module) - 1;
+        let force = load.torque * share * of_carrier / (set.radius * module.si());
+        let least = self.width_of_bearings(set, (module, band), (force, share), load)?;
+        let mut best: Option<(Cost, usize)> = None;
+        for tried in &set.tried {
+            let volume = tried.volumes[band][load.duty] * load.torque * share;
+            let acceleration = orbit_acceleration(tried.radius * module.si(), load.carrier_speed);
+            let missed = self.of_orbit(acceleration);
+            let known = best.map(|(cost, _)| cost).into_iter().chain(known).min();
+            let own = self.at(set, tried, (place, module, missed), [volume, least], known);
+            best = best.into_iter().chain(own).min();
+        }
+        let (bound, width) = best?;
+        Some(Choice { planets: self.of_set.space.planets[place], module, width, bound })
     }
 
     /// Width of the narrowest bearing that may live long enough under a force of the teeth and the pull of
@@ -443,11 +444,11 @@ impl<'a> Sets<'a> {
 
     /// The bound below the cost of a set under a load; `None` if nothing can hold.
     pub(crate) fn bound(&self, set: &TriedSet, load: Load) -> Option<Cost> {
-        let known: Cell<Option<Cost>> = Cell::new(None);
-        for choice in self.choices(set, load, || known.get()) {
-            known.set(known.get().into_iter().chain([choice.bound]).min());
-        }
-        known.get()
+        let least = |known: Option<Cost>, place| {
+            let own = self.choice(set, load, place, known).map(|choice| choice.bound);
+            known.into_iter().chain(own).min()
+        };
+        self.places(set).fold(None, least)
     }
 
     /// Sizes a set for a duty and overloads whose bound is that of a load; `None` if nothing holds. If they are
@@ -468,7 +469,8 @@ impl<'a> Sets<'a> {
                 limits.state(rule, Range::OPEN);
             }
         }
-        let mut choices: Vec<Choice> = self.choices(set, load, || None).collect();
+        let choices = self.places(set).filter_map(|place| self.choice(set, load, place, None));
+        let mut choices: Vec<Choice> = choices.collect();
         choices.sort_by_key(|choice| choice.bound);
         let of_set = self.of_set;
         let duty = with_rest(duty);

@@ -7,7 +7,7 @@ use crate::bounded::{Cost, Geometries, TriedSet};
 use crate::sizing::SetTeeth;
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::teeth::gcd;
-use epicyclic_numerics::threads::map;
+use epicyclic_numerics::threads::{map, map_while};
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap};
 use std::ops::{Add, ControlFlow, Range};
@@ -24,9 +24,6 @@ const MOST: u64 = 3000;
 
 /// Trains that are listed at most at a time.
 const MOST_LISTED: usize = 2_000_000;
-
-/// Sets that are tried between two questions whether to go on.
-const AT_A_TIME: usize = 64;
 
 /// Bounds up to which trains are listed, round by round; the last has no end.
 fn levels(first: Cost, stages: usize) -> impl Iterator<Item = Cost> {
@@ -65,13 +62,9 @@ pub fn search(
     let all = order.candidates();
     let is_new = |teeth: &&SetTeeth| !known.tried.contains_key(*teeth);
     let new: Vec<SetTeeth> = all.iter().filter(is_new).copied().collect();
-    for some in new.chunks(AT_A_TIME) {
-        if goes_on().is_break() {
-            return Err(Error::Cancelled);
-        }
-        for (teeth, tried) in some.iter().zip(map(some, |teeth| stages.stage(*teeth))) {
-            known.tried.insert(*teeth, tried?);
-        }
+    let tried = map_while(&new, goes_on, |teeth| stages.stage(*teeth)).ok_or(Error::Cancelled)?;
+    for (teeth, tried) in new.into_iter().zip(tried) {
+        known.tried.insert(teeth, tried?);
     }
     let mut sets: Vec<TriedSet> = all.iter().filter_map(|teeth| known.tried[teeth].clone()).collect();
     // Pairs are behind all sets.

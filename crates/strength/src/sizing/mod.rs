@@ -132,8 +132,8 @@ pub fn structure(diameter: f64, face_width: f64) -> f64 {
     STEEL * FRAC_PI_4 * diameter * diameter * (CHEEKS * diameter + WALL * face_width)
 }
 
-/// Length of a set along its axis in m, with the cheeks of its carrier and its covers, by the outside diameter of
-/// its ring and its face width, in m.
+/// Length of a set along its axis in m, with the cheeks of its carrier and its covers. Given are the outside
+/// diameter of its ring and its face width, in m.
 ///
 /// ```text
 /// L = b + 0.12·D

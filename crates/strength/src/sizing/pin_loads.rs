@@ -55,7 +55,7 @@ pub(super) struct Borne {
     pub(super) ratio: Option<f64>,
 }
 
-/// What a bearing bears under the loads of each kind of planets.
+/// Lives of a bearing and the loads that it bears, for each kind of planets.
 pub(super) fn borne(
     duties: &[(usize, Vec<PinStep>)],
     bearing: &Bearing,

@@ -28,6 +28,7 @@ use epicyclic_gears::life::Rolling;
 use epicyclic_judge::{Limits, Rule, Severity, Verdict};
 use epicyclic_units::Physical;
 use std::f64::consts::TAU;
+use uom::si::f64::Length;
 
 /// Factor of the objective for each rule with a warning: what a warning fewer may cost.
 const PRICE: f64 = 1.25;
@@ -266,41 +267,54 @@ pub(super) fn of_pin(
     let fastest = layout.bearing_loads[kind].iter().map(|step| step.carrier_speed.si().abs());
     let acceleration = orbit_acceleration(layout.radii[kind].si(), fastest.fold(0.0, f64::max));
     all.extend(orbit_rule(rolling).map(|rule| limits.judge(rule, acceleration)));
-    // A stated one is judged where its width and diameter are known.
-    let is_plain = |bearing: &&Bearing| bearing.rolling == Rolling::Plain && bearing.width.si() > 0.0;
-    if let Some(bearing) = bearing.filter(is_plain) {
-        let steps: Vec<BearingStep> = duty.iter().map(|pin| pin.step).collect();
-        let greatest = steps.iter().filter(|step| step.share > 0.0).map(|step| step.load.si());
-        let greatest = greatest.fold(0.0, f64::max);
-        all.push(limits.judge(Rule::PlainLoad, greatest / bearing.load_rating.si()));
-        let film = film_ratio([bearing.outside_diameter, bearing.width], &steps, task.bearing_oil());
-        all.extend(film.map(|ratio| limits.judge(Rule::OilFilm, ratio)));
+    if let Some(bearing) = bearing {
+        // Overloads come without a share of the time, and count for the static safety alone.
         let at_rest = duty.iter().map(|pin| pin.at_rest.si()).fold(0.0, f64::max);
         let rating = bearing.static_load_rating.filter(|_| at_rest > 0.0);
         all.extend(rating.map(|rating| limits.judge(Rule::BearingStaticSafety, rating.si() / at_rest)));
-    } else if let Some(bearing) = bearing.filter(|bearing| bearing.rolling != Rolling::Plain) {
-        // Overloads come without a share of the time, and count for the static safety alone.
-        let forces = duty.iter().filter(|pin| pin.step.share > 0.0).map(|pin| pin.force.si());
-        let greatest = forces.fold(0.0, f64::max);
-        let at_rest = duty.iter().map(|pin| pin.at_rest.si()).fold(0.0, f64::max);
-        if bearing.rolling == Rolling::Balls {
-            all.push(limits.judge(Rule::BallLoad, greatest / 1e3));
-        }
-        if let Some(rating) = bearing.static_load_rating.filter(|_| at_rest > 0.0) {
-            all.push(limits.judge(Rule::BearingStaticSafety, rating.si() / at_rest));
-        }
-        // A bearing at rest needs no load to keep its elements rolling.
-        let turning = duty.iter().map(|pin| pin.step);
-        let turning = turning.filter(|step| step.share > 0.0 && step.speed.si() != 0.0);
-        let turning = turning.map(|step| step.load.si()).filter(|load| *load > 0.0);
-        if let Some(least) = turning.reduce(f64::min) {
-            all.push(limits.judge(Rule::BearingLeastLoad, least / bearing.load_rating.si()));
-        }
-        if let Some(diameter) = bearing.mean_diameter().or(pin.mean_diameter) {
-            let fastest = duty.iter().map(|pin| pin.step.speed.si().abs()).fold(0.0, f64::max);
-            let speed = pin_speed(fastest, diameter.si());
-            all.extend(pin_speed_rule(rolling).map(|rule| limits.judge(rule, speed)));
-        }
+        all.extend(match rolling {
+            Rolling::Plain => of_film(task, limits, bearing, duty),
+            _ => of_rolling(limits, bearing, duty, pin.mean_diameter),
+        });
     }
     Misses::of(all)
+}
+
+/// Load and oil film of a plain bearing; of a stated one, whose width is not known here, nothing.
+fn of_film(task: &Task, limits: &Limits, bearing: &Bearing, duty: &[PinStep]) -> Vec<Verdict> {
+    if bearing.width.si() == 0.0 {
+        return vec![];
+    }
+    let steps: Vec<BearingStep> = duty.iter().map(|pin| pin.step).collect();
+    let loads = steps.iter().filter(|step| step.share > 0.0).map(|step| step.load.si());
+    let load = limits.judge(Rule::PlainLoad, loads.fold(0.0, f64::max) / bearing.load_rating.si());
+    let film = film_ratio([bearing.outside_diameter, bearing.width], &steps, task.bearing_oil());
+    film.map(|ratio| limits.judge(Rule::OilFilm, ratio)).into_iter().chain([load]).collect()
+}
+
+/// Load and speed of a bearing with rolling elements.
+fn of_rolling(
+    limits: &Limits,
+    bearing: &Bearing,
+    duty: &[PinStep],
+    stated_diameter: Option<Length>,
+) -> Vec<Verdict> {
+    let mut all = vec![];
+    if bearing.rolling == Rolling::Balls {
+        let forces = duty.iter().filter(|pin| pin.step.share > 0.0).map(|pin| pin.force.si());
+        all.push(limits.judge(Rule::BallLoad, forces.fold(0.0, f64::max) / 1e3));
+    }
+    // A bearing at rest needs no load to keep its elements rolling.
+    let turning = duty.iter().map(|pin| pin.step);
+    let turning = turning.filter(|step| step.share > 0.0 && step.speed.si() != 0.0);
+    let turning = turning.map(|step| step.load.si()).filter(|load| *load > 0.0);
+    if let Some(least) = turning.reduce(f64::min) {
+        all.push(limits.judge(Rule::BearingLeastLoad, least / bearing.load_rating.si()));
+    }
+    if let Some(diameter) = bearing.mean_diameter().or(stated_diameter) {
+        let fastest = duty.iter().map(|pin| pin.step.speed.si().abs()).fold(0.0, f64::max);
+        let speed = pin_speed(fastest, diameter.si());
+        all.extend(pin_speed_rule(bearing.rolling).map(|rule| limits.judge(rule, speed)));
+    }
+    all
 }

@@ -25,7 +25,7 @@ use epicyclic_gears::involute::{InvoluteGear, Pair, PlanetSet};
 use epicyclic_gears::mesh::TipCircle;
 use epicyclic_gears::spacing::PlanetSpacing;
 use epicyclic_judge as judge;
-use epicyclic_numerics::threads::map;
+use epicyclic_numerics::threads::map_while;
 use epicyclic_units::Physical;
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -501,9 +501,6 @@ fn made(task: &Sizing, planets: u32, centre: Option<f64>) -> Result<Made, Option
     }
 }
 
-/// Centre distances between two questions whether to go on.
-const AT_A_TIME: usize = 64;
-
 /// The gears at every centre distance of the space, and how many were left out.
 pub(super) fn layouts(
     task: &Sizing,
@@ -544,15 +541,9 @@ pub(super) fn layouts(
                 tried.left_out.spacing += wanted.len() as u64 * designs;
                 continue;
             }
-            let mut all_made = vec![];
-            for some in wanted.chunks(AT_A_TIME) {
-                if goes_on().is_break() {
-                    return Err(Error::Cancelled);
-                }
-                all_made.extend(map(some, |centre| made(task, planets, *centre)));
-            }
-            tried.geometries += all_made.len() as u64;
-            for made in all_made {
+            let all_made = map_while(&wanted, goes_on, |centre| made(task, planets, *centre));
+            tried.geometries += wanted.len() as u64;
+            for made in all_made.ok_or(Error::Cancelled)? {
                 match made {
                     Ok(made) if made.do_touch => tried.left_out.planets_touch += designs,
                     Ok(Made { gears, pairs, centre, is_aim_met, .. }) => {

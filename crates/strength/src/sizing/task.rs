@@ -8,7 +8,7 @@ use super::{Objective, Requirement};
 use crate::checks::{not_negative, positive, within};
 use crate::factor::{Side, Symbol};
 use crate::mesh::{Gear, Method};
-use crate::plain_bearing::{dynamic_viscosity, usual_viscosity};
+use crate::plain_bearing::viscosity;
 use crate::root::factors::MOST_ROOT_ROUGHNESS;
 use crate::spectrum::{GearDuty, Step, Worn, check_shares};
 use crate::{Error, Quantity};
@@ -232,7 +232,7 @@ impl Task {
 
     /// Dynamic viscosity of the oil in plain bearings, Pa·s.
     pub(super) fn bearing_oil(&self) -> f64 {
-        self.working_viscosity.map_or_else(|| usual_viscosity(self.viscosity), dynamic_viscosity)
+        viscosity(self.viscosity, self.working_viscosity)
     }
 
     /// Refuses quantities that are no requirement.

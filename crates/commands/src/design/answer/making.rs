@@ -145,10 +145,10 @@ fn bearings_decide(size: &Size, file: &GearboxFile, request: &SizeRequest) -> Op
     if request.bearings.is_some() || !kinds.iter().all(has_more) {
         return None;
     }
-    let more = match kinds {
-        _ if kinds.contains(&BearingType::Plain) => "rollers-in-bore,full-complement,plain",
-        _ if kinds.iter().all(is_bought) => "rollers-in-bore,full-complement,plain",
-        _ => "full-complement,plain",
+    let has = |kind| kinds.contains(&kind);
+    let more = match has(BearingType::RollersInBore) && !has(BearingType::Plain) {
+        true => "full-complement,plain",
+        false => "rollers-in-bore,full-complement,plain",
     };
     let required = file.required.as_ref()?;
     let is_decided = |design: &SizedDesign| {

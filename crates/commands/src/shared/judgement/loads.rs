@@ -294,23 +294,8 @@ fn of_bearing(
     if bearing.greatest_force_n.is_none() {
         return judge.lacks(&name_of, &of_rolling(rolling), bearing.missing.clone());
     }
-    let idle = || vec!["does not turn under load".to_owned()];
     let Some(speed_rule) = pin_speed_rule(rolling) else {
-        let loads = bearing.steps.iter().map(|step| step.equivalent_load_n);
-        judge.see(Rule::PlainLoad, &of, loads.fold(0.0, f64::max) / bearing.load_rating_n);
-        let is_idle =
-            !bearing.steps.iter().any(|step| step.equivalent_load_n > 0.0 && step.speed_rad_s != 0.0);
-        match bearing.film_ratio {
-            Some(ratio) => judge.see(Rule::OilFilm, &of, ratio),
-            None if is_idle => judge.lacks(&name_of, &[Rule::OilFilm], idle()),
-            None => {
-                let diameter = planet.bearing_diameter.is_some();
-                let keys = [("bearing_diameter", diameter), ("face_width", !diameter)];
-                judge.lacks(&name_of, &[Rule::OilFilm], lacking(&keys));
-            }
-        }
-        of_static(judge, (&of, &name_of), planet, bearing);
-        return;
+        return of_plain(judge, (&of, &name_of), planet, bearing);
     };
     match bearing.life_s() {
         Some(life) => judge.see_least(Rule::BearingLife, &of, required_life_s / HOUR_S, life / HOUR_S),
@@ -332,6 +317,30 @@ fn of_bearing(
         Some(diameter) => judge.see(speed_rule, &of, pin_speed(fastest, diameter)),
         None => judge.lacks(&name_of, &[speed_rule], vec!["bearing_diameter".to_owned()]),
     }
+}
+
+/// Reason why a bearing that never turns under load has neither life nor film.
+fn idle() -> Vec<String> {
+    vec!["does not turn under load".to_owned()]
+}
+
+/// Load, oil film and static safety of a plain bearing.
+fn of_plain(
+    judge: &mut Judge,
+    (of, name_of): (&[&str], &str),
+    planet: &PlanetData,
+    bearing: &BearingOverDuty,
+) {
+    let loads = bearing.steps.iter().map(|step| step.equivalent_load_n);
+    judge.see(Rule::PlainLoad, of, loads.fold(0.0, f64::max) / bearing.load_rating_n);
+    let turns = bearing.steps.iter().any(|step| step.equivalent_load_n > 0.0 && step.speed_rad_s != 0.0);
+    let has_diameter = planet.bearing_diameter.is_some();
+    let keys = || lacking(&[("bearing_diameter", has_diameter), ("face_width", !has_diameter)]);
+    match bearing.film_ratio {
+        Some(ratio) => judge.see(Rule::OilFilm, of, ratio),
+        None => judge.lacks(name_of, &[Rule::OilFilm], if turns { keys() } else { idle() }),
+    }
+    of_static(judge, (of, name_of), planet, bearing);
 }
 
 /// Static safety of a planet bearing.

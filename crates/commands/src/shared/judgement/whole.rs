@@ -9,7 +9,7 @@ use crate::shared::gearbox::Gearbox as Subject;
 use crate::shared::tooth_checks::answer::ToothChecks;
 use crate::strength::answer::Strength;
 use crate::tolerance::rounded;
-use epicyclic_formats::gearbox::{GearboxFile, RollingEntry, WrittenSize, written_with_sizes};
+use epicyclic_formats::gearbox::{GearboxFile, PlanetData, WrittenSize, written_with_sizes};
 use epicyclic_judge::Rule;
 use epicyclic_train::Gearbox;
 
@@ -95,7 +95,7 @@ impl Judgement {
             for set in subject.train.sets().iter().filter(|set| is_wanted(set.id())) {
                 if let Some(data) = file.set_data(set) {
                     teeth::judge(&mut judge, subject, &file, set, &data);
-                    has_plain |= data.planets.iter().any(|of| of.rolling == RollingEntry::Plain);
+                    has_plain |= data.planets.iter().any(PlanetData::is_on_plain_bearings);
                 }
             }
             loads::judge(&mut judge, subject, &file, set, strength);

@@ -18,7 +18,7 @@ pub struct BearingOverDuty {
     pub set: String,
     /// Name of the planet, or its number in the set.
     pub planet: String,
-    /// What it turns on: balls, rollers, needles, `full_complement`, plain.
+    /// Kind of the bearing: balls, rollers, needles, `full_complement`, plain.
     pub rolling: &'static str,
     /// Basic dynamic load rating in N; of a plain bearing the load that it may bear.
     pub load_rating_n: f64,

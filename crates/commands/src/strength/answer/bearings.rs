@@ -35,7 +35,7 @@ use epicyclic_strength::bearing::{
 };
 use epicyclic_strength::bearing_rows::{equivalent_load, row_forces};
 use epicyclic_strength::load::{Floating, load_sharing};
-use epicyclic_strength::plain_bearing::{self, dynamic_viscosity, usual_viscosity};
+use epicyclic_strength::plain_bearing::{self, film_ratio};
 use epicyclic_train::PlanetSet;
 use epicyclic_train::planet_bearings::{BearingForces, Lack, PlanetBearing};
 use epicyclic_train::planet_set::GearOf;
@@ -248,10 +248,8 @@ impl File<'_> {
     /// Oil film of a plain bearing over the least one.
     fn film(&self, size: [Length; 2], steps: &[BearingStep]) -> Option<f64> {
         let oil = self.file.oil.as_ref()?;
-        let viscosity = oil
-            .working_viscosity
-            .map_or_else(|| usual_viscosity(oil.viscosity.0), |stated| dynamic_viscosity(stated.0));
-        plain_bearing::film_ratio(size, steps, viscosity)
+        let stated = oil.working_viscosity.map(|stated| stated.0);
+        film_ratio(size, steps, plain_bearing::viscosity(oil.viscosity.0, stated))
     }
 
     /// Data of the bearings of a planet in the file.
