@@ -30,8 +30,7 @@ pub(crate) fn of_sizes(sizes: &SizesStep, masses: Option<&Masses>) -> Vec<String
     let mut all = vec![];
     let rings = found.iter().filter_map(|design| design.ring_diameter_m);
     all.extend(rings.reduce(f64::max).map(|ring| format!("ring {}", words(Dimension::Length, ring, DIGITS))));
-    // Brakes and clutches have no length here.
-    let is_known = masses.is_some_and(|of| of.shift_elements_kg.is_none());
+    let is_known = masses.is_some_and(Masses::are_of_sets);
     let length: f64 = found.iter().map(|design| design.length_m).sum();
     all.extend(is_known.then(|| format!("length about {}", words(Dimension::Length, length, 2))));
     all.extend(sizes.mass_kg.map(|mass| format!("gears {}", words(Dimension::Mass, mass, 3))));
@@ -109,11 +108,11 @@ pub(crate) fn masses(of: &Masses) -> Section {
     ];
     rows.extend(others.into_iter().filter_map(|(name, label, mass)| Some(row(name, label, mass?))));
     rows.push(row("whole", "whole", of.whole_kg));
-    let note = match of.shift_elements_kg {
-        Some(_) => {
+    let note = match of.are_of_sets() {
+        false => {
             "All but the gears by rules usual of the trade; oil, lubrication, actuation and the motor are not in them."
         }
-        None => {
+        true => {
             "All but the gears by rules usual of the trade; oil, lubrication, actuation and the motor are not in them. The length above is that of the gears with carriers and covers, 0.12 of the ring's diameter a set, without shafts."
         }
     };

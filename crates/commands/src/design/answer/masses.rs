@@ -34,6 +34,11 @@ pub struct Masses {
 }
 
 impl Masses {
+    /// Whether sets, shafts and housing are all that makes the length: flanges, brakes and clutches have none here.
+    pub(crate) const fn are_of_sets(&self) -> bool {
+        self.flanges_kg.is_none() && self.shift_elements_kg.is_none()
+    }
+
     /// Masses of a gearbox by its file with sizes; `None` if a set has no size.
     ///
     /// # Errors
