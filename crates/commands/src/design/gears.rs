@@ -7,6 +7,7 @@ use crate::error::Error;
 use crate::failure::Failure;
 use crate::shared::application::{Application, FULL_LOAD};
 use epicyclic_gears::synthesis::Bounds;
+use epicyclic_selection::Orders;
 use epicyclic_synthesis::limits::Limits;
 use epicyclic_synthesis::usable::Usable;
 use epicyclic_units::Physical;
@@ -43,11 +44,15 @@ impl Request {
             ("--tooth-design", self.tooth_design.is_some()),
             ("--all-structures", self.speeds.all_structures),
             ("--signs", self.ratios.signs.is_some()),
+            ("--brakes", self.ratios.brakes != Orders::Either),
+            ("--prefer", self.criteria.has_own_preference()),
+            ("--allow-crossing", self.criteria.allow_crossing),
+            ("--may-reverse", self.may_reverse),
         ];
         if let Some((option, _)) =
             of_schemes.into_iter().find(|(_, is_given)| *is_given && self.is_of_gears())
         {
-            let message = "chooses among the schemes of one or two --ratios beside direct drive; a list of all gears takes structures of synthesize";
+            let message = "leave it out: it chooses among the schemes of one or two --ratios beside direct drive, and a list of all gears takes structures of synthesize";
             return Err(Failure::invalid(option, message));
         }
         let mut ratios = self.listed_ratios();
@@ -90,6 +95,7 @@ impl Request {
                 circulation: self.criteria.circulation.map_or(Usable::default().circulation, |of| of.0.si()),
                 ..Usable::default()
             },
+            efficiency: self.criteria.set_efficiency()?,
             speed: self.input.0,
             torque,
             shares,

@@ -83,6 +83,19 @@ impl Request {
             suns = *suns.start()..=*most;
         }
         let bounds = self.teeth([suns, 17..=80, 50..=160])?;
+        if axes == Axes::Parallel && self.stages == Some(1..=1) {
+            let of_sets = [
+                ("--sun", self.sun.is_some()),
+                ("--planet", self.planet.is_some()),
+                ("--ring", self.ring.is_some()),
+                ("--ring-offset", self.ring_offset.is_some()),
+            ];
+            if let Some((option, _)) = of_sets.into_iter().find(|(_, is_given)| *is_given) {
+                let message =
+                    "a pair alone has no sun, planets or ring; leave it out, or allow more --stages";
+                return Err(Failure::invalid(option, message));
+            }
+        }
         // Gearboxes of wind turbines have three stages at most.
         let most = if self.sizes.application == Some(Application::Wind) { 3 } else { MOST_STAGES };
         let stages = self.stages.clone().unwrap_or(1..=most);

@@ -9,6 +9,7 @@ use epicyclic_formats::{Document, Faults, Path};
 use epicyclic_strength::factor::Symbol;
 use epicyclic_train::set::SetKind;
 use epicyclic_units::Quantity;
+use epicyclic_units::format::trimmed;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -35,6 +36,13 @@ pub struct BasisKey {
     pub key: String,
     /// Value as written in the file, in one line.
     pub value: String,
+}
+
+impl BasisKey {
+    /// A number to six digits.
+    pub(crate) fn of_number(key: &str, value: f64) -> Self {
+        Self { key: key.to_owned(), value: trimmed(value, 6) }
+    }
 }
 
 /// Keys of a gearbox that belong to a basis.

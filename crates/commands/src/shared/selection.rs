@@ -62,6 +62,9 @@ const USUAL_LEAST_EFFICIENCY: f64 = 0.9;
 const USUAL_SPEED: f64 = 2.0;
 const USUAL_K: [f64; 2] = [1.3, 10.0];
 
+/// Ring-to-sun ratios that are usually preferred.
+const USUAL_PREFERENCE: [f64; 2] = [2.5, 3.0];
+
 /// Criteria of a design.
 #[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "Criteria")]
@@ -109,6 +112,11 @@ impl Criteria {
     pub(crate) fn set_efficiency(&self) -> Result<MeshEfficiency, Failure> {
         let efficiency = MeshEfficiency::new(self.efficiency.0.si());
         efficiency.map_err(|error| Failure::of_option("--efficiency", &error))
+    }
+
+    /// Whether other ring-to-sun ratios than the usual ones are preferred.
+    pub(crate) fn has_own_preference(&self) -> bool {
+        self.prefer.ends() != USUAL_PREFERENCE.map(Some)
     }
 
     /// Options that are stricter than by default, each with what would relax it.

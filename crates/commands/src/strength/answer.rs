@@ -78,6 +78,7 @@ use records::{
 };
 use schemars::JsonSchema;
 use serde::Serialize;
+use spans::above_0;
 pub use together::SharedFlank;
 use uom::si::f64::{KinematicViscosity, Time};
 
@@ -330,6 +331,9 @@ impl Asked {
         let required = Required::of(file.required.as_ref());
         required.check().map_err(|error| located(missing.document, &Path::root(), &error))?;
         let working_viscosity = oil.working_viscosity.map(|viscosity| viscosity.0);
+        if let Some(viscosity) = working_viscosity {
+            above_0(missing.document, viscosity, &Path::root().key("oil"), "working_viscosity")?;
+        }
         Ok(Self { life: life.0, viscosity: oil.viscosity.0, working_viscosity, required })
     }
 }

@@ -440,3 +440,51 @@ fn a_load_in_steps_is_rated_by_its_steps() {
         assert!(refused.contains(why), "{wrong}: {refused}");
     }
 }
+
+/// What a kind of order takes no notice of is refused, not passed over.
+#[test]
+fn options_without_effect_are_refused() {
+    let list = "--ratios=3.2 1.8 1|--torque=100 N·m|--input=3000rpm";
+    for option in [
+        "--scheme=II-3",
+        "--tooth-design=2",
+        "--all-structures",
+        "--signs=alike",
+        "--brakes=as-given",
+        "--prefer=2..4",
+        "--allow-crossing",
+        "--may-reverse",
+    ] {
+        let asking: Request = request(format!("{list}|{option}").split('|')).unwrap();
+        let refused = asking.answer_gears(&GO_ON).unwrap_err().to_string();
+        let name = option.split('=').next().unwrap();
+        assert!(refused.starts_with(&format!("{name}: leave it out")), "{refused}");
+    }
+    for option in ["--sun=20..25", "--planet=20..30", "--ring=60..90", "--ring-offset=0..1"] {
+        let pair = "--ratio=3|--torque=100 N·m|--input=3000rpm|--axes=parallel|--stages=1";
+        let asking: Request = request(format!("{pair}|{option}").split('|')).unwrap();
+        let refused = asking.answer_stages(&GO_ON).unwrap_err().to_string();
+        assert!(refused.contains("a pair alone has no sun, planets or ring; leave it out"), "{refused}");
+    }
+}
+
+/// The sets of a list of gears have the efficiency of the order, and the answer tells it.
+#[test]
+fn gears_of_a_list_have_the_efficiency_of_the_order() {
+    let with = |efficiency: f64| {
+        let words = format!(
+            "--ratios=4 1|--power=22kW|--input=1500rpm|--modules=2mm|--face-widths=25mm|--planets=3|--efficiency={efficiency}"
+        );
+        let asking: Request = request(words.split('|')).unwrap();
+        asking.answer_gears(&GO_ON).unwrap()
+    };
+    for efficiency in [0.95, 0.98] {
+        let list = with(efficiency);
+        let told = list.basis.iter().find(|key| key.key == "efficiency").unwrap();
+        assert_eq!(told.value, efficiency.to_string());
+        // A simple set with its ring held passes 1/i of the power on without rolling.
+        let slow = list.gears[0].efficiency.unwrap();
+        let ratio = list.gears[0].ratio.unwrap();
+        assert!((slow - (1.0 + (ratio - 1.0) * efficiency) / ratio).abs() < 1e-9, "{slow}");
+    }
+}

@@ -293,3 +293,11 @@ fn sizes_follow_the_limits_of_the_file() {
     assert_eq!(rims(&Request { planet_rim: None, ..only.clone() }), [3.2, 4.0]);
     assert_eq!(rims(&Request { ring_rim: "3.7".parse().ok(), ..only.clone() }), [2.0, 3.7]);
 }
+
+/// An oil without viscosity at work is refused with its place, by sizes as by strength.
+#[test]
+fn a_viscosity_at_work_is_above_0() {
+    let file = hoist().replace("viscosity: 220 mm²/s", "viscosity: 220 mm²/s, working_viscosity: 0 mm²/s");
+    let refused = sized(&file, &small()).unwrap_err().to_string();
+    assert!(refused.contains("oil.working_viscosity: working_viscosity must be above 0"), "{refused}");
+}

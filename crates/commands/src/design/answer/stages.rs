@@ -19,16 +19,12 @@ use epicyclic_formats::Document;
 use epicyclic_strength::series::{Found, KnownSets, Order, STAGE_PRICE, Train, Trains, search};
 use epicyclic_strength::sizing::SetTeeth;
 use epicyclic_units::Physical;
-use epicyclic_units::format::trimmed;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
 
 /// Mass with rollers in the bores over that with bearings of the tables, up to which they are taken.
 const BEARINGS_PAY: f64 = 0.8;
-
-/// Significant digits of efficiencies that are assumed.
-const DIGITS: usize = 6;
 
 /// Stages that are tried at most.
 pub(crate) const MOST_STAGES: u32 = 4;
@@ -313,9 +309,8 @@ pub(super) fn attempted_with(
         file = Some(saved);
         sizes = Some(step);
     }
-    let stated = |key: &str, value: f64| BasisKey { key: key.to_owned(), value: trimmed(value, DIGITS) };
-    let of_set = stated("efficiency", wanted.efficiency);
-    let of_pair = stated("efficiency of a pair", axes::efficiency_of_pair(wanted.efficiency));
+    let of_set = BasisKey::of_number("efficiency", wanted.efficiency);
+    let of_pair = BasisKey::of_number("efficiency of a pair", axes::efficiency_of_pair(wanted.efficiency));
     let of_pair = Some(of_pair).filter(|_| wanted.has_pair());
     let of_pair_assumed = (wanted.has_pair() && train.is_some()).then(|| BasisKey {
         key: "pair".to_owned(),

@@ -58,9 +58,6 @@ const NEAREST: usize = 60;
 /// Teeth of planets that leave room for their bearings at a usual module.
 const PLANET: f64 = 32.0;
 
-/// Efficiency of the two meshes of a set, by which structures are rated.
-const EFFICIENCY: f64 = 0.97;
-
 /// Order for a list of gears.
 #[derive(Debug, Clone)]
 pub struct WantedTransmission {
@@ -76,6 +73,8 @@ pub struct WantedTransmission {
     pub limits: Limits,
     /// Limits of efficiency and circulating power.
     pub usable: Usable,
+    /// Efficiency of each set with its carrier fixed.
+    pub efficiency: MeshEfficiency,
     /// Speed of the input.
     pub speed: AngularVelocity,
     /// Torque on the input in every gear.
@@ -229,13 +228,14 @@ pub fn answer(
         shares: &wanted.shares,
         overload: wanted.overload,
     };
+    let of_set = BasisKey::of_number("efficiency", wanted.efficiency.get());
     let mut transmission = Transmission {
         gears: asked(wanted),
         tolerance: wanted.tolerance,
         input_speed_rad_s: wanted.speed.si(),
         structures,
         gearboxes,
-        basis: wanted.basis.told(),
+        basis: wanted.basis.told().into_iter().chain([of_set]).collect(),
         assumed: assumed(&wanted.basis, &wanted.size, &load)?,
         masses: None,
         sizes: None,
@@ -329,7 +329,6 @@ fn search(
 ) -> Result<Search, Error> {
     let gear =
         |ratio: &f64| WantedRatio { wanted: Ratio::Around { ratio: *ratio, within: None }, optional: false };
-    let efficiency = MeshEfficiency::new(EFFICIENCY)?;
     Ok(Search {
         gears: wanted.ratios.iter().map(gear).collect(),
         tolerance: wanted.tolerance,
@@ -348,7 +347,7 @@ fn search(
         drawable: false,
         shares: None,
         usable: Some(wanted.usable),
-        efficiency,
+        efficiency: wanted.efficiency,
         most: STRUCTURES,
         all_gearboxes: false,
         also: None,
@@ -451,13 +450,18 @@ impl Sized {
         let size = size::answer(&subject, &wanted.size, goes_on)?;
         let reached = |((mut asked, own), ratio): ((GearReached, &SearchedGear), &Fraction)| {
             let ratio = ratio.numerator as f64 / ratio.denominator as f64;
+            // The structure has the efficiency of the ratio that is asked for.
+            let gear = subject.train.gears().iter().find(|gear| gear.name() == asked.gear);
+            let analysis = gear.and_then(|gear| subject.train.analyze_gear(gear).ok());
             asked.ratio = Some(ratio);
             asked.output_speed_rad_s = Some(wanted.speed.si() / ratio);
             asked.engaged.clone_from(&own.engaged);
-            asked.efficiency = own.efficiency;
+            asked.efficiency = analysis.and_then(|analysis| analysis.efficiency());
             asked
         };
-        let gears = asked(wanted).into_iter().zip(&solution.gears).zip(&teeth.ratios).map(reached).collect();
+        let gears: Vec<GearReached> =
+            asked(wanted).into_iter().zip(&solution.gears).zip(&teeth.ratios).map(reached).collect();
+        let forward = gears.iter().filter(|gear| gear.asked_ratio > 0.0).filter_map(|gear| gear.efficiency);
         let rings = size.sets.iter().map(|set| set.found.first()?.ring_diameter_m);
         let [errors, warnings, _] = size.judgement.misses();
         let is_whole = size.not_sized.is_empty();
@@ -465,7 +469,7 @@ impl Sized {
             structure: solution.structure.clone(),
             shift_elements: solution.shift_elements.clone(),
             multiple_shifts: solution.multiple_shifts,
-            forward_efficiency: solution.forward_efficiency,
+            forward_efficiency: forward.reduce(f64::min).unwrap_or(solution.forward_efficiency),
             sets: teeth.sets.clone(),
             greatest_deviation: teeth.greatest_deviation,
             warnings: errors + warnings,

@@ -28,7 +28,7 @@ pub(crate) fn parts_of_transmission(transmission: &Transmission) -> Vec<Part> {
         parts.push(Part::Records(ways_out(&transmission.ways_out)));
     }
     parts.extend(transmission.masses.as_ref().map(|of| Part::Facts(masses(of))));
-    parts.push(Part::Records(basis(&transmission.basis, ASSUMED)));
+    parts.push(Part::Records(basis(&transmission.basis, &format!("{ASSUMED}, --efficiency"))));
     parts.push(Part::Records(assumed(&transmission.assumed)));
     parts
 }
@@ -71,7 +71,7 @@ fn gears(transmission: &Transmission) -> Records {
             "Gears asked and reached",
             "gear asked_ratio ratio deviation asked_output_speed output_speed engaged efficiency",
         )
-        .note("n: of the output. η: with 0.97 for the meshes of a set.")
+        .note("n: of the output. η: with the efficiency of each set below.")
         .the_answer()
         .records()
 }
