@@ -144,7 +144,7 @@ fn forms(line: &str) -> Vec<String> {
 
 /// The help of a command and of those below it.
 fn helps(program: &Path, command: &str) -> Result<Vec<String>, String> {
-    let line = format!("{command} --help");
+    let line = format!("{command} --help-all");
     let help = answered(program, Path::new("."), &line)?;
     let text = String::from_utf8_lossy(&help.stdout).into_owned();
     let mut lines = vec![line];

@@ -72,6 +72,7 @@ pub mod desk;
 pub mod examples {}
 #[cfg(test)]
 mod files;
+mod help;
 #[cfg(feature = "terminal")]
 mod man;
 #[cfg(test)]
@@ -81,6 +82,7 @@ mod schema;
 mod serve;
 mod usage;
 
+use clap::error::ErrorKind;
 use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 use epicyclic_commands as commands;
 use epicyclic_commands::answer::write_json;
@@ -197,7 +199,7 @@ fn refused(call: &Call<'_>, error: clap::Error) -> u8 {
 /// Command line with all options and help texts, for programs that offer the commands in another form.
 #[must_use]
 pub fn command_line() -> clap::Command {
-    Cli::command()
+    help::with_help_all(Cli::command())
 }
 
 fn end(call: &Call<'_>, done: Result<(), Failure>, is_json: bool) -> u8 {
@@ -220,13 +222,19 @@ fn end(call: &Call<'_>, done: Result<(), Failure>, is_json: bool) -> u8 {
     }
 }
 
+/// Errors that are help.
+const HELP: [ErrorKind; 2] = [ErrorKind::DisplayHelp, ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand];
+
 /// Parsed command line, the files that it names, and whether JSON is requested on standard output.
-fn parsed<Word>(line: impl IntoIterator<Item = Word>) -> Result<(Cli, apart::Files, bool), clap::Error>
-where
-    Word: Into<OsString> + Clone,
-{
-    let mut command = Cli::command();
-    let mut matches = command.try_get_matches_from_mut(line)?;
+fn parsed(line: impl IntoIterator<Item = OsString>) -> Result<(Cli, apart::Files, bool), clap::Error> {
+    let line: Vec<OsString> = line.into_iter().collect();
+    let mut command = command_line();
+    let mut matches = match command.try_get_matches_from_mut(&line) {
+        Err(error) if HELP.contains(&error.kind()) => {
+            help::asked(command_line(), &line).try_get_matches_from(&line)?
+        }
+        matches => matches?,
+    };
     let files = apart::Files::of(&command, &matches);
     let is_json = output::is_json_to_standard_output(&matches);
     let cli = Cli::from_arg_matches_mut(&mut matches).map_err(|error| error.format(&mut command))?;

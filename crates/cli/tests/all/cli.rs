@@ -44,7 +44,7 @@ fn a_drive_that_does_not_start_forward_is_warned_of() {
 
 /// The commands that the help of a command shows as its example.
 fn examples_in_help(command: &[&str]) -> Vec<String> {
-    let help = text(&output(here().path(), &[command, &["--help"]].concat()).stdout);
+    let help = text(&output(here().path(), &[command, &["--help-all"]].concat()).stdout);
     let after = help.split("Example:\n").nth(1).unwrap();
     after.lines().take_while(|line| !line.is_empty()).map(|line| line.trim().to_owned()).collect()
 }
@@ -82,7 +82,7 @@ fn the_examples_in_the_help_work_as_printed() {
         for line in printed.lines().take_while(|line| *line != "{") {
             assert!(line.chars().count() <= 80, "{script}\n{line}");
         }
-        let help = text(&common::output(folder.path(), &[command, &["--help"]].concat()).stdout);
+        let help = text(&common::output(folder.path(), &[command, &["--help-all"]].concat()).stdout);
         for line in help.lines() {
             assert!(line.trim_end().chars().count() <= 80, "{command:?}\n{line}");
         }

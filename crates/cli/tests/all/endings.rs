@@ -297,7 +297,7 @@ fn numbers_beyond_the_limits_of_a_synthesis_are_refused() {
         let code = call([&["synthesize", "--ratios", "4.7,3.1"][..], words].concat(), &desk);
         (code, desk.disk.into_told())
     };
-    let help = text(&run(&["--help"]).1.answer).split_whitespace().collect::<Vec<_>>().join(" ");
+    let help = text(&run(&["--help-all"]).1.answer).split_whitespace().collect::<Vec<_>>().join(" ");
     for (option, most, begins) in [
         ("--sets", 6, "Number of planet sets, at most"),
         ("--elements", 8, "Number of shift elements, at most"),

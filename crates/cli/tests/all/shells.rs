@@ -19,7 +19,7 @@ fn printed(args: &[&str]) -> String {
 
 /// The commands that the help lists.
 fn commands() -> Vec<String> {
-    let help = printed(&["--help"]);
+    let help = printed(&["--help-all"]);
     let list = help.split("Commands:\n").nth(1).unwrap();
     let lines = list.lines().take_while(|line| !line.is_empty());
     let names = lines.filter(|line| line.starts_with("  ") && !line.starts_with("   "));

@@ -236,13 +236,13 @@ fn on_a_terminal(args: &str, no_color: bool, expected: &[&str]) -> Option<String
 
 #[test]
 fn colour_and_progress_are_for_terminals() {
-    for args in [&["--help"][..], &["teeth"], &["schemes"]] {
+    for args in [&["--help-all"][..], &["teeth"], &["schemes"]] {
         let piped = output(here().path(), args);
         assert!(!piped.stdout.contains(&0x1b) && !piped.stderr.contains(&0x1b), "{args:?}");
     }
-    let Some(coloured) = on_a_terminal("--help", false, &[]) else { return };
+    let Some(coloured) = on_a_terminal("--help-all", false, &[]) else { return };
     assert!(coloured.contains("\u{1b}["), "{coloured}");
-    assert!(!on_a_terminal("--help", true, &[]).unwrap().contains("\u{1b}["));
+    assert!(!on_a_terminal("--help-all", true, &[]).unwrap().contains("\u{1b}["));
     // Tables are plain everywhere.
     assert!(!on_a_terminal("schemes", false, &[]).unwrap().contains('\u{1b}'));
 }

@@ -98,7 +98,7 @@ fn all_options() -> BTreeMap<String, BTreeSet<String>> {
         let options: BTreeSet<String> = opts
             .trim_end_matches('"')
             .split(' ')
-            .filter(|word| word.starts_with("--") && *word != "--help")
+            .filter(|word| word.starts_with("--") && !word.starts_with("--help"))
             .map(str::to_owned)
             .collect();
         // A hyphen in a name is written as a level of its own.
