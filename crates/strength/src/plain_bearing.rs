@@ -275,4 +275,52 @@ mod tests {
             );
         }
     }
+
+    /// ISO 7902-3 and DIN 31652-3: least films in µm by diameter, one row for each, and sliding speed.
+    #[test]
+    fn films_change_at_the_ends_of_diameters_and_speeds() {
+        let ends_mm = [1.0, 63.0, 160.0, 400.0, 1000.0, 2000.0];
+        let ends_m_s = [0.01, 1.0, 3.0, 10.0, 30.0, 60.0];
+        let due = [
+            [3.0, 4.0, 5.0, 7.0, 10.0],
+            [4.0, 5.0, 7.0, 9.0, 12.0],
+            [6.0, 7.0, 9.0, 11.0, 14.0],
+            [8.0, 9.0, 11.0, 13.0, 16.0],
+            [10.0, 12.0, 14.0, 16.0, 18.0],
+        ];
+        let inside = |ends: &[f64; 6], place: usize| [1.001 * ends[place], 0.999 * ends[place + 1]];
+        for (row, films) in due.iter().enumerate() {
+            for (column, film) in films.iter().enumerate() {
+                for mm in inside(&ends_mm, row) {
+                    for sliding in inside(&ends_m_s, column) {
+                        let speed = AngularVelocity::from_si(sliding / (mm / 2e3));
+                        let [diameter, width] = [mm; 2].map(Length::from_mm);
+                        let own = PlainBearing::usual(diameter, width, speed).needed_film(speed).um();
+                        assert!((own - film).abs() < 1e-9, "{mm} mm, {sliding} m/s: {own}");
+                    }
+                }
+            }
+        }
+    }
+
+    /// 7 N/mm² is usual of bronze, 20 N/mm² for a short time; oils thinner than 2 mm²/s thin as one of 2 mm²/s.
+    #[test]
+    fn limits_of_bushes_and_oils() {
+        assert_eq!([USUAL_PRESSURE, GREATEST_PRESSURE], [7e6, 20e6]);
+        let thins = |at_40: f64| viscosity(KinematicViscosity::from_mm2_s(at_40), None) / at_40;
+        let is_same = |one: f64, other: f64| (thins(one) / thins(other) - 1.0).abs() < 1e-9;
+        assert!(is_same(1.0, 1.99) && !is_same(1.99, 2.02));
+        // 870 kg/m³ and 50 mm²/s at 70 °C of ISO VG 220.
+        assert!((viscosity(KinematicViscosity::from_mm2_s(220.0), None) / 0.0435 - 1.0).abs() < 0.02);
+        let stated = Some(KinematicViscosity::from_mm2_s(10.0));
+        assert!((viscosity(KinematicViscosity::from_mm2_s(220.0), stated) / 8.7e-3 - 1.0).abs() < 1e-9);
+        // A bearing longer than its diameter counts as one of B = D, with its own pressure.
+        let film = |width: f64, kilonewtons: f64| {
+            let [diameter, width] = [100.0, width].map(Length::from_mm);
+            let bearing = PlainBearing { diameter, width, clearance: 1e-3 };
+            bearing.film(Force::from_si(1e3 * kilonewtons), AngularVelocity::from_rpm(100.0), 0.05).um()
+        };
+        assert!((film(150.0, 30.0) / film(100.0, 20.0) - 1.0).abs() < 1e-9);
+        assert!((film(90.0, 18.0) / film(100.0, 20.0) - 1.0).abs() > 1e-3);
+    }
 }

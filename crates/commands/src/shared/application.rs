@@ -235,3 +235,72 @@ impl Application {
         basis.with("limits", Value::Mapping([widths].into_iter().collect::<Mapping>()))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use BearingType::{FullComplement, Needles, Plain, Rollers, RollersInBore};
+
+    /// Application, `K_A`, life in h, safeties of flank and root, `Y_M` where roots are bent both ways, planets,
+    /// bearings. Usual practice; the safeties of wind turbines are those of IEC 61400-4, their life is 20 years.
+    type Row = (Application, f64, u32, [f64; 2], Option<f64>, RangeInclusive<u32>, &'static [BearingType]);
+
+    #[test]
+    fn usual_values_of_every_application() {
+        use Application::*;
+        let rows: [Row; 8] = [
+            (Conveyor, 1.5, 30_000, [1.2, 1.5], None, 3..=4, &[Rollers]),
+            (Travel, 1.25, 5_000, [1.0, 1.4], Some(0.7), 3..=5, &[Rollers, FullComplement]),
+            (Slewing, 1.4, 6_300, [1.1, 1.5], Some(0.7), 3..=4, &[Rollers, FullComplement]),
+            (Winch, 1.4, 3_200, [1.1, 1.5], None, 3..=5, &[Rollers, FullComplement]),
+            (Mixer, 1.5, 20_000, [1.2, 1.5], None, 3..=5, &[Rollers]),
+            (Wind, 1.25, 175_200, [1.25, 1.56], None, 3..=5, &[Rollers, RollersInBore, Plain]),
+            (Robot, 1.1, 20_000, [1.0, 1.4], Some(0.7), 3..=3, &[Needles]),
+            (Automatic, 1.0, 3_000, [1.0, 1.2], Some(0.7), 3..=5, &[Needles]),
+        ];
+        for (of, k_a, life_h, [flank, root], mean_stress, planets, bearings) in rows {
+            let file = of.basis().file();
+            let number = |keys: &[&str]| {
+                let at = keys.iter().try_fold(&file, |value, key| value.get(*key));
+                at.and_then(Value::as_f64)
+            };
+            assert_eq!(number(&["strength", "factors", "K_A"]), Some(k_a), "{of:?}");
+            assert_eq!(number(&["strength", "factors", "Y_M"]), mean_stress, "{of:?}");
+            assert_eq!(number(&["required", "flank"]), Some(flank), "{of:?}");
+            assert_eq!(number(&["required", "root"]), Some(root), "{of:?}");
+            assert_eq!(file.get("life").and_then(Value::as_str), Some(&*format!("{life_h} h")), "{of:?}");
+            let widths = file.get("limits").and_then(|limits| limits.get("face-width")?.as_str());
+            assert_eq!(widths, (of == Robot).then_some("0.4..1.4"), "{of:?}");
+            assert_eq!((of.planets(), of.bearings()), (planets, bearings), "{of:?}");
+            assert_eq!(Application::suns(Some(of)), if of == Robot { 12..=30 } else { 17..=30 }, "{of:?}");
+            let helix = of.helix_angle().map(|angle| angle.0.si().to_degrees().round());
+            assert_eq!(helix, (of == Automatic).then_some(20.0), "{of:?}");
+            let flags = [of.corrects_flanks(), of.has_flanges(), of.has_slow_shaft()];
+            assert_eq!(flags, [of == Robot, of == Robot, of != Wind], "{of:?}");
+            let steps: &[[f64; 3]] = match of {
+                Automatic => &[[0.95, 0.5, 0.5], [0.05, 1.0, 1.0]],
+                _ => &[[1.0, 1.0, 1.0]],
+            };
+            assert_eq!(of.spectrum(), steps, "{of:?}");
+            // Reverse and first gear have half a hundredth and two hundredths of the time.
+            let shares = of.shares(&[4.0, 2.0, -3.0]);
+            let due = if of == Automatic { vec![0.02, 0.975, 0.005] } else { vec![] };
+            assert_eq!(shares, due, "{of:?}");
+            let of_discs = Application::torque_of_discs(Some(of));
+            assert_eq!(of_discs, if of == Automatic { 300.0 } else { 90.0 }, "{of:?}");
+        }
+        assert_eq!(Application::suns(None), 17..=30);
+    }
+
+    /// Modules of DIN 780, and gears from 5 to 40 mm wide.
+    #[test]
+    fn usual_sizes_of_servo_drives() {
+        let mm =
+            |all: Vec<Length>| all.iter().map(|one| (1e5 * one.si()).round() / 100.0).collect::<Vec<_>>();
+        let modules = mm(Application::Robot.modules().unwrap());
+        assert_eq!(modules, [0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.25, 1.5, 2.0]);
+        let widths = mm(Application::Robot.face_widths().unwrap());
+        assert_eq!((widths.len(), widths[0], widths[35]), (36, 5.0, 40.0));
+        assert!(Application::Winch.modules().is_none() && Application::Winch.face_widths().is_none());
+    }
+}

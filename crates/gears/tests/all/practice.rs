@@ -8,6 +8,7 @@ use epicyclic_gears::involute::practice::{
     of_face_load, of_gap, of_gear, of_mesh, of_speed, of_total_contact, orbit_acceleration, orbit_rule,
     pin_speed, pin_speed_rule, shift_rule,
 };
+use epicyclic_gears::involute::tool::{Shaper, Tool};
 use epicyclic_gears::involute::{InvoluteGear, Pair, Profile};
 use epicyclic_gears::life::Rolling;
 use epicyclic_gears::rack::BasicRack;
@@ -100,4 +101,47 @@ fn each_kind_of_gear_and_mesh_has_its_rules() {
     ] {
         assert_eq!(shift_rule(&gear(kind, 60, 0.0), is_planet, is_of_pair), rule);
     }
+}
+
+/// Rings of fewer than 42 teeth have a form tool, others a shaper of 18 teeth less, of 30 at most; corners are
+/// rounded by 0.3 modules. Practice of gear cutting.
+#[test]
+fn usual_tools_change_at_their_numbers_of_teeth() {
+    let of = |ring| Tool::usual(GearKind::Internal, ToothCount::new(ring).unwrap());
+    let shaper = |teeth| {
+        let teeth = ToothCount::new(teeth).unwrap();
+        Tool::Shaper(Shaper { teeth, shift: 0.0, addendum: None, tip_radius: 0.3 })
+    };
+    assert_eq!(of(41), Tool::Form { fillet: 0.3 });
+    for (ring, cutter) in [(42, 24), (43, 25), (47, 29), (48, 30), (49, 30), (200, 30)] {
+        assert_eq!(of(ring), shaper(cutter), "{ring}");
+    }
+    for (shift, is_allowed) in [(0.999, true), (1.001, false), (-0.999, true), (-1.001, false)] {
+        let tool = Tool::Shaper(Shaper { shift, ..Shaper::of_teeth(ToothCount::new(24).unwrap()) });
+        assert_eq!(tool.check(GearKind::Internal).is_ok(), is_allowed, "{shift}");
+    }
+}
+
+/// What a failed check of teeth is: an error where gears cannot be cut, assembled or turned.
+#[test]
+fn severities_of_failed_checks_of_teeth() {
+    use epicyclic_gears::involute::check::Rule::*;
+    let errors = [
+        Tool,
+        TipThickness,
+        ToolTips,
+        ToolTrochoidal,
+        ToolFeed,
+        ContactRatio,
+        TipClearance,
+        Backlash,
+        Involute,
+        Fillet,
+        Trochoidal,
+        PlanetGap,
+    ];
+    assert!(errors.iter().all(|rule| rule.severity() == Severity::Error));
+    assert_eq!((Undercut.severity(), RadialAssembly.severity()), (Severity::Warning, Severity::Remark));
+    // Half a module between neighbouring planets is usual.
+    assert_eq!(epicyclic_gears::mesh::USUAL_PLANET_GAP, 0.5);
 }

@@ -203,3 +203,91 @@ fn values_that_quantities_can_have() {
         assert_eq!((least, most), due, "{rule:?}");
     }
 }
+
+/// Rules without a range that a file may state: their limit follows from the gearbox or motor, or nothing that a
+/// file describes is judged by them.
+const NOT_STATABLE: [&str; 19] = [
+    "bearing-life",
+    "flank-safety",
+    "root-safety",
+    "load-sharing",
+    "face-load",
+    "ratio-deviation",
+    "allowed-pressure",
+    "trapped-pressure",
+    "direction",
+    "plain-heat",
+    "scuffing",
+    "micropitting",
+    "motor-pressure",
+    "contact-stress",
+    "ripple",
+    "axial-gap",
+    "volumetric-efficiency",
+    "overlap",
+    "chamber-area",
+];
+
+/// Rules whose values never reach the least one, so that a range up to it leaves none.
+const ABOVE_LEAST: [&str; 7] = [
+    "face-width",
+    "spur-contact",
+    "helical-contact",
+    "external-angle",
+    "internal-angle",
+    "oil-temperature",
+    "stage-efficiency",
+];
+
+/// Rules whose ratio of value and limit says nothing.
+const WITHOUT_MARGIN: [&str; 18] = [
+    "direction",
+    "ratio-deviation",
+    "sun-shift",
+    "planet-shift",
+    "ring-shift",
+    "gear-shift",
+    "shift-sum",
+    "external-angle",
+    "internal-angle",
+    "hunting-tooth",
+    "load-sharing",
+    "face-load",
+    "stage-efficiency",
+    "dynamic-factor",
+    "volumetric-efficiency",
+    "oil-temperature",
+    "scuffing",
+    "micropitting",
+];
+
+#[test]
+fn what_each_rule_allows() {
+    for &rule in Rule::ALL {
+        let is_in = |all: &[&str]| all.contains(&rule.name());
+        assert_eq!(rule.is_statable(), !is_in(&NOT_STATABLE), "{rule:?}");
+        assert_eq!(rule.is_above_least(), is_in(&ABOVE_LEAST), "{rule:?}");
+        assert_eq!(rule.has_margin(), !is_in(&WITHOUT_MARGIN), "{rule:?}");
+    }
+}
+
+#[test]
+fn the_narrower_of_two_limits_is_the_nearest_one() {
+    let limits = Limits::default();
+    for (own, limit) in [(0.01, 0.01), (0.4, 0.03)] {
+        assert_eq!(limits.judge_most(Rule::RatioDeviation, own, 0.001).limit, limit);
+    }
+}
+
+#[test]
+fn only_values_outside_a_stated_range_are_against_it() {
+    let mut limits = Limits::default();
+    limits.state(Rule::SpecificSliding, Range::at_most(1.0));
+    for (rule, value, is_against) in [
+        (Rule::SpecificSliding, 0.999, false),
+        (Rule::SpecificSliding, 1.001, true),
+        (Rule::FaceWidth, 9.0, false),
+    ] {
+        assert_eq!(limits.judge(rule, value).is_against_stated, is_against, "{rule:?} {value}");
+    }
+}

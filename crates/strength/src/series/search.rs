@@ -1,6 +1,6 @@
 //! Trains in the order of their bounds, until the first are sized in full.
 
-use super::stage::{RANGE, Stages};
+use super::stage::{Behind, RANGE, Stages};
 use super::{FirstPair, Found, Order, Teeth, Train, Trains};
 use crate::Error;
 use crate::bounded::{Cost, Geometries, TriedSet};
@@ -256,6 +256,16 @@ enum Known {
     Sized,
 }
 
+/// A stage of a train.
+#[derive(Debug, Clone, Copy)]
+struct Place {
+    set: usize,
+    /// Product of the ratios before it.
+    before: f64,
+    /// Ratio of the train.
+    ratio: f64,
+}
+
 struct Search<'a> {
     stages: Stages<'a>,
     sets: Vec<TriedSet>,
@@ -264,8 +274,8 @@ struct Search<'a> {
     count: usize,
     /// Cost of a set behind a range of products.
     in_range: HashMap<(usize, usize), Option<Cost>>,
-    /// Cost of a set behind a product, in bits.
-    exact: HashMap<(usize, u64), Option<Cost>>,
+    /// Cost of a set behind a product, and where rings turn in a train of a ratio, in bits.
+    exact: HashMap<(usize, u64, u64), Option<Cost>>,
     geometries: &'a mut Geometries,
     sized: u64,
     goes_on: &'a dyn Fn() -> ControlFlow<()>,
@@ -332,32 +342,41 @@ impl Search<'_> {
         }
     }
 
-    /// Cost of a set behind a product of ratios as far as it is known; `None` if nothing holds.
-    fn cost(&self, set: usize, before: f64) -> (Option<Cost>, Known) {
-        let of = range(before);
-        if let Some(cost) = self.exact.get(&(set, before.to_bits())) {
+    /// What the load of a stage depends on: rings turn as the output, so by the ratio of the whole train.
+    fn key(&self, Place { set, before, ratio }: Place) -> (usize, u64, u64) {
+        let ratio = if self.stages.order.rings_turn { ratio } else { 0.0 };
+        (set, before.to_bits(), ratio.to_bits())
+    }
+
+    /// Cost of a stage as far as it is known; `None` if nothing holds.
+    fn cost(&self, place: Place) -> (Option<Cost>, Known) {
+        let of = range(place.before);
+        if let Some(cost) = self.exact.get(&self.key(place)) {
             (*cost, Known::Sized)
-        } else if let Some(cost) = self.in_range.get(&(set, of)) {
+        } else if let Some(cost) = self.in_range.get(&(place.set, of)) {
             (*cost, Known::InRange)
         } else {
-            (self.table.own[of][set], Known::Tried)
+            (self.table.own[of][place.set], Known::Tried)
         }
     }
 
     /// Gets to know more of a stage.
-    fn learn(&mut self, set: usize, before: f64, known: Known) -> Result<(), Error> {
+    fn learn(&mut self, place: Place, known: Known) -> Result<(), Error> {
         if (self.goes_on)().is_break() {
             return Err(Error::Cancelled);
         }
         self.sized += 1;
-        let stage = &self.sets[set];
-        let of = range(before);
-        if known == Known::Tried && of > 0 {
-            let cost = self.stages.size(stage, ends(of), self.geometries, self.goes_on)?;
-            self.in_range.insert((set, of), cost);
+        let stage = &self.sets[place.set];
+        let of = range(place.before);
+        // The first stage has one load, unless its ring turns as the output.
+        if known == Known::Tried && (of > 0 || self.stages.order.rings_turn) {
+            let behind = Behind::Any(ends(of));
+            let cost = self.stages.size(stage, behind, self.geometries, self.goes_on)?;
+            self.in_range.insert((place.set, of), cost);
         } else {
-            let cost = self.stages.size(stage, [before; 2], self.geometries, self.goes_on)?;
-            self.exact.insert((set, before.to_bits()), cost);
+            let behind = Behind::One { before: place.before, ratio: place.ratio };
+            let cost = self.stages.size(stage, behind, self.geometries, self.goes_on)?;
+            self.exact.insert(self.key(place), cost);
         }
         Ok(())
     }
@@ -393,8 +412,10 @@ impl Search<'_> {
                     return Ok((found, is_whole));
                 }
                 let products = self.products(&next.sets);
-                let known = next.sets.iter().zip(&products).map(|(set, before)| self.cost(*set, *before));
-                let known: Vec<(Option<Cost>, Known)> = known.collect();
+                let ratio = products[next.sets.len()];
+                let place = |(set, before): (&usize, &f64)| Place { set: *set, before: *before, ratio };
+                let places: Vec<Place> = next.sets.iter().zip(&products).map(place).collect();
+                let known: Vec<(Option<Cost>, Known)> = places.iter().map(|of| self.cost(*of)).collect();
                 let Some(costs) = known.iter().map(|(cost, _)| *cost).collect::<Option<Vec<Cost>>>() else {
                     continue;
                 };
@@ -410,10 +431,10 @@ impl Search<'_> {
                         if self.sized >= MOST {
                             return Ok((found, false));
                         }
-                        self.learn(next.sets[place], products[place], *known)?;
+                        self.learn(places[place], *known)?;
                         queue.push(Reverse(next));
                     }
-                    _ => found.push(self.train(&next, products[next.sets.len()])),
+                    _ => found.push(self.train(&next, ratio)),
                 }
                 if found.len() == most {
                     return Ok((found, is_whole));

@@ -194,6 +194,18 @@ proptest! {
     }
 }
 
+/// Rings turn as the output of their own train. With the middle of the allowed ratios the planets of the best
+/// train would be beyond their usual acceleration, and a train of 16.39 kg would be found.
+#[test]
+fn speeds_of_turning_rings_are_those_of_the_ratio_of_the_train() {
+    let order = small((27.324, 108.344, 23), (vec![2.5, 4.0], vec![4]), (5.17495, 1.0, false));
+    let order = Order { rings_turn: true, ..order };
+    assert!(agrees(&order).unwrap());
+    let found = search(&order, 1, &mut KnownSets::default(), &|| ControlFlow::Continue(())).unwrap();
+    let best = &found.all[1].found[0];
+    assert!((best.mass_kg - 16.073).abs() < 1e-3 && best.rules_missed == 0, "{best:?}");
+}
+
 /// The order with a pair as the first stage, whose mesh shares no load.
 fn behind_a_pair(order: Order, pinions: u32) -> Order {
     let given = Given::load_factors([1.5, 1.0, 1.1, 1.25, 1.0]);
