@@ -476,7 +476,7 @@ fn a_runaway_speed_is_judged_and_wears_nothing() {
     let of = |more: &str| stages(&format!("--ratio=20|--power=12kW|--input=1500rpm|{SPACE}{more}"));
     let checks = |of: &Stages, rule: &str| {
         let all = &of.sizes.as_ref().unwrap().judgement.checks;
-        let own = all.iter().filter(|check| check.name == rule).map(|check| check.value);
+        let own = all.iter().filter(|check| check.name == rule).filter_map(|check| check.value);
         own.fold(0.0, f64::max)
     };
     let (usual, fast) = (of(""), of("|--runaway=1.5"));
