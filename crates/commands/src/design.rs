@@ -3,6 +3,7 @@
 pub mod answer;
 mod factor;
 mod gears;
+mod limits;
 mod load_step;
 pub mod page;
 pub mod request;

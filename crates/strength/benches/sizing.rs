@@ -88,6 +88,7 @@ fn set(teeth: [u32; 3], steps: [[f64; 4]; 3]) -> Sizing {
             reach: 1.0,
             width_ratio: Some(1.2),
             largest_ring: None,
+            length_price: 0.0,
             bearings: listed().into(),
         },
     }

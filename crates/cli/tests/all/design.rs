@@ -281,6 +281,8 @@ fn stages_that_are_not_found_name_the_limits_in_the_way() {
         let range = || format!("{}..{}", number("least"), number("greatest"));
         Some(match limit["limit"].as_str().unwrap() {
             "largest_ring" => format!("--max-ring={}m", number("greatest")),
+            "whole_mass" => format!("--max-mass={}kg", number("greatest")),
+            "length" => format!("--max-length={}m", number("greatest")),
             "tolerance" => format!("--tolerance={}", number("greatest")),
             "stages" => format!("--stages={}", range()),
             "sun_teeth" => format!("--sun={}", range()),
@@ -294,6 +296,8 @@ fn stages_that_are_not_found_name_the_limits_in_the_way() {
     };
     let orders: &[(&[&str], &str)] = &[
         (&["--ratio=5", "--max-ring=100mm"], "largest_ring"),
+        (&["--ratio=5", "--max-mass=5kg"], "whole_mass"),
+        (&["--ratio=5", "--max-length=20mm"], "length"),
         (&["--ratio=20", "--stages=1"], "stages"),
         (&["--ratio=2.5", "--sun=17..30"], "sun_teeth"),
         (&["--ratio=5.013", "--stages=1", "--tolerance=0"], "tolerance"),
@@ -400,6 +404,14 @@ fn values_that_make_no_sense_are_refused_with_what_to_type() {
         (&["--ratio=5", "--efficiency=97"], &["--efficiency: mesh efficiency 97", "write 97%"]),
         (&["--output-speed=0rpm"], &["--output-speed: the output must turn"]),
         (&["--ratio=5", "--max-ring=0mm"], &["--max-ring: largest ring is 0 mm"]),
+        (&["--ratio=5", "--max-mass=0kg"], &["--max-mass", "must be above 0"]),
+        (&["--ratio=5", "--max-mass=5mm"], &["--max-mass", "kg"]),
+        (&["--ratio=5", "--max-length=-1mm"], &["--max-length", "must be above 0"]),
+        (&["--ratios=3.5", "--max-length=1m"], &["'--max-length", "'--ratios"]),
+        (&["--ratio=5", "--application=robot", "--max-length=1m"], &["--max-length", "flanges"]),
+        (&["--ratio=5", "--runaway=0.9"], &["--runaway: 0.9", "write 1 or more"]),
+        (&["--ratios=3.5", "--runaway=0"], &["--runaway: 0"]),
+        (&["--ratio=5", "--side-load=0kN"], &["--side-load", "must be above 0"]),
         (&["--ratio=5", "--helix-angle=70deg"], &["--helix-angle", "between 0 and 60 °", "other hand"]),
         (&["--ratio=5", "--helix-angle=20"], &["--helix-angle", "deg"]),
         (&["--speeds=20rpm, 60rpm"], &["--speeds", "speeds of a shaft", "write --ratios"]),

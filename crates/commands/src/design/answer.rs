@@ -1,5 +1,6 @@
 //! Design of a gearbox from speeds and power: its scheme, tooth numbers and sizes with sufficient strength.
 //!
+//! - [`limits`]: limits of the whole gearbox.
 //! - [`masses`]: the whole and its parts.
 //! - [`records`]: steps, each with its choice and the next best.
 //! - [`stages`]: stages in series for one ratio.
@@ -13,12 +14,14 @@
 mod assumed;
 mod attempt;
 pub(crate) mod axes;
+pub mod limits;
 mod loaded;
 mod making;
 pub mod masses;
 pub mod records;
 pub mod stages;
 mod stages_file;
+mod stages_search;
 pub mod stages_wanted;
 pub mod stages_ways_out;
 pub mod transmission;
@@ -35,6 +38,7 @@ use assumed::{AssumedLoad, assumed};
 use attempt::Attempt;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_selection::{Mechanism, Space};
+use limits::OrderLimits;
 use masses::Masses;
 use records::{SchemeStep, SizesStep, TeethStep};
 use schemars::JsonSchema;
@@ -62,6 +66,8 @@ pub struct Wanted {
     pub overload: Option<f64>,
     /// Steps of the duty in each gear: share of its time, torque and speed over these.
     pub spectrum: Vec<[f64; 3]>,
+    /// Limits of the whole gearbox.
+    pub limits: OrderLimits,
     /// Materials, factors, oil and life.
     pub basis: Basis,
     /// Search space of sizes.
@@ -78,6 +84,8 @@ pub struct Design {
     pub basis: Vec<BasisKey>,
     /// Assumptions that are no keys of the file.
     pub assumed: Vec<BasisKey>,
+    /// Limits of the whole gearbox, and what exceeds them.
+    pub limits: OrderLimits,
     /// Masses of the whole and of its parts; null without a file.
     pub masses: Option<Masses>,
     /// Choice of the scheme.
@@ -139,6 +147,7 @@ fn attempted(wanted: &Wanted, watch: &Watch) -> Result<(Design, Vec<select::Rela
         speeds: vec![],
         basis: wanted.basis.told(),
         assumed: assumed(&wanted.basis, &wanted.size, &load)?,
+        limits: wanted.limits,
         masses: None,
         scheme: SchemeStep::of(&selected, taken, others, wanted.mechanism.is_some()),
         teeth: None,
@@ -162,11 +171,19 @@ fn attempted(wanted: &Wanted, watch: &Watch) -> Result<(Design, Vec<select::Rela
             design.masses = Masses::of(file, sizes, (wanted.size.application, wanted.overload))?;
         }
         (design.teeth, design.sizes, design.file, design.speeds) = (Some(teeth), sizes, file, speeds);
+        if let Some(sizes) = design.sizes.as_ref().filter(|_| design.file.is_some())
+            && !design.limits.allow(design.masses.as_ref(), sizes)
+        {
+            (design.file, design.masses) = (None, None);
+        }
         if design.file.is_none()
             && let Some(size) = wanted.size.larger()
         {
-            return attempted(&Wanted { size, ..wanted.clone() }, watch);
+            let (mut larger, relaxations) = attempted(&Wanted { size, ..wanted.clone() }, watch)?;
+            larger.limits = larger.limits.with(design.limits, larger.file.is_some());
+            return Ok((larger, relaxations));
         }
+        design.warnings.extend(design.limits.warning());
     }
     Ok((design, selected.relaxations))
 }

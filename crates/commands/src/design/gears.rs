@@ -101,6 +101,7 @@ impl Request {
             shares,
             overload: self.overload()?,
             spectrum: self.spectrum(self.sizes.application.map_or(&FULL_LOAD, Application::spectrum))?,
+            order: self.limits()?,
             basis: self.basis()?,
             size: self.sized(),
         };

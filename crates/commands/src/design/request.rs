@@ -4,7 +4,9 @@ use crate::answer::Warning;
 use crate::design::answer::axes::Axes;
 use crate::design::answer::stages::MOST_STAGES;
 use crate::design::answer::transmission::Transmission;
+use crate::design::answer::ways_out::rounded;
 use crate::design::answer::{Design, Wanted, answer};
+use crate::design::limits::positive;
 use crate::design::table::stages::why_no_stages;
 use crate::design::table::way_out;
 use crate::design::values::{helix_angle, life, named, sharing, whole};
@@ -42,7 +44,7 @@ use epicyclic_units::format::trimmed;
 use epicyclic_units::{Number, Physical, Quantity};
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
-use uom::si::f64::{Angle, AngularVelocity, Power, Ratio, Time, Torque};
+use uom::si::f64::{Angle, AngularVelocity, Force, Length, Mass, Power, Ratio, Time, Torque};
 
 /// A gearbox for one ratio, for speeds or for a list of gears, from power to sizes that hold.
 ///
@@ -152,6 +154,23 @@ pub struct Request {
     /// statically.
     #[arg(long, value_name = "FACTOR", allow_hyphen_values = true)]
     pub overload: Option<Quantity<Ratio>>,
+
+    /// The greatest speed of the input without load over --input: bearings, planets and gears are judged at it.
+    #[arg(long, value_name = "FACTOR", allow_hyphen_values = true)]
+    pub runaway: Option<Quantity<Ratio>>,
+
+    /// Radial force on the output. Not judged: the bearings of the output are not in the design.
+    #[arg(long, value_name = "FORCE", value_parser = positive::<Force>, allow_hyphen_values = true)]
+    pub side_load: Option<Quantity<Force>>,
+
+    /// The greatest mass of the whole gearbox, by the rules of its parts. Default: no bound.
+    #[arg(long, value_name = "MASS", value_parser = positive::<Mass>, allow_hyphen_values = true)]
+    pub max_mass: Option<Quantity<Mass>>,
+
+    /// The greatest length of the stages along the axis, with carriers and covers, without shafts. Default: no
+    /// bound.
+    #[arg(long, value_name = "LENGTH", value_parser = positive::<Length>, conflicts_with_all = ["speeds", "ratios"], allow_hyphen_values = true, help_heading = STAGES)]
+    pub max_length: Option<Quantity<Length>>,
 
     /// This scheme or structure in place of the best: II-3, D.T1.B+T2.B.T1.
     #[arg(long, value_name = "NAME", value_parser = named)]
@@ -295,7 +314,13 @@ fn deliver_gears(call: &Call<'_>, args: &Args, of_gears: &Transmission) -> Resul
         let all: Vec<&str> = all.collect();
         format!("no gearbox with these gears was found; {} may give some", all.join(", "))
     } else {
-        "no sizes that hold were found; other --modules, --planets or --max-ring may give some".to_owned()
+        match of_gears.limits.lightest_kg.map(|mass| rounded(mass, f64::ceil)) {
+            Some(mass) => format!(
+                "no gearbox within --max-mass was found; --max-mass {mass}kg takes the lightest found"
+            ),
+            None => "no sizes that hold were found; other --modules, --planets or --max-ring may give some"
+                .to_owned(),
+        }
     };
     deliver(call, args, of_gears, of_gears.file.as_deref(), sheet, why_none)
 }
@@ -399,6 +424,7 @@ impl Request {
             shares: self.shares(gears)?,
             overload: self.overload()?,
             spectrum: self.spectrum(&FULL_LOAD)?,
+            limits: self.limits()?,
             basis: self.basis()?,
             size: self.sized(),
         })
@@ -442,7 +468,7 @@ impl Request {
 
     /// Steps of the load in each gear, or the usual ones: share of the time, torque and speed over those of the
     /// load.
-    pub(super) fn spectrum(&self, usual: &[[f64; 3]]) -> Result<Vec<[f64; 3]>, Failure> {
+    pub(super) fn steps(&self, usual: &[[f64; 3]]) -> Result<Vec<[f64; 3]>, Failure> {
         let Some(steps) = &self.spectrum else { return Ok(usual.to_vec()) };
         let steps: Vec<[f64; 3]> = steps.0.iter().map(|step| step.0).collect();
         are_whole("--spectrum", &steps.iter().map(|[share, ..]| *share).collect::<Vec<_>>())?;

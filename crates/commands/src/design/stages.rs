@@ -122,6 +122,7 @@ impl Request {
             is_of_output: self.output_torque.is_some(),
             overload: self.overload()?,
             spectrum: self.spectrum(&FULL_LOAD)?,
+            limits: self.limits()?,
             efficiency: self.criteria.set_efficiency()?.get(),
             basis: self.basis()?,
             size: self.sized(),

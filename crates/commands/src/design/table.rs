@@ -5,6 +5,7 @@ pub(crate) mod transmission;
 
 use crate::answer::Warning;
 use crate::design::answer::Design;
+use crate::design::answer::limits::{OrderLimits, length_m};
 use crate::design::answer::masses::Masses;
 use crate::design::answer::records::{OtherScheme, SchemeStep, SizesStep, TeethStep, TeethTaken};
 use crate::design::answer::ways_out::{Limit, RelaxedLimit, WayOut};
@@ -16,7 +17,7 @@ use crate::size::answer::records::{SizedDesign, SizedFamily, SizedSet};
 use crate::size::table::{basis, designs, gears, left_out};
 use crate::strength::table::{Worn, over_duty};
 use crate::table::columns::Table;
-use crate::table::figure::{hours, text};
+use crate::table::figure::{Figure, hours, text};
 use crate::table::quantities::{quantity, words};
 use crate::table::report::AsReport;
 use crate::table::report::{Part, Records, Report, Row, Section, Text, warned};
@@ -31,8 +32,7 @@ pub(crate) fn of_sizes(sizes: &SizesStep, masses: Option<&Masses>) -> Vec<String
     let rings = found.iter().filter_map(|design| design.ring_diameter_m);
     all.extend(rings.reduce(f64::max).map(|ring| format!("ring {}", words(Dimension::Length, ring, DIGITS))));
     let is_known = masses.is_some_and(Masses::are_of_sets);
-    let length: f64 = found.iter().map(|design| design.length_m).sum();
-    all.extend(is_known.then(|| format!("length about {}", words(Dimension::Length, length, 2))));
+    all.extend(is_known.then(|| format!("length about {}", words(Dimension::Length, length_m(sizes), 2))));
     all.extend(sizes.mass_kg.map(|mass| format!("gears {}", words(Dimension::Mass, mass, 3))));
     all.extend(masses.map(|of| format!("whole about {}", words(Dimension::Mass, of.whole_kg, 2))));
     let gears = || found.iter().flat_map(|design| &design.over_duty);
@@ -90,10 +90,40 @@ pub(crate) fn parts_of_choice(design: &Design) -> Vec<Part> {
         parts.push(Part::Records(ways_out(ways)));
         parts.extend(ways.iter().map(|way| Part::Records(speeds_of(way))));
     }
+    parts.extend(limits(&design.limits, design.masses.as_ref(), design.sizes.as_ref()));
     parts.extend(design.masses.as_ref().map(|of| Part::Facts(masses(of))));
     parts.push(Part::Records(basis(&design.basis, ASSUMED)));
     parts.push(Part::Records(assumed(&design.assumed)));
     parts
+}
+
+/// Limits of the whole gearbox, asked and reached; `None` without any.
+pub(crate) fn limits(of: &OrderLimits, masses: Option<&Masses>, sizes: Option<&SizesStep>) -> Option<Part> {
+    let is_found = masses.is_some();
+    let figure =
+        |dimension, value: Option<f64>| value.map_or(Figure::None, |value| quantity(dimension, value));
+    let whole = masses.map(|of| of.whole_kg).or(of.lightest_kg);
+    let length = sizes.filter(|_| is_found).map(length_m).or(of.shortest_m);
+    let number = |value: f64| Figure::Number(value);
+    let mut rows = vec![];
+    let mut row = |name, label, asked: Option<Figure>, reached| {
+        rows.extend(asked.map(|asked| Row::new(name, label, "", [asked, reached])));
+    };
+    let mass = of.whole_kg.map(|mass| quantity(Dimension::Mass, mass));
+    row("whole", "mass of the whole, at most", mass, figure(Dimension::Mass, whole));
+    let most = of.length_m.map(|length| quantity(Dimension::Length, length));
+    row("length", "length of the stages, at most", most, figure(Dimension::Length, length));
+    let runaway = of.runaway_over_speed.map(number);
+    row("runaway", "greatest speed without load, over that of the load", runaway, Figure::None);
+    let force = of.side_load_n.map(|force| quantity(Dimension::Force, force));
+    row("side_load", "side load of the output, not judged", force, Figure::None);
+    const COLUMNS: &[(&str, &str)] = &[("asked", "asked"), ("reached", "reached")];
+    let note = match is_found {
+        true => "",
+        false => "Reached: the least that was found, which exceeds a limit.",
+    };
+    let section = Section { name: "limits", title: "Limits of the whole", columns: COLUMNS, rows, note };
+    of.is_any().then_some(Part::Facts(section))
 }
 
 /// Masses of the whole and of its parts.
@@ -185,6 +215,9 @@ fn stopped(design: &Design) -> Option<String> {
             "No scheme meets the criteria. `epicyclic select` with the same speeds and --tolerance lists the criteria that each one fails."
         }
         (Some(_), None, _) => "No tooth numbers within the bounds give the ratios, or not so many.",
+        (Some(_), Some(_), _) if design.limits.lightest_kg.is_some() => {
+            "The lightest gearbox found is above --max-mass."
+        }
         (Some(_), Some(_), _) => {
             "No size of a set holds over the duty; the nearest misses list what they lack."
         }
@@ -271,6 +304,8 @@ fn option(one: &RelaxedLimit) -> String {
             Some(ring) => format!("--max-ring {}mm", trimmed(1e3 * ring, 6)),
             None => "without --max-ring".to_owned(),
         },
+        Limit::WholeMass => format!("--max-mass {greatest}kg"),
+        Limit::Length => format!("--max-length {}mm", trimmed(1e3 * one.greatest.unwrap_or_default(), 6)),
         Limit::Planets => format!("--planets ..{greatest}"),
         Limit::Stages => format!("--stages {}", range()),
         Limit::HuntingTeeth => "without --hunting-teeth".to_owned(),

@@ -275,13 +275,18 @@ const SIZED: &str = "the gearbox with its sizes";
 /// Loads of a simple set over the duty, and its overloads; `None` if its torques cannot be computed.
 fn loads_of(
     set: &SetToSize<'_>,
-    steps: &[WorkedStep<'_>],
-    peaks: &[Peak<'_>],
+    (steps, peaks): (&[WorkedStep<'_>], &[Peak<'_>]),
+    subject: &Gearbox,
 ) -> Option<(Vec<SetStep>, Vec<SetOverload>)> {
     let still = AngularVelocity::from_si(0.0);
-    let step = |WorkedStep(entry, worked): &WorkedStep<'_>| {
+    let step = |step: &WorkedStep<'_>| {
+        let WorkedStep(entry, worked) = step;
         let (sun_torque, [sun_speed, carrier_speed]) = match worked {
-            None => (Torque::from_si(0.0), [still; 2]),
+            None => {
+                let turning = step.turning(subject);
+                let felt = turning.and_then(|worked| felt(set.place, &worked, entry.speed.0));
+                (Torque::from_si(0.0), felt.map_or([still; 2], |(_, speeds)| speeds))
+            }
             Some(worked) => felt(set.place, worked, entry.speed.0)?,
         };
         Some(SetStep { share: entry.share.0.si(), sun_torque, sun_speed, carrier_speed })
@@ -308,7 +313,7 @@ fn simple(
         }
         _ => return None,
     };
-    let Some((duty, overloads)) = loads_of(set, steps, peaks) else {
+    let Some((duty, overloads)) = loads_of(set, (steps, peaks), subject) else {
         return Some(Err(Reason::NoTorquesFollow));
     };
     let planet = task.planets.first();
@@ -439,6 +444,7 @@ fn task(
         face_widths: (0..families.count).map(widths).collect(),
         width_ratio: space.width_ratio,
         largest_ring: space.largest_ring,
+        length_price: space.length_price,
         viscosity: set.viscosity,
         working_viscosity: asked.working_viscosity,
         life: asked.life,

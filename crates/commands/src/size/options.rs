@@ -116,6 +116,10 @@ pub struct Request {
     #[arg(skip)]
     pub has_large_modules: bool,
 
+    /// Price of the length in kg/m, which counts beside the objective.
+    #[arg(skip)]
+    pub length_price: f64,
+
     /// Whether the given `K_Hβ` is a usual one, which grows with the face width.
     #[arg(skip)]
     pub widens_face_load: bool,
@@ -145,6 +149,7 @@ impl Request {
             reach: REACH,
             width_ratio: self.width_ratio.map(Number::get),
             largest_ring: self.max_ring.map(|ring| ring.0),
+            length_price: self.length_price,
             bearings: self.bearings().into(),
         }
     }

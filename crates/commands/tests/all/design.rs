@@ -488,3 +488,70 @@ fn gears_of_a_list_have_the_efficiency_of_the_order() {
         assert!((slow - (1.0 + (ratio - 1.0) * efficiency) / ratio).abs() < 1e-9, "{slow}");
     }
 }
+
+/// Whole and length of a train are kept, and a tighter limit makes it no lighter.
+#[test]
+fn limits_of_the_whole_are_kept() {
+    let space = SPACE.replace("--tolerance=0", "--tolerance=3%");
+    let of = |more: &str| stages(&format!("--ratio=20|--power=12kW|--input=1500rpm|{space}{more}"));
+    let length = |of: &Stages| {
+        let sets = of.sizes.as_ref().unwrap().sets.iter();
+        sets.map(|set| set.found[0].length_m).sum::<f64>()
+    };
+    let free = of("");
+    let (whole, long) = (free.masses.unwrap().whole_kg, length(&free));
+    let kept = of(&format!("|--max-mass={whole}kg|--max-length={long}m"));
+    assert_eq!((&kept.ratio, kept.masses.unwrap().whole_kg), (&free.ratio, whole));
+    let mut before = whole;
+    for part in [0.95, 0.85] {
+        let short = of(&format!("|--max-length={}m", part * long));
+        let own = short.masses.unwrap().whole_kg;
+        assert!(length(&short) <= part * long && own >= before * (1.0 - 1e-9), "{own} {before}");
+        before = own;
+    }
+    // What is too long or too heavy names the least, with which it is found.
+    let none = of(&format!("|--max-mass={}kg", 0.5 * whole));
+    let lightest = none.limits.lightest_kg.unwrap();
+    assert!(none.file.is_none() && none.masses.is_none() && lightest <= whole * (1.0 + 1e-9), "{lightest}");
+    assert!(of(&format!("|--max-mass={}kg", lightest * 1.001)).file.is_some());
+    let none = of("|--max-length=20mm");
+    assert!(none.file.is_none() && none.limits.shortest_m.unwrap() < long);
+}
+
+/// A speed without load costs no life, but rules of speeds see it.
+#[test]
+fn a_runaway_speed_is_judged_and_wears_nothing() {
+    let of = |more: &str| stages(&format!("--ratio=20|--power=12kW|--input=1500rpm|{SPACE}{more}"));
+    let checks = |of: &Stages, rule: &str| {
+        let all = &of.sizes.as_ref().unwrap().judgement.checks;
+        let own = all.iter().filter(|check| check.name == rule).filter_map(|check| check.value);
+        own.fold(0.0, f64::max)
+    };
+    let (usual, fast) = (of(""), of("|--runaway=1.5"));
+    for rule in ["spur-speed", "pin-speed"] {
+        let [one, other] = [&usual, &fast].map(|of| checks(of, rule));
+        assert!(one > 0.0 && (other / one - 1.5).abs() < 1e-9, "{rule}: {one} {other}");
+    }
+    let [one, other] = [&usual, &fast].map(|of| checks(of, "orbit-acceleration"));
+    assert!((other / one - 2.25).abs() < 1e-9, "{one} {other}");
+    let safeties = |of: &Stages| {
+        let sets = of.sizes.as_ref().unwrap().sets.iter();
+        let gears = sets.flat_map(|set| &set.found[0].over_duty);
+        gears.map(|gear| (gear.flank.safety, gear.root.safety)).collect::<Vec<_>>()
+    };
+    assert_eq!(safeties(&usual), safeties(&fast));
+    assert!(fast.file.unwrap().contains("share: 0"));
+    // Where the speed is too high, it is warned of.
+    let wild = of("|--runaway=20");
+    let judgement = &wild.sizes.as_ref().unwrap().judgement;
+    assert!(judgement.misses()[0] + judgement.misses()[1] > 0 && !wild.warnings.is_empty());
+}
+
+/// A side load is kept and said to be left out.
+#[test]
+fn a_side_load_is_not_judged_and_says_so() {
+    let of = stages(&format!("--ratio=20|--power=12kW|--input=1500rpm|{SPACE}|--side-load=40kN"));
+    assert_eq!(of.limits.side_load_n, Some(40e3));
+    let warning = of.warnings.iter().find(|one| one.name == "side-load-not-judged").unwrap();
+    assert!(warning.message.contains("40000 N"), "{}", warning.message);
+}

@@ -17,7 +17,7 @@ use crate::sizing::practice::priced;
 use crate::sizing::task::widened;
 use crate::sizing::trial::Trial;
 use crate::sizing::{
-    Design, Layout, Objective, SetOverload, SetStep, SetTeeth, Sizing, Space, structure, with_rest,
+    Design, Layout, Objective, SetOverload, SetStep, SetTeeth, Sizing, Space, length, structure, with_rest,
 };
 use crate::tolerance::RIM;
 use crate::{Error, Quantity};
@@ -54,8 +54,10 @@ const AGAINST_PULL: f64 = 0.1;
 pub(crate) struct Cost {
     /// Sets beyond usual practice.
     pub(crate) unusual: f64,
-    /// Mass with the price of the rules that are missed, kg.
+    /// Mass with the price of the rules that are missed and of the length, kg.
     pub(crate) price: f64,
+    /// Length along the axis, m.
+    pub(crate) length: f64,
     /// Mass that the objective counts, kg.
     pub(crate) mass: f64,
     /// Rules that are missed.
@@ -63,9 +65,10 @@ pub(crate) struct Cost {
 }
 
 impl Cost {
-    pub(crate) fn of(missed: u32, mass: f64) -> Self {
+    /// Cost of a set, by its mass and its length with what a metre of it counts in kg.
+    pub(crate) fn of(missed: u32, mass: f64, [length, of_length]: [f64; 2]) -> Self {
         let [unusual, price] = priced(missed, mass);
-        Self { unusual, price, mass, missed }
+        Self { unusual, price: price + of_length * length, length, mass, missed }
     }
 }
 
@@ -98,6 +101,7 @@ impl Add for Cost {
         Self {
             unusual: self.unusual + other.unusual,
             price: self.price + other.price,
+            length: self.length + other.length,
             mass: self.mass + other.mass,
             missed: self.missed + other.missed,
         }
@@ -401,14 +405,16 @@ impl<'a> Sets<'a> {
         let width = (first..self.widths.len()).find(holds)?;
         let face = self.widths.get(width)?.si();
         let gears = tried.sections[planets] * module * module * face;
-        let mass = self.of_set.objective.mass(gears, structure(tried.ring * module, face));
+        let ring = tried.ring * module;
+        let mass = self.of_set.objective.mass(gears, structure(ring, face));
+        let cost = |missed| Cost::of(missed, mass, [length(ring, face), self.of_set.space.length_price]);
         let missed = tried.missed + missed;
         // Most are too heavy, whatever the rules say of their width.
-        if known.is_some_and(|known| known < Cost::of(missed, mass)) {
+        if known.is_some_and(|known| known < cost(missed)) {
             return None;
         }
         let missed = missed + self.of_width(face / (module * set.smaller))?;
-        Some((Cost::of(missed, mass), width))
+        Some((cost(missed), width))
     }
 
     /// Whether planets miss the rules of their orbit on every kind of bearings.
@@ -491,7 +497,8 @@ impl<'a> Sets<'a> {
             };
             let cost = |design: Design| {
                 let mass = of_set.objective.mass(design.mass.si(), design.structure.si());
-                Cost::of(design.rules_missed, mass)
+                let length = [design.length.si(), of_set.space.length_price];
+                Cost::of(design.rules_missed, mass, length)
             };
             best = sizing.best_of(geometries, goes_on)?.map(cost).into_iter().chain(best).min();
         }

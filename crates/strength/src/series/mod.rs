@@ -34,6 +34,15 @@
 //! of the gears, or by [`Objective::Whole`](crate::sizing::Objective::Whole) of gears, carriers and housing.
 //! Both are sums over the stages. Between numbers of stages [`STAGE_PRICE`] counts too.
 //!
+//! # Lengths
+//! A price of the length ([`Space::length_price`](crate::sizing::Space::length_price), λ in kg/m) counts beside the
+//! mass: a sum over the stages as well, so the search stays exact. The best train at a price, of length `L`, is
+//! the best of all that are no longer, and bounds the price `P` of every train within another length:
+//!
+//! ```text
+//! P ≥ min(P + λ·L) − λ·L_max        for every train with L ≤ L_max and as many stages beyond usual practice
+//! ```
+//!
 //! # How the best train is found
 //! Each set is tried at every centre distance. Its flanks there give the volume of teeth that a torque needs, its
 //! planets the bearings that fit: together a bound below the mass of a stage, whatever its module and its speed
@@ -163,6 +172,8 @@ pub struct Train {
     pub mass_kg: f64,
     /// Mass with a quarter more for each rule missed, in kg.
     pub price_kg: f64,
+    /// Length of the stages along the axis, in m.
+    pub length_m: f64,
 }
 
 /// Result of a search for trains.

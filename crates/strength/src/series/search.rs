@@ -451,7 +451,8 @@ impl Search<'_> {
             unusual_stages: of.cost.unusual as u32,
             rules_missed: of.cost.missed,
             mass_kg: of.cost.mass,
-            price_kg: of.cost.price,
+            price_kg: of.cost.price - self.stages.order.of_stage.space.length_price * of.cost.length,
+            length_m: of.cost.length,
         }
     }
 }

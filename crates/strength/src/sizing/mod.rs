@@ -45,7 +45,8 @@
 //! Teeth fill half of the annulus between tip and root circle. Central external gears are solid, planets are
 //! bored to the bearing's outside diameter `D`, rings have the rim `s_r`. Designs of equal objective are
 //! ordered by the other objective, then as their layouts are, then by face widths. Where practice counts
-//! ([`Task::practice`]), designs that miss fewer of its rules come before all others.
+//! ([`Task::practice`]), designs that miss fewer of its rules come before all others. A [length] may have a
+//! price ([`Task::length_price`]), which counts beside the objective.
 //!
 //! # Why the best design is found
 //! The geometry of every layout is calculated first. With the largest bore that its planets' rims allow, a
@@ -160,6 +161,8 @@ pub struct Space {
     pub width_ratio: Option<f64>,
     /// The greatest outside diameter of a ring; `None` without bound.
     pub largest_ring: Option<Length>,
+    /// Price of the [length], as [`Task::length_price`].
+    pub length_price: f64,
     /// Bearings of the planets; empty if planets have no bearing of a table.
     pub bearings: Arc<[Bearing]>,
 }

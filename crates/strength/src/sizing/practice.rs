@@ -233,15 +233,18 @@ fn of_planets(task: &Task, layout: &Layout, limits: &Limits) -> Vec<Verdict> {
     all
 }
 
-/// Pitch-line speeds in the steps that load the set.
+/// Pitch-line speeds in the steps that load the set, and in those without a share of the time, which are speeds
+/// that come a few times.
 fn of_speeds(task: &Task, layout: &Layout, limits: &Limits) -> Vec<Verdict> {
     let loads = &layout.loads;
-    let is_loaded = |step: &usize| {
-        let torque = |mesh: &super::MeshLoads| mesh.steps.get(*step).is_some_and(|of| of.torque.si() != 0.0);
-        loads.iter().any(torque)
+    let counts = |step: &usize| {
+        let own = |mesh: &super::MeshLoads| {
+            mesh.steps.get(*step).is_some_and(|of| of.torque.si() != 0.0 || of.share == 0.0)
+        };
+        loads.iter().any(own)
     };
     let of = |(place, pair): (usize, &Pair)| {
-        let steps = loads[place].steps.iter().enumerate().filter(|(step, _)| is_loaded(step));
+        let steps = loads[place].steps.iter().enumerate().filter(|(step, _)| counts(step));
         let fastest = steps.map(|(_, step)| step.speed.si().abs()).fold(0.0, f64::max);
         let module = layout.module(task, task.meshes[place].gears[0]).si();
         of_speed(limits, pair, fastest * pair.gears()[0].reference_diameter() * module / 2.0)

@@ -186,7 +186,7 @@ impl Search<'_> {
             Objective::Whole => (gears + masses.structure(widths), gears),
         };
         let [is_unusual, price] = priced(rules_missed, value);
-        [is_unusual, price, next]
+        [is_unusual, price + self.task.length_price * masses.length(widths), next]
     }
 
     fn widths(&self, widths: &[usize]) -> Vec<f64> {

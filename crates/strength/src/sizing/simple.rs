@@ -229,6 +229,7 @@ impl Sizing {
             face_widths: vec![face_widths],
             width_ratio: self.space.width_ratio,
             largest_ring: self.space.largest_ring,
+            length_price: self.space.length_price,
             viscosity: self.viscosity,
             working_viscosity: self.working_viscosity,
             life: self.life,

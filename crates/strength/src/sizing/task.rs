@@ -184,6 +184,9 @@ pub struct Task {
     pub width_ratio: Option<f64>,
     /// The greatest outside diameter of a ring; `None` without bound.
     pub largest_ring: Option<Length>,
+    /// Price of the [length](super::length) in kg/m, which counts beside the objective: the dearer, the shorter
+    /// are the designs.
+    pub length_price: f64,
     /// Viscosity of the oil at 40 °C.
     pub viscosity: KinematicViscosity,
     /// Viscosity of the oil in the planets' bearings; `None` for the usual one of plain bearings.

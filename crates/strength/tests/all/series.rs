@@ -6,12 +6,13 @@ use crate::common::{conveyor, helical, helix_angles, mm, with_pairs};
 use epicyclic_gears::ToothCount;
 use epicyclic_strength::factor::Given;
 use epicyclic_strength::mesh::Method;
-use epicyclic_strength::series::{FirstPair, InputStep, KnownSets, Order, Teeth, search};
+use epicyclic_strength::series::{FirstPair, InputStep, KnownSets, Order, Teeth, Train, search};
 use epicyclic_strength::sizing::bearing::{listed_plain, listed_rollers};
 use epicyclic_strength::sizing::{Objective, SetOverload, SetStep, SetTeeth, Sizing, Space, size};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
 use uom::si::f64::{Mass, Time, Torque};
+use uom::si::length::meter;
 use uom::si::mass::kilogram;
 use uom::si::{time::hour, torque::newton_meter};
 
@@ -45,7 +46,8 @@ fn alone(order: &Order, teeth: SetTeeth, [before, product]: [f64; 2]) -> Option<
     let structure = if of_stage.objective == Objective::Whole { best.structure } else { Mass::default() };
     let missed = best.rules_missed;
     let price = 1.25_f64.powi(i32::try_from(missed).unwrap());
-    Some([f64::from(missed.min(1)), price * (best.mass + structure).get::<kilogram>()])
+    let of_length = of_stage.space.length_price * best.length.get::<meter>();
+    Some([f64::from(missed.min(1)), price * (best.mass + structure).get::<kilogram>() + of_length])
 }
 
 /// Cost of every train, the best first.
@@ -106,7 +108,9 @@ fn agrees(order: &Order) -> Result<bool, TestCaseError> {
     for trains in &found.all {
         let tried = every_train(order, trains.stages);
         prop_assert!(trains.is_complete);
-        let best = trains.found.first().map(|train| [f64::from(train.unusual_stages), train.price_kg]);
+        let of_length = order.of_stage.space.length_price;
+        let price = |train: &Train| train.price_kg + of_length * train.length_m;
+        let best = trains.found.first().map(|train| [f64::from(train.unusual_stages), price(train)]);
         match (best, tried.first()) {
             (None, None) => {}
             (Some(best), Some(cost)) => {
@@ -188,8 +192,10 @@ proptest! {
         rings_turn in any::<bool>(),
         helix in helix_angles(),
         sizes in sizes(),
+        length_price in prop_oneof![Just(0.0), 10.0..3000.0],
     ) {
-        let order = small((ratio, torque, suns), sizes, (faster, helix, whole));
+        let mut order = small((ratio, torque, suns), sizes, (faster, helix, whole));
+        order.of_stage.space.length_price = length_price;
         agrees(&Order { rings_turn, ..order })?;
     }
 }
@@ -233,6 +239,32 @@ proptest! {
         let order = small((ratio, torque, suns), sizes, (faster, helix, whole));
         agrees(&behind_a_pair(order, pinions))?;
     }
+}
+
+/// A price of the length gives the lightest of all trains that are as short, and no train is lighter within a
+/// length than the bound that it gives.
+#[test]
+fn the_price_of_the_length_shortens_trains() {
+    let of = |length_price: f64| {
+        let mut order = conveyor();
+        order.of_stage.space.length_price = length_price;
+        search(&order, 1, &mut KnownSets::default(), &|| ControlFlow::Continue(())).unwrap().all[0].found[0]
+            .clone()
+    };
+    let free = of(0.0);
+    let dear = [200.0, 1000.0, 5000.0].map(|price| (price, of(price)));
+    for (price, train) in &dear {
+        assert!(train.length_m <= free.length_m && train.price_kg >= free.price_kg, "{price}: {train:?}");
+        // Of each other train, too, the cost at this price is no less.
+        for (_, other) in &dear {
+            let cost = |of: &Train| (of.unusual_stages, of.price_kg + price * of.length_m);
+            assert!(
+                cost(train).0 <= cost(other).0 && cost(train).1 <= cost(other).1 * (1.0 + 1e-9),
+                "{price}"
+            );
+        }
+    }
+    assert!(dear[2].1.length_m < 0.95 * free.length_m, "{dear:?} {free:?}");
 }
 
 /// The order of a conveyor gets the split that engineers give it.

@@ -89,6 +89,7 @@ fn hoist() -> Sizing {
             face_widths: [20.0, 30.0, 40.0, 50.0].map(mm).to_vec(),
             planets: vec![3, 4, 5],
             largest_ring: None,
+            length_price: 0.0,
             bearings: listed().iter().filter(|bearing| in_mm(bearing.bore) >= 25.0).cloned().collect(),
             ..of_stage.space
         },

@@ -93,6 +93,7 @@ pub(crate) fn conveyor() -> Order {
             reach: 1.0,
             width_ratio: None,
             largest_ring: Some(mm(540.0)),
+            length_price: 0.0,
             bearings: with_pairs(listed_rollers()).into(),
         },
     };

@@ -150,8 +150,14 @@ fn duty(spectrum: &[[f64; 3]]) -> String {
             percent(speed)
         )
     };
-    match spectrum {
+    let is_runaway = |step: &&[f64; 3]| step[..2] == [0.0; 2];
+    let steps: Vec<[f64; 3]> = spectrum.iter().filter(|step| !is_runaway(step)).copied().collect();
+    let mut all = match steps[..] {
         [[_, 1.0, 1.0]] => "full torque and speed for the whole life".to_owned(),
-        steps => steps.iter().map(step).collect::<Vec<_>>().join("; "),
+        ref steps => steps.iter().map(step).collect::<Vec<_>>().join("; "),
+    };
+    for [.., speed] in spectrum.iter().filter(is_runaway) {
+        all.push_str(&format!("; at most {} % of speed, without load", trimmed(100.0 * speed, DIGITS)));
     }
+    all
 }

@@ -184,7 +184,8 @@ pub(super) fn warnings(
     warnings.extend(bearings_decide(size, &gearbox, request));
     let subject = one(&document, &Choice::default())?;
     let steps = steps(&subject, &gearbox.duty)?;
-    let turning: Vec<_> = steps.iter().filter_map(|step| step.1.as_ref()).collect();
+    let fastest: Vec<_> = steps.iter().filter_map(|step| step.turning(&subject)).collect();
+    let turning: Vec<_> = steps.iter().filter_map(|step| step.1.as_ref()).chain(&fastest).collect();
     if let Some(warning) = pins::warning(&subject, &turning) {
         warnings.retain(|one| pins::OF_PINS.iter().all(|rule| rule.name() != one.name));
         warnings.push(warning);

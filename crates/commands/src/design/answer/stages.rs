@@ -3,10 +3,12 @@
 use super::assumed::{AssumedLoad, assumed};
 use super::attempt::CLASSES;
 use super::axes::{self, Axes};
+use super::limits::OrderLimits;
 use super::making::{BEARINGS_DECIDE, MAKING, warnings};
 use super::masses::Masses;
 use super::records::SizesStep;
-use super::stages_file::{efficiencies, order, text};
+use super::stages_file::{efficiencies, text};
+use super::stages_search::{Searched, searched, unusual};
 use super::stages_wanted::WantedStages;
 use super::ways_out::WayOutOfStages;
 use crate::answer::{Answer, Warning};
@@ -16,12 +18,13 @@ use crate::shared::gearbox::{Choice, one};
 use crate::size::answer as size;
 use crate::size::options::Request as SizeRequest;
 use epicyclic_formats::Document;
-use epicyclic_strength::series::{Found, KnownSets, Order, STAGE_PRICE, Train, Trains, search};
+use epicyclic_strength::series::{KnownSets, STAGE_PRICE, Train, Trains};
 use epicyclic_strength::sizing::SetTeeth;
 use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
+use uom::si::f64::Torque;
 
 /// Mass with rollers in the bores over that with bearings of the tables, up to which they are taken.
 const BEARINGS_PAY: f64 = 0.8;
@@ -70,6 +73,8 @@ pub struct Stages {
     pub basis: Vec<BasisKey>,
     /// Assumptions that are no keys of the file.
     pub assumed: Vec<BasisKey>,
+    /// Limits of the whole gearbox, and what exceeds them.
+    pub limits: OrderLimits,
     /// Masses of the whole and of its parts; null if no train holds.
     pub masses: Option<Masses>,
     /// Sizes of the train taken, with their strength over the duty; null if no train holds.
@@ -228,6 +233,7 @@ pub(super) fn attempted(
     best.0.trains.extend(others);
     best.0.trains.sort_by_key(|trains| (trains.stages, trains.has_pair));
     best.0.sets = best.0.sets.max(other.0.sets);
+    best.0.limits = best.0.limits.with(other.0.limits, best.0.file.is_some());
     Ok(best)
 }
 
@@ -252,7 +258,8 @@ fn attempted_of_kind(
     };
     let is_better = missed(&other) <= missed(&stages) && whole(&other) < BEARINGS_PAY * whole(&stages);
     if stages.file.is_none() || is_better {
-        return Ok((other, Some(size)));
+        let limits = other.limits.with(stages.limits, other.file.is_some());
+        return Ok((Stages { limits, ..other }, Some(size)));
     }
     Ok((stages, None))
 }
@@ -265,49 +272,42 @@ pub(super) fn attempted_with(
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<Stages, Error> {
     // As for several speeds, accuracy is not traded for mass beyond a tenth of the tolerance, but for usual
-    // practice.
-    let (mut within, mut found) = (0.0, None);
+    // practice, and for limits of the whole.
+    let mut class: Option<Class> = None;
+    let mut limits = wanted.limits;
     for part in CLASSES {
         let tolerance = part * wanted.tolerance;
         // Trains of a wider class have to keep to usual practice in more stages.
-        if let Some(before) = found.as_ref().and_then(unusual)
-            && unusual(&searched(wanted, (tolerance, Some(before - 1)), 1, (&mut *known, goes_on))?).is_none()
+        if let Some(before) = class.as_ref().filter(|class| class.made.is_some()).and_then(Class::unusual)
+            && unusual(
+                &searched(wanted, (tolerance, Some(before.saturating_sub(1))), 1, (&mut *known, goes_on))?
+                    .found,
+            )
+            .is_none()
         {
             continue;
         }
-        let of_class = searched(wanted, (tolerance, None), most, (&mut *known, goes_on))?;
-        let is_usual = unusual(&of_class) == Some(0);
-        (within, found) = (tolerance, Some(of_class));
+        let own = Class::of(wanted, (tolerance, most), known, &mut limits, goes_on)?;
+        let is_taken = own.made.is_some();
+        let is_usual = is_taken && own.unusual() == Some(0);
+        if is_taken || class.as_ref().is_none_or(|class| class.made.is_none()) {
+            class = Some(own);
+        }
         if wanted.tolerance == 0.0 || is_usual {
             break;
         }
     }
-    let found = found.expect("there are classes");
-    let mut trains: Vec<TrainsOf> = found.all.iter().map(|trains| TrainsOf::of(wanted, trains)).collect();
-    let taken = (0..trains.len()).filter(|place| trains[*place].cost().is_some()).min_by(|one, other| {
-        let [one, other] = [one, other].map(|place| trains[*place].cost().unwrap_or_default());
-        one.0.cmp(&other.0).then(one.1.total_cmp(&other.1))
-    });
-    if let Some(place) = taken {
-        trains[place].taken = true;
-    }
-    let train = taken.and_then(|place| trains[place].best.clone());
+    let Class { within, searched: Searched { found, .. }, trains, made } = class.expect("there are classes");
+    limits = limits.with(limits, made.is_some());
+    let train = trains.iter().find(|trains| trains.taken).and_then(|trains| trains.best.clone());
     let (mut sizes, mut file, mut all_warnings) = (None, None, vec![]);
     let (mut efficiency, mut back_driving_efficiency, mut masses) = (None, None, None);
     let mut torque = Some(wanted.torque).filter(|_| !wanted.is_of_output);
-    if let Some(train) = &train {
-        [efficiency, back_driving_efficiency] = efficiencies(wanted, &train.teeth)?;
-        let of_input = wanted.input_torque(train.ratio, efficiency);
-        torque = Some(of_input);
-        let making = text(wanted, &train.teeth, of_input)?;
-        let document = Document::parse_one(MAKING, making.as_bytes())?;
-        let size = size::answer(&one(&document, &Choice::default())?, &wanted.size, goes_on)?;
-        let saved = size::saved(&document, &size)?;
-        all_warnings = warnings(&size, Some(&saved), &wanted.size)?;
-        let step = SizesStep::of(size);
-        masses = Masses::of(&saved, &step, (wanted.size.application, wanted.overload))?;
-        file = Some(saved);
-        sizes = Some(step);
+    if let Some(made) = made {
+        [efficiency, back_driving_efficiency] = made.efficiencies;
+        (torque, masses, all_warnings) = (Some(made.torque), made.masses, made.warnings);
+        (sizes, file) = (Some(made.sizes), Some(made.file));
+        all_warnings.extend(limits.warning());
     }
     let of_set = BasisKey::of_number("efficiency", wanted.efficiency);
     let of_pair = BasisKey::of_number("efficiency of a pair", axes::efficiency_of_pair(wanted.efficiency));
@@ -340,6 +340,7 @@ pub(super) fn attempted_with(
         back_driving_efficiency,
         sets: found.sets,
         teeth: TeethRanges { sun: ends(&teeth.suns), planet: ends(&teeth.planets), ring: ends(&teeth.rings) },
+        limits,
         masses,
         trains,
         basis: wanted.basis.told().into_iter().chain([of_set]).chain(of_pair).collect(),
@@ -365,29 +366,80 @@ fn cut_short(all: &[Trains]) -> Option<Warning> {
     })
 }
 
-/// Stages beyond usual practice of the best train; `None` without a train.
-fn unusual(found: &Found) -> Option<u32> {
-    found.all.iter().filter_map(|trains| trains.found.first()).map(|train| train.unusual_stages).min()
+/// The best trains within a part of the tolerance, and the one taken.
+struct Class {
+    within: f64,
+    searched: Searched,
+    trains: Vec<TrainsOf>,
+    /// Sizes of the train taken; `None` if no train holds and keeps to the limits.
+    made: Option<Made>,
 }
 
-/// Searches the best trains of each number of stages within a tolerance, with so many stages beyond usual
-/// practice at most.
-fn searched(
-    wanted: &WantedStages,
-    (tolerance, most_unusual): (f64, Option<u32>),
-    most: usize,
-    (known, goes_on): (&mut KnownSets, &dyn Fn() -> ControlFlow<()>),
-) -> Result<Found, Error> {
-    let order = |stages| Ok::<_, Error>(Order { most_unusual, ..order(wanted, tolerance, stages)? });
-    if !wanted.is_of_output {
-        return Ok(search(&order(wanted.stages.clone())?, most, known, goes_on)?);
+impl Class {
+    /// Searches trains, and takes the best that keeps to the limits of the whole; what exceeds them is noted.
+    fn of(
+        wanted: &WantedStages,
+        (within, most): (f64, usize),
+        known: &mut KnownSets,
+        limits: &mut OrderLimits,
+        goes_on: &dyn Fn() -> ControlFlow<()>,
+    ) -> Result<Self, Error> {
+        let searched = searched(wanted, (within, None), most, (known, goes_on))?;
+        *limits = limits.with(OrderLimits { shortest_m: searched.shortest, ..*limits }, false);
+        let mut trains: Vec<TrainsOf> =
+            searched.found.all.iter().map(|trains| TrainsOf::of(wanted, trains)).collect();
+        let cost = |place: &usize| trains[*place].cost().unwrap_or_default();
+        let mut places: Vec<usize> =
+            (0..trains.len()).filter(|place| trains[*place].cost().is_some()).collect();
+        places.sort_by(|one, other| {
+            let [one, other] = [one, other].map(cost);
+            one.0.cmp(&other.0).then(one.1.total_cmp(&other.1))
+        });
+        let mut made = None;
+        for place in places {
+            let Some(train) = &trains[place].best else { continue };
+            let own = Made::of(wanted, train, searched.prices[place], goes_on)?;
+            if limits.allow(own.masses.as_ref(), &own.sizes) {
+                (trains[place].taken, made) = (true, Some(own));
+                break;
+            }
+        }
+        Ok(Self { within, searched, trains, made })
     }
-    // More stages lose more, so each number of them has its own torque on the input.
-    let mut found = Found { sets: 0, all: vec![] };
-    for stages in wanted.stages.clone() {
-        let of_number = search(&order(stages..=stages)?, most, known, goes_on)?;
-        found.sets = found.sets.max(of_number.sets);
-        found.all.extend(of_number.all);
+
+    fn unusual(&self) -> Option<u32> {
+        unusual(&self.searched.found)
     }
-    Ok(found)
+}
+
+/// Sizes of a train, with its file.
+struct Made {
+    efficiencies: [Option<f64>; 2],
+    /// Torque on the input.
+    torque: Torque,
+    sizes: SizesStep,
+    masses: Option<Masses>,
+    file: String,
+    warnings: Vec<Warning>,
+}
+
+impl Made {
+    fn of(
+        wanted: &WantedStages,
+        train: &TrainOfStages,
+        length_price: f64,
+        goes_on: &dyn Fn() -> ControlFlow<()>,
+    ) -> Result<Self, Error> {
+        let efficiencies = efficiencies(wanted, &train.teeth)?;
+        let torque = wanted.input_torque(train.ratio, efficiencies[0]);
+        let making = text(wanted, &train.teeth, torque)?;
+        let document = Document::parse_one(MAKING, making.as_bytes())?;
+        let request = SizeRequest { length_price, ..wanted.size.clone() };
+        let size = size::answer(&one(&document, &Choice::default())?, &request, goes_on)?;
+        let file = size::saved(&document, &size)?;
+        let warnings = warnings(&size, Some(&file), &wanted.size)?;
+        let sizes = SizesStep::of(size);
+        let masses = Masses::of(&file, &sizes, (wanted.size.application, wanted.overload))?;
+        Ok(Self { efficiencies, torque, sizes, masses, file, warnings })
+    }
 }

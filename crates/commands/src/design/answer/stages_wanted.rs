@@ -1,6 +1,7 @@
 //! Order for stages in series: ratio and load of both shafts, whatever the train.
 
 use super::axes::{self, Axes};
+use super::limits::OrderLimits;
 use crate::shared::basis::Basis;
 use crate::size::options::Request as SizeRequest;
 use epicyclic_strength::series::{InputStep, Teeth};
@@ -40,6 +41,8 @@ pub struct WantedStages {
     pub overload: Option<f64>,
     /// Steps of the duty: share of the time, torque and speed over these.
     pub spectrum: Vec<[f64; 3]>,
+    /// Limits of the whole gearbox.
+    pub limits: OrderLimits,
     /// Efficiency of each set with its carrier fixed, which the file states.
     pub efficiency: f64,
     /// Materials, factors, oil and life.
@@ -164,6 +167,7 @@ mod tests {
             is_of_output: true,
             overload: None,
             spectrum: vec![[1.0; 3]],
+            limits: OrderLimits::default(),
             efficiency: 0.9,
             basis: Basis::default(),
             size: request(iter::empty::<&str>()).unwrap(),

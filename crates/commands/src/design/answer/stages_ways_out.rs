@@ -91,14 +91,19 @@ fn way(limits: &[RelaxedLimit], stages: &Stages) -> Option<WayOutOfStages> {
 }
 
 /// Limits that can be relaxed, as far as possible; the tolerance only without many trains.
-fn candidates(wanted: &WantedStages, has_many_trains: bool) -> Vec<RelaxedLimit> {
+fn candidates(wanted: &WantedStages, found: &Stages) -> Vec<RelaxedLimit> {
+    let has_many_trains = found.trains.iter().any(|trains| trains.compared > MANY);
     let lifted = RelaxedLimit::lifted;
     let between = |limit, least: f64, greatest: f64| RelaxedLimit {
         limit,
         least: Some(least),
         greatest: Some(greatest),
     };
-    let (teeth, size) = (&wanted.teeth, &wanted.size);
+    let (teeth, size, over) = (&wanted.teeth, &wanted.size, &found.limits);
+    let reached = |limit, value: Option<f64>| RelaxedLimit {
+        greatest: value.map(|value| rounded(value, f64::ceil)),
+        ..lifted(limit)
+    };
     let of_teeth = |limit, own: &RangeInclusive<u32>, [least, most]: [u32; 2]| {
         let [least, most] = [least.min(*own.start()), most.max(*own.end())];
         let is_wider = (least..=most) != *own;
@@ -110,6 +115,8 @@ fn candidates(wanted: &WantedStages, has_many_trains: bool) -> Vec<RelaxedLimit>
     let [fewest, most] = [STAGES.start(), STAGES.end()].map(|stages| *stages as f64);
     let most_planets = f64::from(MOST_SHARING);
     let all = [
+        (reached(Limit::WholeMass, over.lightest_kg), over.lightest_kg.is_some()),
+        (reached(Limit::Length, over.shortest_m), over.shortest_m.is_some()),
         (lifted(Limit::LargestRing), size.max_ring.is_some()),
         (
             RelaxedLimit { greatest: Some(GREATEST_TOLERANCE), ..lifted(Limit::Tolerance) },
@@ -152,7 +159,13 @@ const fn is_of_sizes(limit: Limit) -> bool {
     !is_of_teeth(limit)
         && !matches!(
             limit,
-            Limit::LargestRing | Limit::Tolerance | Limit::Stages | Limit::HuntingTeeth | Limit::Axes
+            Limit::LargestRing
+                | Limit::WholeMass
+                | Limit::Length
+                | Limit::Tolerance
+                | Limit::Stages
+                | Limit::HuntingTeeth
+                | Limit::Axes
         )
 }
 
@@ -168,7 +181,13 @@ impl Search<'_> {
     /// Finds the ways out for an order without stages that hold: each limit relaxed alone, those of tooth numbers
     /// and axes only if no other suffices; or else as few as possible of the others together.
     fn ways_out(&self, found: &Stages) -> Result<Vec<WayOutOfStages>, Error> {
-        let all = candidates(self.wanted, found.trains.iter().any(|trains| trains.compared > MANY));
+        let all = candidates(self.wanted, found);
+        // Trains that hold are there: only their mass or length is in the way.
+        let exceeded: Vec<_> =
+            all.iter().filter(|one| matches!(one.limit, Limit::WholeMass | Limit::Length)).copied().collect();
+        if !exceeded.is_empty() {
+            return self.of_each(&exceeded);
+        }
         // More tooth numbers make the search many times longer. Another kind of train is no gearbox of the order
         // while one of this kind holds.
         let is_last = |one: &RelaxedLimit| is_of_teeth(one.limit) || one.limit == Limit::Axes;
@@ -321,6 +340,8 @@ fn relax(one: RelaxedLimit, wanted: &mut WantedStages) {
         Limit::RingOffset => wanted.teeth.ring_offsets = ends[0] as i32..=ends[1] as i32,
         Limit::HuntingTeeth => wanted.teeth.is_hunting = false,
         Limit::Axes => wanted.axes = Axes::Either,
+        Limit::WholeMass => wanted.limits.whole_kg = one.greatest,
+        Limit::Length => wanted.limits.length_m = one.greatest,
         _ => one.relax_size(&mut wanted.size),
     }
 }

@@ -7,6 +7,7 @@
 //! with the fewest warnings is taken, then the lightest.
 
 use super::assumed::{AssumedLoad, assumed};
+use super::limits::OrderLimits;
 use super::loaded;
 use super::making::{Load, MAKING, for_each_set, shared, warnings, with_duty};
 use super::masses::Masses;
@@ -85,6 +86,8 @@ pub struct WantedTransmission {
     pub overload: Option<f64>,
     /// Steps of the duty in each gear: share of its time, torque and speed over these.
     pub spectrum: Vec<[f64; 3]>,
+    /// Limits of the whole gearbox.
+    pub order: OrderLimits,
     /// Materials, factors, oil and life.
     pub basis: Basis,
     /// Search space of sizes.
@@ -109,6 +112,8 @@ pub struct Transmission {
     pub basis: Vec<BasisKey>,
     /// Assumptions that are no keys of the file.
     pub assumed: Vec<BasisKey>,
+    /// Limits of the whole gearbox, and what exceeds them.
+    pub limits: OrderLimits,
     /// Masses of the whole and of its parts; null if a set has no size.
     pub masses: Option<Masses>,
     /// Sizes of the gearbox taken, with their strength over the duty; null if no structure was found.
@@ -237,6 +242,7 @@ pub fn answer(
         gearboxes,
         basis: wanted.basis.told().into_iter().chain([of_set]).collect(),
         assumed: assumed(&wanted.basis, &wanted.size, &load)?,
+        limits: wanted.order,
         masses: None,
         sizes: None,
         ways_out: vec![],
@@ -256,7 +262,11 @@ pub fn answer(
         let sizes = SizesStep::of(taken.size);
         if let Some(file) = &transmission.file {
             transmission.masses = Masses::of(file, &sizes, (wanted.size.application, wanted.overload))?;
+            if !transmission.limits.allow(transmission.masses.as_ref(), &sizes) {
+                (transmission.file, transmission.masses) = (None, None);
+            }
         }
+        transmission.warnings.extend(wanted.order.warning());
         transmission.gears = taken.gears;
         transmission.sizes = Some(sizes);
     }

@@ -106,6 +106,10 @@ pub enum Limit {
     FaceWidths,
     /// Greatest outside diameter of a ring, in m.
     LargestRing,
+    /// Greatest mass of the whole, in kg.
+    WholeMass,
+    /// Greatest length of the stages along the axis, in m.
+    Length,
     /// Number of planets.
     Planets,
     /// Number of stages in series.
@@ -143,6 +147,15 @@ pub(super) fn of(
 ) -> Result<Vec<WayOut>, Error> {
     let search = Search { wanted, watch };
     let mut ways = vec![];
+    if let Some(least) = design.limits.lightest_kg {
+        let greatest = Some(rounded(least, f64::ceil));
+        ways.extend(
+            search
+                .with(&[RelaxedLimit { greatest, ..RelaxedLimit::lifted(Limit::WholeMass) }])?
+                .map(|(way, _)| way),
+        );
+        return Ok(ways);
+    }
     if design.teeth.is_none() {
         for relaxation in relaxations {
             ways.extend(search.of_criteria(&relaxation.limits().collect::<Vec<_>>(), &[])?);
@@ -353,8 +366,9 @@ impl RelaxedLimit {
             | Limit::LargestRing
             | Limit::PlainBearings
             | Limit::Bearings => self.relax_size(&mut wanted.size),
+            Limit::WholeMass => wanted.limits.whole_kg = self.greatest,
             // Of stages in series.
-            Limit::Stages | Limit::HuntingTeeth | Limit::Axes => {}
+            Limit::Length | Limit::Stages | Limit::HuntingTeeth | Limit::Axes => {}
         }
     }
 
@@ -383,7 +397,7 @@ impl RelaxedLimit {
 }
 
 /// Rounds to three significant digits; `round` acts on the last.
-pub(super) fn rounded(value: f64, round: fn(f64) -> f64) -> f64 {
+pub(crate) fn rounded(value: f64, round: fn(f64) -> f64) -> f64 {
     if value == 0.0 {
         return 0.0;
     }

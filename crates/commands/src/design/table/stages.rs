@@ -4,7 +4,7 @@ use crate::design::answer::stages::{Stages, TrainsOf};
 use crate::design::answer::stages_ways_out::{PLANETS, RINGS, STAGES, suns};
 use crate::design::answer::ways_out::WayOutOfStages;
 use crate::design::table::{
-    ASSUMED, DIGITS, assumed, masses, of_found, of_sizes, options_of, parts_of_sizes,
+    ASSUMED, DIGITS, assumed, limits, masses, of_found, of_sizes, options_of, parts_of_sizes,
 };
 use crate::select::table::percent;
 use crate::size::table::basis;
@@ -34,6 +34,7 @@ pub(crate) fn parts_of_stages(stages: &Stages) -> Vec<Part> {
     parts.push(Part::Records(trains(stages)));
     parts.extend(stages.front.as_deref().map(|front| Part::Records(smaller_rings(front))));
     parts.push(Part::Records(searched(stages)));
+    parts.extend(limits(&stages.limits, stages.masses.as_ref(), stages.sizes.as_ref()));
     parts.extend(stages.masses.as_ref().map(|of| Part::Facts(masses(of))));
     parts.push(Part::Records(basis(&stages.basis, &format!("{ASSUMED}, --efficiency"))));
     parts.push(Part::Records(assumed(&stages.assumed)));
@@ -55,7 +56,17 @@ fn in_the_way(stages: &Stages) -> Option<String> {
     if !text.is_empty() {
         text.push('.');
     }
-    if !of_strength.is_empty() {
+    if let Some(lightest) = stages.limits.lightest_kg {
+        text.push_str(&format!(
+            " The lightest train found has {}, above --max-mass.",
+            words(Dimension::Mass, lightest, 3)
+        ));
+    } else if let Some(shortest) = stages.limits.shortest_m {
+        text.push_str(&format!(
+            " The shortest train found has {}, above --max-length.",
+            words(Dimension::Length, shortest, 3)
+        ));
+    } else if !of_strength.is_empty() {
         text.push_str(&format!(
             " No trains of {} with the ratio have sizes that hold within the limits of modules, face widths, planets, rings and bearings.",
             of_strength.join(" or ")

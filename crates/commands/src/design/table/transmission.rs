@@ -1,11 +1,12 @@
 //! A gearbox for a list of gears, asked and reached, with what came next.
 
 use crate::design::answer::transmission::{GearboxWithTeeth, Transmission};
-use crate::design::table::{ASSUMED, assumed, masses, of_found, of_sizes, parts_of_sizes, ways_out};
+use crate::design::table::{ASSUMED, assumed, limits, masses, of_found, of_sizes, parts_of_sizes, ways_out};
 use crate::select::table::percent;
 use crate::size::table::basis;
 use crate::synthesize::answer::teeth::TeethOfSet;
 use crate::table::columns::Table;
+use crate::table::quantities::words;
 use crate::table::report::{AsReport, Part, Records, Report};
 use epicyclic_units::Dimension;
 use epicyclic_units::format::trimmed;
@@ -27,6 +28,7 @@ pub(crate) fn parts_of_transmission(transmission: &Transmission) -> Vec<Part> {
     if !transmission.ways_out.is_empty() {
         parts.push(Part::Records(ways_out(&transmission.ways_out)));
     }
+    parts.extend(limits(&transmission.limits, transmission.masses.as_ref(), transmission.sizes.as_ref()));
     parts.extend(transmission.masses.as_ref().map(|of| Part::Facts(masses(of))));
     parts.push(Part::Records(basis(&transmission.basis, &format!("{ASSUMED}, --efficiency"))));
     parts.push(Part::Records(assumed(&transmission.assumed)));
@@ -51,7 +53,10 @@ pub(crate) fn in_short(transmission: &Transmission) -> String {
         ),
     ];
     if transmission.file.is_none() {
-        all.push("no sizes that hold".to_owned());
+        let lightest = transmission.limits.lightest_kg.map(|mass| words(Dimension::Mass, mass, 3));
+        all.push(
+            lightest.map_or("no sizes that hold".to_owned(), |mass| format!("{mass}, above --max-mass")),
+        );
     }
     all.extend(of_sizes(sizes, transmission.masses.as_ref()));
     format!("{}.", all.join(", "))

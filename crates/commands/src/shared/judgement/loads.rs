@@ -49,15 +49,17 @@ pub(super) fn judge(
         Some(strength) => Ok(Ok(Cow::Borrowed(strength))),
         None => over_duty(subject, file).map(|rated| rated.map(Cow::Owned)),
     };
-    match rated {
-        Ok(Ok(strength)) => of_strength(judge, subject, &sets, &strength),
-        Ok(Err(Lacking { keys, not_rated })) => of_lacks(judge, &sets, &Missing::of(keys), &not_rated),
-        Err(error) => of_lacks(judge, &sets, &Missing::of(vec![error.to_string()]), &[]),
-    }
     let worked = match steps(subject, &file.duty) {
         _ if file.duty.is_empty() => Err("duty".to_owned()),
         worked => worked.map_err(|error| error.to_string()),
     };
+    match rated {
+        Ok(Ok(strength)) => {
+            of_strength(judge, subject, (&sets, worked.as_deref().unwrap_or_default()), &strength)
+        }
+        Ok(Err(Lacking { keys, not_rated })) => of_lacks(judge, &sets, &Missing::of(keys), &not_rated),
+        Err(error) => of_lacks(judge, &sets, &Missing::of(vec![error.to_string()]), &[]),
+    }
     for of in &sets {
         of_speeds(judge, subject, of, &worked);
     }
@@ -83,7 +85,12 @@ fn of_gears(judge: &mut Judge, subject: &Gearbox) {
 }
 
 /// Safeties, lives and load factors of sets, and what of them has no result.
-fn of_strength(judge: &mut Judge, subject: &Gearbox, sets: &[Of<'_>], strength: &Strength) {
+fn of_strength(
+    judge: &mut Judge,
+    subject: &Gearbox,
+    (sets, duty): (&[Of<'_>], &[WorkedStep<'_>]),
+    strength: &Strength,
+) {
     for safety in strength.safeties().filter(|one| sets.iter().any(|(_, set, _)| set.id() == one.set)) {
         let against = if safety.against == Against::Overload { ", overload" } else { "" };
         let name = format!("{} in the mesh {}{against}", safety.toothed_gear, safety.mesh.gears.join("–"));
@@ -100,12 +107,13 @@ fn of_strength(judge: &mut Judge, subject: &Gearbox, sets: &[Of<'_>], strength: 
         true => vec!["at an operating point bearings have no life".to_owned()],
         false => lacking(&[("duty", !strength.duty.is_empty())]),
     };
-    for (_, set, data) in sets {
+    for (of_set, set, data) in sets {
         for (place, planet) in data.planets.iter().enumerate().filter(|_| !set.is_pair()) {
             let name = planet_name(set, place);
             let row = strength.bearings.iter().find(|one| one.set == set.id() && one.planet == name);
             if let Some(row) = row {
-                of_bearing(judge, (set, place), planet, row, strength.life_s);
+                let fastest = fastest(subject, duty, (*of_set, place));
+                of_bearing(judge, (set, place), planet, (row, fastest), strength.life_s);
             }
         }
     }
@@ -280,12 +288,22 @@ fn bearing_name(set: &PlanetSet, place: usize) -> String {
     }
 }
 
+/// Greatest speed of a planet relative to its carrier in the steps without a share of the time, rad/s.
+fn fastest(subject: &Gearbox, duty: &[WorkedStep<'_>], (set, planet): (usize, usize)) -> f64 {
+    let speed = |step: &WorkedStep<'_>| {
+        let worked = step.turning(subject)?;
+        let turning = worked.analysis.sets()[set].planets[planet]?;
+        Some((step.0.speed.0.si() * turning.relative).abs())
+    };
+    duty.iter().filter_map(speed).fold(0.0, f64::max)
+}
+
 /// Life, static safety, speed and load of a planet bearing; with a force that does not follow none of them.
 fn of_bearing(
     judge: &mut Judge,
     (set, place): (&PlanetSet, usize),
     planet: &PlanetData,
-    bearing: &BearingOverDuty,
+    (bearing, without_load): (&BearingOverDuty, f64),
     required_life_s: f64,
 ) {
     let name = bearing_name(set, place);
@@ -312,7 +330,7 @@ fn of_bearing(
     if let Some(least) = loads.reduce(f64::min) {
         judge.see(Rule::BearingLeastLoad, &of, least / bearing.load_rating_n);
     }
-    let fastest = bearing.steps.iter().map(|step| step.speed_rad_s).fold(0.0, f64::max);
+    let fastest = bearing.steps.iter().map(|step| step.speed_rad_s).fold(without_load, f64::max);
     match bearing.mean_diameter_m {
         Some(diameter) => judge.see(speed_rule, &of, pin_speed(fastest, diameter)),
         None => judge.lacks(&name_of, &[speed_rule], vec!["bearing_diameter".to_owned()]),
@@ -383,8 +401,10 @@ fn of_speeds(
     };
     let mut fastest = vec![0.0_f64; toothed.meshes.len()];
     let mut carrier = 0.0_f64;
-    for WorkedStep(entry, worked) in steps {
-        let Some(worked) = worked else { continue };
+    for step in steps {
+        let WorkedStep(entry, worked) = step;
+        let turning = step.turning(subject);
+        let Some(worked) = worked.as_ref().or(turning.as_ref()) else { continue };
         let speed = entry.speed.0;
         let turning = worked.analysis.speed(set.carrier()).unwrap_or_default();
         carrier = carrier.max((speed * turning).si().abs());

@@ -16,10 +16,24 @@ use epicyclic_strength::rating::rate;
 use epicyclic_strength::spectrum::{Step, check_shares, rate_duty};
 use epicyclic_train::InputLoad;
 use epicyclic_units::Physical;
-use uom::si::f64::Time;
+use uom::si::f64::{Time, Torque};
 
 /// Step of the duty from the file, with its gear at that load; `None` if the step has no load.
 pub(crate) struct WorkedStep<'g>(pub(crate) &'g DutyEntry, pub(crate) Option<Worked<'g>>);
+
+impl<'g> WorkedStep<'g> {
+    /// The gear at the speed of a step without a share of the time, which comes a few times; `None` of a step
+    /// that has a load or stands still.
+    pub(crate) fn turning(&self, subject: &'g Gearbox) -> Option<Worked<'g>> {
+        let Self(entry, None) = self else { return None };
+        if entry.share.0.si() != 0.0 || entry.speed.0.si() == 0.0 {
+            return None;
+        }
+        // Speeds are the same under every torque.
+        let load = Some(InputLoad::Torque(Torque::from_si(1.0)));
+        Worked::new(&subject.train, &entry.gear, Input { speed: Some(entry.speed.0), load }).ok()
+    }
+}
 
 /// Computes the steps of a duty.
 ///

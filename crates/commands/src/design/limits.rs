@@ -1,0 +1,62 @@
+//! Options of an order for the whole gearbox.
+
+use super::answer::limits::OrderLimits;
+use super::request::Request;
+use crate::failure::Failure;
+use crate::shared::application::Application;
+use epicyclic_units::format::trimmed;
+use epicyclic_units::{Physical, Quantity, QuantityError};
+use std::str::FromStr;
+
+/// A quantity above 0.
+pub(super) fn positive<Q: Physical>(text: &str) -> Result<Quantity<Q>, String>
+where
+    Quantity<Q>: FromStr<Err = QuantityError>,
+{
+    let value: Quantity<Q> = text.parse().map_err(|error: QuantityError| error.to_string())?;
+    if value.0.si() > 0.0 && value.0.si().is_finite() {
+        Ok(value)
+    } else {
+        Err(format!("{text}: the value must be above 0"))
+    }
+}
+
+impl Request {
+    /// Limits of the whole gearbox.
+    pub(super) fn limits(&self) -> Result<OrderLimits, Failure> {
+        let is_robot = self.sizes.application == Some(Application::Robot);
+        if self.max_length.is_some() && is_robot {
+            let message = "the length of flanges is not known here, with which --application robot designs gearboxes; leave it out";
+            return Err(Failure::invalid("--max-length", message));
+        }
+        Ok(OrderLimits {
+            whole_kg: self.max_mass.map(|mass| mass.0.si()),
+            length_m: self.max_length.map(|length| length.0.si()),
+            runaway_over_speed: self.runaway()?,
+            side_load_n: self.side_load.map(|force| force.0.si()),
+            ..OrderLimits::default()
+        })
+    }
+
+    /// Greatest speed of the input without load over that of the load.
+    pub(super) fn runaway(&self) -> Result<Option<f64>, Failure> {
+        let factor = self.runaway.map(|factor| factor.0.si());
+        match factor {
+            Some(factor) if !(factor.is_finite() && factor >= 1.0) => {
+                let message = format!(
+                    "{}: the greatest speed is not below that of the load; write 1 or more, such as 1.2",
+                    trimmed(factor, 6)
+                );
+                Err(Failure::invalid("--runaway", message))
+            }
+            _ => Ok(factor),
+        }
+    }
+
+    /// Steps of the load with a speed without load, which has no share of the time.
+    pub(super) fn spectrum(&self, usual: &[[f64; 3]]) -> Result<Vec<[f64; 3]>, Failure> {
+        let mut steps = self.steps(usual)?;
+        steps.extend(self.runaway()?.map(|speed| [0.0, 0.0, speed]));
+        Ok(steps)
+    }
+}
