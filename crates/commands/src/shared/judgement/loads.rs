@@ -55,7 +55,7 @@ pub(super) fn judge(
     };
     match rated {
         Ok(Ok(strength)) => {
-            of_strength(judge, subject, (&sets, worked.as_deref().unwrap_or_default()), &strength)
+            of_strength(judge, subject, (&sets, worked.as_deref().unwrap_or_default()), &strength);
         }
         Ok(Err(Lacking { keys, not_rated })) => of_lacks(judge, &sets, &Missing::of(keys), &not_rated),
         Err(error) => of_lacks(judge, &sets, &Missing::of(vec![error.to_string()]), &[]),
