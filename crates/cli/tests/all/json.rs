@@ -331,7 +331,7 @@ fn every_answer_is_one_by_its_schema_and_every_key_is_written() {
             // Stages are taken only with sizes that hold.
             (name == "design-stages" && key.contains("nearest_miss"))
                 // Lengths are bounded of stages alone.
-                || (name.starts_with("design") && ["limits.length_m", "limits.shortest_m"].contains(&key))
+                || (name.starts_with("design") && [".limits.length_m", ".limits.shortest_m"].contains(&key))
                 || of_designs(name, key).is_some_and(|key| designed.contains(&key))
                 // Only designs assume a factor that grows with the width.
                 || (name == "size" && key.contains("face_load_factor"))
