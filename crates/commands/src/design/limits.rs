@@ -4,22 +4,8 @@ use super::answer::limits::OrderLimits;
 use super::request::Request;
 use crate::failure::Failure;
 use crate::shared::application::Application;
+use epicyclic_units::Physical;
 use epicyclic_units::format::trimmed;
-use epicyclic_units::{Physical, Quantity, QuantityError};
-use std::str::FromStr;
-
-/// A quantity above 0.
-pub(super) fn positive<Q: Physical>(text: &str) -> Result<Quantity<Q>, String>
-where
-    Quantity<Q>: FromStr<Err = QuantityError>,
-{
-    let value: Quantity<Q> = text.parse().map_err(|error: QuantityError| error.to_string())?;
-    if value.0.si() > 0.0 && value.0.si().is_finite() {
-        Ok(value)
-    } else {
-        Err(format!("{text}: the value must be above 0"))
-    }
-}
 
 impl Request {
     /// Limits of the whole gearbox.

@@ -7,6 +7,7 @@ use epicyclic_selection::Mechanism;
 use epicyclic_strength::load::{Floating, load_sharing};
 use epicyclic_units::format::trimmed;
 use epicyclic_units::{Number, Physical, Quantity, QuantityError};
+use std::str::FromStr;
 use uom::si::f64::{Angle, Time};
 
 /// Shares in proportion to these, in hundredths of a percent, that are together 1; of none, equal ones.
@@ -58,4 +59,17 @@ pub(super) fn named(name: &str) -> Result<Mechanism, String> {
         "a scheme of the catalogue (I … III-3) or a structure by its links (D.T1.B+T2.B.T1, D.T1.B) is due"
             .to_owned()
     })
+}
+
+/// A quantity above 0.
+pub(super) fn positive<Q: Physical>(text: &str) -> Result<Quantity<Q>, String>
+where
+    Quantity<Q>: FromStr<Err = QuantityError>,
+{
+    let value: Quantity<Q> = text.parse().map_err(|error: QuantityError| error.to_string())?;
+    if value.0.si() > 0.0 && value.0.si().is_finite() {
+        Ok(value)
+    } else {
+        Err(format!("{text}: the value must be above 0"))
+    }
 }
