@@ -35,7 +35,7 @@ pub(crate) fn asked(mut command: Command, line: &[OsString]) -> Command {
         Some(match (is_middle, path.is_empty()) {
             (false, true) => existing(own, short),
             (true, true) => overview(own, short),
-            (false, false) => format!("{short}\nAll options: epicyclic {name} --help\n"),
+            (false, false) => format!("{short}\nNames of all options: --help; each explained: --help-all\n"),
             (true, false) => format!("{short}{}", others(own, &name, short)),
         })
     })
@@ -109,7 +109,8 @@ fn overview(command: &Command, text: &str) -> String {
 
 /// The names of all options that the text of one screen does not have, by their headings.
 fn others(command: &Command, name: &str, short: &str) -> String {
-    let known: Vec<&str> = names(short).collect();
+    let mut known: Vec<&str> = names(short).collect();
+    known.extend(short.contains("  -o ").then_some("output"));
     let mut groups: Vec<(&str, Vec<String>)> = vec![];
     for option in command.get_arguments().filter(|option| !option.is_hide_set()) {
         let Some(long) = option.get_long().filter(|long| !known.contains(long) && !OF_ALL.contains(long))
@@ -195,7 +196,7 @@ mod tests {
             }
             for option in command.get_arguments().filter(|own| !own.is_hide_set()).filter_map(Arg::get_long) {
                 assert!(
-                    OF_ALL.contains(&option) || middle.contains(&format!("--{option}")),
+                    OF_ALL.contains(&option) || option == "output" || middle.contains(&format!("--{option}")),
                     "{name}: {option}"
                 );
             }

@@ -558,3 +558,24 @@ fn a_side_load_is_not_judged_and_says_so() {
     let warning = of.warnings.iter().find(|one| one.name == "side-load-not-judged").unwrap();
     assert!(warning.message.contains("40000 N"), "{}", warning.message);
 }
+
+/// The file of a design, whose planets may be as near as the limit of their gap, has the sizes that `size` finds
+/// in it.
+#[test]
+fn a_design_is_what_size_finds_in_its_file() {
+    for order in [
+        "--ratio=31.6|--power=90kW|--input=1485rpm|--max-ring=480mm|--application=conveyor|--factors=K_A 1.5",
+        "--ratio=-53|--output-torque=14 kN·m|--input=2400rpm|--max-ring=420mm|--application=travel",
+        "--ratio=10|--output-torque=45 N·m|--input=3000rpm|--max-ring=90mm|--application=robot",
+    ] {
+        let designed = stages(order);
+        let subject = gearbox(designed.file.as_ref().unwrap());
+        let found =
+            request::<size::Request>(std::iter::empty::<&str>()).unwrap().answer(&subject, &GO_ON).unwrap();
+        let near = |one: f64, other: f64| (one / other - 1.0).abs() < 1e-9;
+        for (one, other) in designed.sizes.as_ref().unwrap().sets.iter().zip(&found.sets) {
+            assert!(near(one.found[0].mass_kg, other.found[0].mass_kg), "{order}: {}", one.set);
+        }
+        assert_eq!(found.sets.len(), designed.sizes.unwrap().sets.len(), "{order}");
+    }
+}

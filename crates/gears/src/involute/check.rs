@@ -178,6 +178,17 @@ impl<P> Check<P> {
         }
         self.value >= self.limit - self.rule.slack()
     }
+
+    /// Whether the check passes with twice its allowance for rounding, as do gears that a search chose at a limit
+    /// and that a file states.
+    #[must_use]
+    pub fn nearly_holds(&self) -> bool {
+        let (allowance, is_apart) = match self.rule {
+            Rule::PlanetGap => (GAP, self.value > 0.0),
+            rule => (rule.slack(), true),
+        };
+        is_apart && self.value >= self.limit - 2.0 * allowance
+    }
 }
 
 /// Whether a gap between planets is that of a limit, or more; tip circles that touch would rub.
