@@ -30,6 +30,8 @@ worker.addEventListener('activate', (event) => {
 
 worker.addEventListener('fetch', (event) => {
   if (event.request.method !== 'GET' || new URL(event.request.url).origin !== worker.location.origin) return;
+  // The file that the program was given is its own to tell, never kept: the page asks for it without the worker.
+  if (event.request.url.endsWith('/opened')) return;
   event.respondWith(caches.match(event.request, { ignoreSearch: true, cacheName: kept }).then((found) => found ?? fetch(event.request)));
 });
 
