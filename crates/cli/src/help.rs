@@ -1,5 +1,5 @@
-//! Help in three lengths. `-h` is one screen, written by hand; `--help` adds the names of all other options by
-//! their headings; `--help-all` explains every option as its request does.
+//! Help in three lengths. `-h` is one screen, written by hand. `--help` adds the names of all other options.
+//! `--help-all` explains every option as its request does.
 
 use clap::{Arg, ArgAction, Command};
 use std::ffi::OsString;
@@ -20,13 +20,14 @@ pub(crate) fn with_help_all(command: Command) -> Command {
     command.arg(all.help("Print the whole help, with every option explained"))
 }
 
-/// The command with the help that a line asks for in place of the whole one; as it is where that is asked for.
+/// The command with the help that a line asks for. The whole help stays as clap makes it.
 pub(crate) fn asked(mut command: Command, line: &[OsString]) -> Command {
     let words: Vec<&str> = line.iter().skip(1).filter_map(|word| word.to_str()).collect();
     if words.contains(&"--help-all") {
         return command;
     }
     let is_middle = words.contains(&"--help") || words.first() == Some(&"help");
+    // Headings and options that all commands share are known only then.
     command.build();
     let path = path(&command, &words);
     replaced(command, &path, &|own| {
@@ -45,6 +46,7 @@ pub(crate) fn asked(mut command: Command, line: &[OsString]) -> Command {
 fn path<'a>(command: &Command, words: &[&'a str]) -> Vec<&'a str> {
     let (mut at, mut path) = (command, vec![]);
     for word in words.iter().filter(|word| !word.starts_with('-') && **word != "help") {
+        // The first other word is a file or a value.
         let Some(below) = at.find_subcommand(word) else { break };
         path.push(*word);
         at = below;
@@ -73,7 +75,7 @@ fn sections() -> impl Iterator<Item = (&'static str, &'static str)> {
     all.filter_map(|section| section.split_once('\n'))
 }
 
-/// What a group of the overview is called, and its commands that exist; `None` of other lines.
+/// Name and commands of a group of the overview, without commands that this program lacks; `None` for other lines.
 fn group<'a>(command: &Command, line: &'a str) -> Option<(&'a str, Vec<&'a str>)> {
     let mut words = line.strip_prefix("  ").filter(|line| !line.starts_with("epicyclic"))?.split_whitespace();
     let name = words.next()?;
@@ -164,7 +166,7 @@ mod tests {
         error.render().to_string()
     }
 
-    /// Each command has one screen of its own, of which every option exists and every example is a command line.
+    /// Short help fits a screen, names no option that its command lacks, and its examples can be typed.
     #[test]
     fn help_is_of_options_that_exist() {
         let mut program = crate::command_line();

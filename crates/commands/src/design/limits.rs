@@ -2,10 +2,10 @@
 
 use super::answer::limits::OrderLimits;
 use super::request::Request;
+use super::values::greatest;
 use crate::failure::Failure;
 use crate::shared::application::Application;
 use epicyclic_units::Physical;
-use epicyclic_units::format::trimmed;
 
 impl Request {
     /// Limits of the whole gearbox.
@@ -26,17 +26,7 @@ impl Request {
 
     /// Greatest speed of the input without load over that of the load.
     pub(super) fn runaway(&self) -> Result<Option<f64>, Failure> {
-        let factor = self.runaway.map(|factor| factor.0.si());
-        match factor {
-            Some(factor) if !(factor.is_finite() && factor >= 1.0) => {
-                let message = format!(
-                    "{}: the greatest speed is not below that of the load; write 1 or more, such as 1.2",
-                    trimmed(factor, 6)
-                );
-                Err(Failure::invalid("--runaway", message))
-            }
-            _ => Ok(factor),
-        }
+        greatest("--runaway", self.runaway, "speed", 1.2)
     }
 
     /// Steps of the load with a speed without load, which has no share of the time.

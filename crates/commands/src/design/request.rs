@@ -8,7 +8,7 @@ use crate::design::answer::ways_out::rounded;
 use crate::design::answer::{Design, Wanted, answer};
 use crate::design::table::stages::why_no_stages;
 use crate::design::table::way_out;
-use crate::design::values::{helix_angle, life, named, positive, sharing, whole};
+use crate::design::values::{greatest, helix_angle, life, named, positive, sharing, whole};
 use crate::design::{Factor, LoadStep};
 use crate::desk::Call;
 use crate::error::Error;
@@ -522,17 +522,7 @@ impl Request {
 
     /// The factor of the overload.
     pub(super) fn overload(&self) -> Result<Option<f64>, Failure> {
-        let factor = self.overload.map(|factor| factor.0.si());
-        match factor {
-            Some(factor) if !(factor.is_finite() && factor >= 1.0) => {
-                let message = format!(
-                    "{}: the greatest torque is not below that of the load; write 1 or more, such as 1.5",
-                    trimmed(factor, 6)
-                );
-                Err(Failure::invalid("--overload", message))
-            }
-            _ => Ok(factor),
-        }
+        greatest("--overload", self.overload, "torque", 1.5)
     }
 
     /// A remark on values of the application that the file of the basis states otherwise.

@@ -8,7 +8,7 @@ use epicyclic_strength::load::{Floating, load_sharing};
 use epicyclic_units::format::trimmed;
 use epicyclic_units::{Number, Physical, Quantity, QuantityError};
 use std::str::FromStr;
-use uom::si::f64::{Angle, Time};
+use uom::si::f64::{Angle, Ratio, Time};
 
 /// Shares in proportion to these, in hundredths of a percent, that are together 1; of none, equal ones.
 pub(super) fn whole(shares: &[f64], sum: f64) -> Vec<f64> {
@@ -59,6 +59,26 @@ pub(super) fn named(name: &str) -> Result<Mechanism, String> {
         "a scheme of the catalogue (I … III-3) or a structure by its links (D.T1.B+T2.B.T1, D.T1.B) is due"
             .to_owned()
     })
+}
+
+/// A factor from 1 on: the greatest of a quantity over that of the load.
+pub(super) fn greatest(
+    option: &'static str,
+    factor: Option<Quantity<Ratio>>,
+    quantity: &str,
+    such_as: f64,
+) -> Result<Option<f64>, Failure> {
+    let factor = factor.map(|factor| factor.0.si());
+    match factor {
+        Some(factor) if !(factor.is_finite() && factor >= 1.0) => {
+            let message = format!(
+                "{}: the greatest {quantity} is not below that of the load; write 1 or more, such as {such_as}",
+                trimmed(factor, 6)
+            );
+            Err(Failure::invalid(option, message))
+        }
+        _ => Ok(factor),
+    }
 }
 
 /// A quantity above 0.

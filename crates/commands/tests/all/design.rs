@@ -441,7 +441,7 @@ fn a_load_in_steps_is_rated_by_its_steps() {
     }
 }
 
-/// What a kind of order takes no notice of is refused, not passed over.
+/// Options without effect on a kind of order are refused.
 #[test]
 fn options_without_effect_are_refused() {
     let list = "--ratios=3.2 1.8 1|--torque=100 N·m|--input=3000rpm";
@@ -468,7 +468,7 @@ fn options_without_effect_are_refused() {
     }
 }
 
-/// The sets of a list of gears have the efficiency of the order, and the answer tells it.
+/// Sets of a list of gears have the efficiency that the order asks for. The answer shows this value.
 #[test]
 fn gears_of_a_list_have_the_efficiency_of_the_order() {
     let with = |efficiency: f64| {
@@ -559,8 +559,7 @@ fn a_side_load_is_not_judged_and_says_so() {
     assert!(warning.message.contains("40000 N"), "{}", warning.message);
 }
 
-/// The file of a design, whose planets may be as near as the limit of their gap, has the sizes that `size` finds
-/// in it.
+/// `size` finds the same sizes in the file of a design, even if planets are at the limit of their gap.
 #[test]
 fn a_design_is_what_size_finds_in_its_file() {
     for order in [

@@ -173,28 +173,33 @@ impl<P> Check<P> {
     /// Whether the check passes.
     #[must_use]
     pub fn holds(&self) -> bool {
-        if self.rule == Rule::PlanetGap {
-            return is_clear(self.value, self.limit);
-        }
-        self.value >= self.limit - self.rule.slack()
+        self.holds_within(1.0)
     }
 
     /// Whether the check passes with twice its allowance for rounding, as do gears that a search chose at a limit
-    /// and that a file states.
+    /// and a file states.
     #[must_use]
     pub fn nearly_holds(&self) -> bool {
-        let (allowance, is_apart) = match self.rule {
-            Rule::PlanetGap => (GAP, self.value > 0.0),
-            rule => (rule.slack(), true),
-        };
-        is_apart && self.value >= self.limit - 2.0 * allowance
+        self.holds_within(2.0)
+    }
+
+    /// Whether the check passes with so many times its allowance for rounding.
+    fn holds_within(&self, allowances: f64) -> bool {
+        match self.rule {
+            Rule::PlanetGap => is_clear_within(self.value, self.limit, allowances),
+            rule => self.value >= self.limit - allowances * rule.slack(),
+        }
     }
 }
 
 /// Whether a gap between planets is that of a limit, or more; tip circles that touch would rub.
 #[must_use]
 pub fn is_clear(gap: f64, limit: f64) -> bool {
-    gap > 0.0 && gap >= limit - GAP
+    is_clear_within(gap, limit, 1.0)
+}
+
+fn is_clear_within(gap: f64, limit: f64, allowances: f64) -> bool {
+    gap > 0.0 && gap >= limit - allowances * GAP
 }
 
 impl fmt::Display for Place {

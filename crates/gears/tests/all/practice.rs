@@ -122,7 +122,7 @@ fn usual_tools_change_at_their_numbers_of_teeth() {
     }
 }
 
-/// What a failed check of teeth is: an error where gears cannot be cut, assembled or turned.
+/// A failed check of teeth is an error where gears cannot be cut, assembled or turned.
 #[test]
 fn severities_of_failed_checks_of_teeth() {
     use epicyclic_gears::involute::check::Rule::*;

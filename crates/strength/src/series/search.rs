@@ -342,7 +342,7 @@ impl Search<'_> {
         }
     }
 
-    /// What the load of a stage depends on: rings turn as the output, so by the ratio of the whole train.
+    /// Key of the load of a stage. Rings that turn have the speed of the output, so the ratio of the train is in it.
     fn key(&self, Place { set, before, ratio }: Place) -> (usize, u64, u64) {
         let ratio = if self.stages.order.rings_turn { ratio } else { 0.0 };
         (set, before.to_bits(), ratio.to_bits())

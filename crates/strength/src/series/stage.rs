@@ -12,7 +12,7 @@ pub(super) const RANGE: f64 = 1.03;
 /// Ends of the bands of products for which flanks are tried: the greatest over the least.
 const BAND: f64 = 2.0;
 
-/// What a stage is behind.
+/// Ratios before a stage, and of the train.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Behind {
     /// Any product of ratios in a range, in any train that is allowed.

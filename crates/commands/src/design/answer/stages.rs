@@ -298,7 +298,9 @@ pub(super) fn attempted_with(
         }
     }
     let Class { within, searched: Searched { found, .. }, trains, made } = class.expect("there are classes");
-    limits = limits.with(limits, made.is_some());
+    if made.is_some() {
+        (limits.lightest_kg, limits.shortest_m) = (None, None);
+    }
     let train = trains.iter().find(|trains| trains.taken).and_then(|trains| trains.best.clone());
     let (mut sizes, mut file, mut all_warnings) = (None, None, vec![]);
     let (mut efficiency, mut back_driving_efficiency, mut masses) = (None, None, None);

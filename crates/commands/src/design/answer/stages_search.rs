@@ -1,9 +1,8 @@
 //! Trains of each number of stages; with a limit of the length the lightest that a price of the length finds.
 //!
-//! A train within the limit is sought with a price of the length, which the search adds to the mass: it finds
-//! the lightest of all trains that are no longer than the one it finds. The price is raised until a train fits,
-//! and halved in an interval to the least that suffices. A price λ proves that no train within the limit `L_max`
-//! costs less than `min(P + λ·L) − λ·L_max`.
+//! The search adds a price of the length to the mass. The train found is the lightest of all that are no longer.
+//! The price is raised until a train fits, then lowered by bisection to the least that suffices. A price λ proves:
+//! no train within the limit `L_max` costs less than `min(P + λ·L) − λ·L_max`.
 
 use super::stages_file::order;
 use super::stages_wanted::WantedStages;
@@ -77,8 +76,8 @@ pub(super) fn searched(
     Ok(all)
 }
 
-/// Trains within a length in place of those without, and the price of the length that finds them; none, and the
-/// length of the shortest, where none is short enough.
+/// Replaces the trains by those within a length. Returns the price of the length that finds them, and where none
+/// is short enough the length of the shortest.
 fn shortened(
     trains: &mut Trains,
     most: f64,

@@ -22,8 +22,8 @@ use uom::si::f64::{Time, Torque};
 pub(crate) struct WorkedStep<'g>(pub(crate) &'g DutyEntry, pub(crate) Option<Worked<'g>>);
 
 impl<'g> WorkedStep<'g> {
-    /// The gear at the speed of a step without a share of the time, which comes a few times; `None` of a step
-    /// that has a load or stands still.
+    /// The gear at the speed of a step that comes a few times in the life: its share of the time is 0. `None` for
+    /// steps with a load and for those at rest.
     pub(crate) fn turning(&self, subject: &'g Gearbox) -> Option<Worked<'g>> {
         let Self(entry, None) = self else { return None };
         if entry.share.0.si() != 0.0 || entry.speed.0.si() == 0.0 {
