@@ -21,6 +21,7 @@
 //! | [`masses`] | masses of flanges, brakes and clutches by rules |
 //! | [`sizing`] | module, face width, planets, centre distance and bearing of a set that holds over a duty |
 //! | [`series`] | the lightest stages in series for one ratio |
+//! | [`arranged`] | an order of sets with planets of two gears, before they are sized |
 //!
 //! Method B, external and internal gears, spur and helical. Editions are named in every answer
 //! ([`factor::Edition`]). Each factor names the clause or formula that it follows, or that it was given.
@@ -34,6 +35,7 @@
 //!
 //! See `examples/spur_pair.rs`.
 
+pub mod arranged;
 pub mod bearing;
 pub mod bearing_rows;
 mod bounded;

@@ -1,5 +1,6 @@
 //! Design of a gearbox from speeds and power: its scheme, tooth numbers and sizes with sufficient strength.
 //!
+//! - [`arranged`]: one stage with planets of two gears.
 //! - [`limits`]: limits of the whole gearbox.
 //! - [`masses`]: the whole and its parts.
 //! - [`records`]: steps, each with its choice and the next best.
@@ -11,6 +12,7 @@
 //! Scheme, tooth numbers and sizes are chosen together by [`lightest`](epicyclic_strength::lightest), among
 //! all schemes that meet the criteria and all their tooth numbers.
 
+pub mod arranged;
 mod assumed;
 mod attempt;
 pub(crate) mod axes;

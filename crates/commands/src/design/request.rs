@@ -1,6 +1,7 @@
 //! The command `design`: from speeds and power to a gearbox whose sizes hold.
 
 use crate::answer::Warning;
+use crate::design::answer::arranged::StageKind;
 use crate::design::answer::axes::Axes;
 use crate::design::answer::stages::MOST_STAGES;
 use crate::design::answer::transmission::Transmission;
@@ -117,6 +118,10 @@ pub struct Request {
     /// Numbers of stages, from 1 to 4. Default: 1..4; with --application wind 1..3.
     #[arg(long, value_name = "RANGE", conflicts_with_all = ["speeds", "ratios"], value_parser = stages, help_heading = STAGES)]
     pub stages: Option<RangeInclusive<u32>>,
+
+    /// Kinds of stages, the best of which is taken: simple,stepped,wolfrom.
+    #[arg(long, value_name = "KINDS", conflicts_with_all = ["speeds", "ratios"], value_enum, value_delimiter = ',', default_value = "simple", help_heading = STAGES)]
+    pub kind: Vec<StageKind>,
 
     /// Axes of input and output. Parallel: the smaller gear of the pair has 17 to 30 teeth, the larger one up to
     /// 150 and 1.1 to 5 times as many. Default: coaxial; with --application wind either.

@@ -1,6 +1,7 @@
 //! Requests for one ratio: stages in series.
 
 use super::request::{Request, refuse_of};
+use crate::design::answer::arranged::StageKind;
 use crate::design::answer::axes::Axes;
 use crate::design::answer::stages::{MOST_STAGES, Stages};
 use crate::design::answer::stages_wanted::WantedStages;
@@ -14,6 +15,9 @@ use epicyclic_strength::series::Teeth;
 use epicyclic_units::Physical;
 use epicyclic_units::format::trimmed;
 use std::ops::ControlFlow;
+
+/// Teeth of the largest suns of sets with planets of two gears, unless more are given.
+const MOST_ARRANGED: u32 = 60;
 
 impl Request {
     /// Designs stages in series. The closure is called now and then, and may end the search.
@@ -82,6 +86,11 @@ impl Request {
         if let Some((_, most)) = larger.filter(|_| self.sizes.application != Some(Application::Robot)) {
             suns = *suns.start()..=*most;
         }
+        // Large suns make Wolfrom sets light, and are few.
+        let arranged_suns = match &self.sun {
+            None => *suns.start()..=MOST_ARRANGED.max(*suns.end()),
+            Some(_) => self.teeth([suns.clone(), 17..=80, 50..=160])?.sun,
+        };
         let bounds = self.teeth([suns, 17..=80, 50..=160])?;
         if axes == Axes::Parallel && self.stages == Some(1..=1) {
             let of_sets = [
@@ -96,6 +105,7 @@ impl Request {
                 return Err(Failure::invalid(option, message));
             }
         }
+        let kinds = self.kinds(axes, steps_up)?;
         // Gearboxes of wind turbines have three stages at most.
         let most = if self.sizes.application == Some(Application::Wind) { 3 } else { MOST_STAGES };
         let stages = self.stages.clone().unwrap_or(1..=most);
@@ -104,6 +114,7 @@ impl Request {
             steps_up,
             turns_back,
             axes,
+            kinds,
             tolerance,
             stages: *stages.start() as usize..=*stages.end() as usize,
             teeth: Teeth {
@@ -114,6 +125,7 @@ impl Request {
                 ring_to_sun_ratio: self.criteria.k(Bounds::default().ring_to_sun_ratio)?,
                 is_hunting: self.hunting_teeth || self.sizes.application == Some(Application::Wind),
             },
+            arranged_suns,
             speed,
             is_backward: self.input.0.si() < 0.0,
             is_front_asked: self.front,
@@ -127,5 +139,25 @@ impl Request {
             basis: self.basis()?,
             size: self.sized(),
         })
+    }
+
+    /// Kinds of stages to choose from: each once.
+    fn kinds(&self, axes: Axes, steps_up: bool) -> Result<Vec<StageKind>, Failure> {
+        let mut kinds = self.kind.clone();
+        kinds.sort_unstable();
+        kinds.dedup();
+        let refuse = |message| Err(Failure::conflict("--kind", message));
+        if kinds.iter().any(|kind| *kind != StageKind::Simple) {
+            if self.stages.as_ref().is_some_and(|stages| !stages.contains(&1)) {
+                return refuse("a set with stepped planets and a Wolfrom set are one stage; write --stages 1, or leave it out");
+            }
+            if axes == Axes::Parallel {
+                return refuse("a pair of gears is in front of simple sets; leave out --axes, or write --kind simple");
+            }
+        }
+        if steps_up && kinds.contains(&StageKind::Wolfrom) {
+            return refuse("the losses of a Wolfrom set that steps up usually hold it; write --kind simple,stepped");
+        }
+        Ok(kinds)
     }
 }

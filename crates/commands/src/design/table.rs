@@ -25,12 +25,13 @@ use epicyclic_strength::sizing::Requirement;
 use epicyclic_units::Dimension;
 use epicyclic_units::format::trimmed;
 
-/// Ring, masses, least safeties and life of the best sizes.
-pub(crate) fn of_sizes(sizes: &SizesStep, masses: Option<&Masses>) -> Vec<String> {
+/// Ring, masses, least safeties and life of the best sizes. What the diameter is of is said: a ring, or planets
+/// that reach beyond it.
+pub(crate) fn of_sizes(sizes: &SizesStep, masses: Option<&Masses>, diameter: &str) -> Vec<String> {
     let found: Vec<&SizedDesign> = sizes.sets.iter().filter_map(|set| set.found.first()).collect();
     let mut all = vec![];
     let rings = found.iter().filter_map(|design| design.ring_diameter_m);
-    all.extend(rings.reduce(f64::max).map(|ring| format!("ring {}", words(Dimension::Length, ring, DIGITS))));
+    all.extend(rings.reduce(f64::max).map(|ring| format!("{diameter} {}", words(Dimension::Length, ring, DIGITS))));
     let is_known = masses.is_some_and(Masses::are_of_sets);
     all.extend(is_known.then(|| format!("length about {}", words(Dimension::Length, length_m(sizes), 2))));
     all.extend(sizes.mass_kg.map(|mass| format!("gears {}", words(Dimension::Mass, mass, 3))));
@@ -203,7 +204,7 @@ pub(crate) fn in_short(design: &Design) -> String {
     let off = percent(largest_deviation(&design.speeds)).replace('+', "");
     let asked = trimmed(100.0 * design.scheme.criteria.tolerance, 3);
     let mut all = vec![name.to_owned(), format!("speeds within {off} (asked {asked} %)")];
-    all.extend(of_sizes(sizes, design.masses.as_ref()));
+    all.extend(of_sizes(sizes, design.masses.as_ref(), "ring"));
     format!("{}.", all.join(", "))
 }
 
@@ -312,6 +313,7 @@ fn option(one: &RelaxedLimit) -> String {
         Limit::PlainBearings => "--bearing-type plain".to_owned(),
         Limit::Bearings => "--no-bearings".to_owned(),
         Limit::Axes => "--axes either".to_owned(),
+        Limit::StageKinds => "--kind simple,stepped,wolfrom".to_owned(),
     }
 }
 

@@ -191,7 +191,7 @@ pub(crate) fn designs<'s>(
     .words("bearing", "bearing", |(.., one)| bearings(one))
     .quantity("ring_diameter", "ring", Dimension::Length, |(.., one)| one.ring_diameter_m)
     .quantity("mass", "", Dimension::Mass, |(.., one)| one.mass_kg)
-    .words("usual", "usual", |(.., one)| one.usual)
+    .words("usual", "usual", |(.., one)| one.rules_missed == 0)
     .words("governing", "governs", |(.., one)| governing(one))
     .printed("flank_safety", "S_H", 3, |(.., one)| least(one, |gear| gear.flank.safety))
     .printed("root_safety", "S_F", 3, |(.., one)| least(one, |gear| gear.root.safety))

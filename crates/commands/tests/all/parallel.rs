@@ -33,7 +33,7 @@ fn mass_of(file: &str, teeth: [u32; 2], sizes: &str) -> Option<f64> {
     let request: size::Request = request(sizes.split('|').chain(["--minimise=whole", "--most=1"])).unwrap();
     let request = size::Request { widens_face_load: true, ..request };
     let size = request.answer(&Gearbox::parse("pair.yaml", text.as_bytes()).unwrap(), &GO_ON).unwrap();
-    size.sets[0].found.first().filter(|best| best.usual).map(SizedDesign::with_structure_kg)
+    size.sets[0].found.first().filter(|best| best.rules_missed == 0).map(SizedDesign::with_structure_kg)
 }
 
 /// Every pair with the ratio, sized one by one as any set of a file is.

@@ -89,7 +89,7 @@ impl Masses {
     }
 }
 
-/// Outside diameter of the ring in m; without a ring tip diameter of the largest gear.
+/// Diameter in m that ring, planets and tips reach to.
 fn largest(task: &Task, layout: &Layout) -> f64 {
     let tips = || {
         layout
@@ -98,7 +98,8 @@ fn largest(task: &Task, layout: &Layout) -> f64 {
             .enumerate()
             .map(|(place, gear)| gear.tip_diameter() * layout.module(task, place).si())
     };
-    layout.ring_diameter(task).map_or_else(|| tips().fold(0.0, f64::max), Physical::si)
+    let without_ring = || tips().fold(layout.swept_diameter(task).si(), f64::max);
+    layout.ring_diameter(task).map_or_else(without_ring, Physical::si)
 }
 
 /// Reference diameter in m of the smallest sun of a family, or of its smallest gear.

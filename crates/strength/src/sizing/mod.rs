@@ -24,7 +24,7 @@
 //!   [`Limits`](epicyclic_gears::involute::set::Limits), such as undercut, thin tips, interference or planets
 //!   that touch.
 //! - Face width: `b ≤ (b/d_s)_max·m·z_s`, where [`Task::width_ratio`] bounds it.
-//! - Ring: `D_r ≤ D_max`, where [`Task::largest_ring`] bounds it.
+//! - Ring: `D_r ≤ D_max`, where [`Task::largest_ring`] bounds it. Planets that reach beyond the ring count as well.
 //! - Bearing fits: `(d_fp − D)/2 ≥` the least rim of each gear of the planet, `B ≤` the sum of their widths.
 //! - Flanks, roots: `S_H`, `S_F` of both gears of each mesh over the duty
 //!   ([`rate_duty`](crate::spectrum::rate_duty)).
@@ -99,6 +99,7 @@ pub(crate) mod trial;
 
 use bearing::Bearing;
 use epicyclic_gears::involute::check::{Check, Rule};
+pub use practice::priced;
 pub use search::search;
 pub(crate) use simple::with_rest;
 pub use simple::{HeldShifts, SetOverload, SetStep, SetTeeth, Sizing, size};

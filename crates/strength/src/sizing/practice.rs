@@ -33,8 +33,10 @@ use uom::si::f64::Length;
 /// Factor of the objective for each rule with a warning: what a warning fewer may cost.
 const PRICE: f64 = 1.25;
 
-/// Whether any rule is missed, and an objective with the price of the rules.
-pub(crate) fn priced(rules_missed: u32, objective: f64) -> [f64; 2] {
+/// Whether any rule of usual practice is missed, 0 or 1, and an objective with the price of the rules: a quarter
+/// more for each.
+#[must_use]
+pub fn priced(rules_missed: u32, objective: f64) -> [f64; 2] {
     let is_unusual = if rules_missed == 0 { 0.0 } else { 1.0 };
     [is_unusual, objective * (0..rules_missed).fold(1.0, |all, _| all * PRICE)]
 }

@@ -294,7 +294,8 @@ impl Layout {
         self.modules[task.gears[gear].family]
     }
 
-    /// Outside diameter of the largest ring; `None` of a set without one.
+    /// Outside diameter of the largest ring, or of the circle that tips of planets reach to where that is larger;
+    /// `None` of a set without a ring.
     #[must_use]
     pub(super) fn ring_diameter(&self, task: &Task) -> Option<Length> {
         let rings = (0..self.gears.len()).filter(|gear| self.gears[*gear].kind() == GearKind::Internal);
@@ -302,7 +303,20 @@ impl Layout {
             let module = self.module(task, gear);
             module * self.gears[gear].root_diameter() + 2.0 * task.ring_rim(gear, module)
         });
-        outside.reduce(|one, other| if one > other { one } else { other })
+        let greater = |one: Length, other: Length| if one > other { one } else { other };
+        Some(greater(outside.reduce(greater)?, self.swept_diameter(task)))
+    }
+
+    /// Diameter of the circle that tips of planets reach to; 0 without planets.
+    pub(super) fn swept_diameter(&self, task: &Task) -> Length {
+        let planets = task.gears.iter().enumerate().filter_map(|(gear, of)| match of.body {
+            Body::Planet(planet) => Some((gear, self.radii[planet])),
+            Body::Central => None,
+        });
+        let reach = |(gear, radius): (usize, Length)| {
+            2.0 * radius + self.module(task, gear) * self.gears[gear].tip_diameter()
+        };
+        planets.map(reach).fold(Length::default(), |one, other| if one > other { one } else { other })
     }
 }
 
@@ -372,7 +386,8 @@ pub struct Design {
     pub width_ratios: Vec<f64>,
     /// `K_Hβ` of each family where the given one is the least.
     pub face_loads: Vec<Option<f64>>,
-    /// Outside diameter of the largest ring; `None` of a set without one.
+    /// Outside diameter of the largest ring, or of the circle that tips of planets reach to where that is larger;
+    /// `None` of a set without a ring.
     pub ring_diameter: Option<Length>,
     /// Mass of all gears.
     pub mass: Mass,

@@ -1,14 +1,15 @@
 //! Stages in series for one ratio: splits, tooth numbers and sizes chosen together.
 
+use super::arranged::{self, StageKind};
 use super::assumed::{AssumedLoad, assumed};
 use super::attempt::CLASSES;
 use super::axes::{self, Axes};
 use super::limits::OrderLimits;
-use super::making::{BEARINGS_DECIDE, MAKING, warnings};
+use super::making::{BEARINGS_DECIDE, warnings};
 use super::masses::Masses;
 use super::records::SizesStep;
-use super::stages_file::{efficiencies, text};
-use super::stages_search::{Searched, searched, unusual};
+use super::stages_file::{document, efficiencies};
+use super::stages_search::{searched, unusual};
 use super::stages_wanted::WantedStages;
 use super::ways_out::WayOutOfStages;
 use crate::answer::{Answer, Warning};
@@ -17,7 +18,6 @@ use crate::shared::basis::BasisKey;
 use crate::shared::gearbox::{Choice, one};
 use crate::size::answer as size;
 use crate::size::options::Request as SizeRequest;
-use epicyclic_formats::Document;
 use epicyclic_strength::series::{KnownSets, STAGE_PRICE, Train, Trains};
 use epicyclic_strength::sizing::SetTeeth;
 use epicyclic_units::Physical;
@@ -110,8 +110,10 @@ pub struct TrainsOf {
     pub stages: usize,
     /// Whether the fast stage is a pair of external gears on parallel axes.
     pub has_pair: bool,
+    /// Kind of the stages.
+    pub kind: StageKind,
     /// Least and greatest ratio of so many stages with the tooth numbers allowed, the nearer to 1 first; null
-    /// if these leave no set.
+    /// if these leave no set, and of sets with planets of two gears.
     pub reachable: Option<[f64; 2]>,
     /// Trains of tooth numbers within the tolerance.
     pub compared: u64,
@@ -131,10 +133,12 @@ pub struct TrainsOf {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct TrainOfStages {
-    /// Tooth numbers of each stage, from the input on: of sun, planet and ring, or of both gears of a pair, the
-    /// faster first.
+    /// Tooth numbers of each stage, from the input on: of sun, planet and ring; of both gears of a pair, the
+    /// faster first; of sun, both steps and ring; of a Wolfrom set of sun, first step, its ring, second step, its
+    /// ring.
     pub teeth: Vec<Vec<u32>>,
-    /// Ratio of each stage with its ring held; of a pair by amount.
+    /// Ratio of each stage with its ring held; of a pair by amount; that of the train of a set with planets of two
+    /// gears.
     pub ratios: Vec<f64>,
     /// Ratio of the train.
     pub ratio: f64,
@@ -192,6 +196,7 @@ impl TrainsOf {
         Self {
             stages: trains.stages,
             has_pair,
+            kind: StageKind::Simple,
             reachable,
             compared: trains.trains,
             sized: trains.sized,
@@ -219,22 +224,34 @@ pub(super) fn attempted(
     known: &mut [KnownSets; 2],
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<(Stages, Option<SizeRequest>), Error> {
-    if wanted.axes != Axes::Either {
-        return attempted_of_kind(wanted, most, known, goes_on);
-    }
-    // Each kind of trains with the bearings that pay for it: pairs have none.
-    let mut of = |axes| attempted_of_kind(&WantedStages { axes, ..wanted.clone() }, most, known, goes_on);
-    let (mut best, mut other) = (of(Axes::Coaxial)?, of(Axes::Parallel)?);
+    let each = wanted.kinds.iter().flat_map(|kind| {
+        let axes = match (kind, wanted.axes) {
+            // Each kind of trains with the bearings that pay for it: pairs have none.
+            (StageKind::Simple, Axes::Either) => vec![Axes::Coaxial, Axes::Parallel],
+            (StageKind::Simple, axes) => vec![axes],
+            _ => vec![Axes::Coaxial],
+        };
+        axes.into_iter().map(move |axes| WantedStages { axes, kinds: vec![*kind], ..wanted.clone() })
+    });
     let cost = |of: &Stages| of.taken().and_then(TrainsOf::cost);
-    if cost(&other.0).is_some_and(|other| cost(&best.0).is_none_or(|best| other < best)) {
-        std::mem::swap(&mut best, &mut other);
+    let mut best: Option<(Stages, Option<SizeRequest>)> = None;
+    for wanted in each {
+        let mut other = attempted_of_kind(&wanted, most, known, goes_on)?;
+        let Some(mut first) = best.take() else {
+            best = Some(other);
+            continue;
+        };
+        if cost(&other.0).is_some_and(|other| cost(&first.0).is_none_or(|first| other < first)) {
+            std::mem::swap(&mut first, &mut other);
+        }
+        let others = other.0.trains.into_iter().map(|trains| TrainsOf { taken: false, ..trains });
+        first.0.trains.extend(others);
+        first.0.trains.sort_by_key(|trains| (trains.stages, trains.has_pair, trains.kind));
+        first.0.sets = first.0.sets.max(other.0.sets);
+        first.0.limits = first.0.limits.with(other.0.limits, first.0.file.is_some());
+        best = Some(first);
     }
-    let others = other.0.trains.into_iter().map(|trains| TrainsOf { taken: false, ..trains });
-    best.0.trains.extend(others);
-    best.0.trains.sort_by_key(|trains| (trains.stages, trains.has_pair));
-    best.0.sets = best.0.sets.max(other.0.sets);
-    best.0.limits = best.0.limits.with(other.0.limits, best.0.file.is_some());
-    Ok(best)
+    best.ok_or(Error::NoLoad)
 }
 
 /// Designs stages in series of one kind.
@@ -278,37 +295,36 @@ pub(super) fn attempted_with(
     for part in CLASSES {
         let tolerance = part * wanted.tolerance;
         // Trains of a wider class have to keep to usual practice in more stages.
-        if let Some(before) = class.as_ref().filter(|class| class.made.is_some()).and_then(Class::unusual)
-            && unusual(
-                &searched(wanted, (tolerance, Some(before.saturating_sub(1))), 1, (&mut *known, goes_on))?
-                    .found,
-            )
-            .is_none()
-        {
-            continue;
+        let before = class.as_ref().filter(|class| class.made.is_some()).and_then(Class::unusual);
+        if let (Some(before), StageKind::Simple) = (before, wanted.kind()) {
+            let fewer = Some(before.saturating_sub(1));
+            if unusual(&searched(wanted, (tolerance, fewer), 1, (&mut *known, goes_on))?.found).is_none() {
+                continue;
+            }
         }
         let own = Class::of(wanted, (tolerance, most), known, &mut limits, goes_on)?;
         let is_taken = own.made.is_some();
         let is_usual = is_taken && own.unusual() == Some(0);
-        if is_taken || class.as_ref().is_none_or(|class| class.made.is_none()) {
+        if before.is_none() || is_taken && own.unusual() < before {
             class = Some(own);
         }
         if wanted.tolerance == 0.0 || is_usual {
             break;
         }
     }
-    let Class { within, searched: Searched { found, .. }, trains, made } = class.expect("there are classes");
+    let Class { within, listed, made } = class.expect("there are classes");
+    let Listed { sets, trains, ended_early, .. } = listed;
     if made.is_some() {
         (limits.lightest_kg, limits.shortest_m) = (None, None);
     }
     let train = trains.iter().find(|trains| trains.taken).and_then(|trains| trains.best.clone());
-    let (mut sizes, mut file, mut all_warnings) = (None, None, vec![]);
+    let (mut of_train, mut file, mut all_warnings) = (None, None, vec![]);
     let (mut efficiency, mut back_driving_efficiency, mut masses) = (None, None, None);
     let mut torque = Some(wanted.torque).filter(|_| !wanted.is_of_output);
     if let Some(made) = made {
         [efficiency, back_driving_efficiency] = made.efficiencies;
         (torque, masses, all_warnings) = (Some(made.torque), made.masses, made.warnings);
-        (sizes, file) = (Some(made.sizes), Some(made.file));
+        (of_train, file) = (Some(made.sizes), Some(made.file));
         all_warnings.extend(limits.warning());
     }
     let of_set = BasisKey::of_number("efficiency", wanted.efficiency);
@@ -340,24 +356,24 @@ pub(super) fn attempted_with(
         input_power_w: torque.map(|of| (of * wanted.speed).si()),
         efficiency,
         back_driving_efficiency,
-        sets: found.sets,
+        sets,
         teeth: TeethRanges { sun: ends(&teeth.suns), planet: ends(&teeth.planets), ring: ends(&teeth.rings) },
         limits,
         masses,
         trains,
         basis: wanted.basis.told().into_iter().chain([of_set]).chain(of_pair).collect(),
         assumed: assumed(&wanted.basis, &wanted.size, &load)?.into_iter().chain(of_pair_assumed).collect(),
-        sizes,
+        sizes: of_train,
         file,
         ways_out: None,
         front: None,
-        warnings: all_warnings.into_iter().chain(cut_short(&found.all)).collect(),
+        warnings: all_warnings.into_iter().chain(cut_short(&ended_early)).collect(),
     })
 }
 
-/// A warning of searches that ended before all trains were compared.
-fn cut_short(all: &[Trains]) -> Option<Warning> {
-    let cut: Vec<String> = all.iter().filter(|of| !of.is_complete).map(|of| of.stages.to_string()).collect();
+/// A warning of searches of these numbers of stages, which ended before all trains were compared.
+fn cut_short(ended_early: &[usize]) -> Option<Warning> {
+    let cut: Vec<String> = ended_early.iter().map(usize::to_string).collect();
     (!cut.is_empty()).then(|| Warning {
         name: "search-ended",
         message: format!(
@@ -368,11 +384,45 @@ fn cut_short(all: &[Trains]) -> Option<Warning> {
     })
 }
 
+/// The best trains within a part of the tolerance.
+pub(super) struct Listed {
+    /// Sets of tooth numbers that stages were chosen from.
+    pub(super) sets: usize,
+    pub(super) trains: Vec<TrainsOf>,
+    /// Price of the length at which the trains of each number of stages were found.
+    pub(super) prices: Vec<f64>,
+    /// Length of the shortest train above the limit, in m.
+    pub(super) shortest: Option<f64>,
+    /// Numbers of stages whose search ended early.
+    pub(super) ended_early: Vec<usize>,
+}
+
+impl Listed {
+    fn of(
+        wanted: &WantedStages,
+        (within, most): (f64, usize),
+        known: &mut KnownSets,
+        goes_on: &dyn Fn() -> ControlFlow<()>,
+    ) -> Result<Self, Error> {
+        if wanted.kind() != StageKind::Simple {
+            return arranged::listed(wanted, (within, most), goes_on);
+        }
+        let searched = searched(wanted, (within, None), most, (known, goes_on))?;
+        let all = &searched.found.all;
+        Ok(Self {
+            sets: searched.found.sets,
+            trains: all.iter().map(|trains| TrainsOf::of(wanted, trains)).collect(),
+            ended_early: all.iter().filter(|of| !of.is_complete).map(|of| of.stages).collect(),
+            prices: searched.prices,
+            shortest: searched.shortest,
+        })
+    }
+}
+
 /// The best trains within a part of the tolerance, and the one taken.
 struct Class {
     within: f64,
-    searched: Searched,
-    trains: Vec<TrainsOf>,
+    listed: Listed,
     /// Sizes of the train taken; `None` if no train holds and keeps to the limits.
     made: Option<Made>,
 }
@@ -386,10 +436,9 @@ impl Class {
         limits: &mut OrderLimits,
         goes_on: &dyn Fn() -> ControlFlow<()>,
     ) -> Result<Self, Error> {
-        let searched = searched(wanted, (within, None), most, (known, goes_on))?;
-        *limits = limits.with(OrderLimits { shortest_m: searched.shortest, ..*limits }, false);
-        let mut trains: Vec<TrainsOf> =
-            searched.found.all.iter().map(|trains| TrainsOf::of(wanted, trains)).collect();
+        let mut listed = Listed::of(wanted, (within, most), known, goes_on)?;
+        *limits = limits.with(OrderLimits { shortest_m: listed.shortest, ..*limits }, false);
+        let trains = &mut listed.trains;
         let cost = |place: &usize| trains[*place].cost().unwrap_or_default();
         let mut places: Vec<usize> =
             (0..trains.len()).filter(|place| trains[*place].cost().is_some()).collect();
@@ -400,17 +449,19 @@ impl Class {
         let mut made = None;
         for place in places {
             let Some(train) = &trains[place].best else { continue };
-            let own = Made::of(wanted, train, searched.prices[place], goes_on)?;
+            let own = Made::of(wanted, train, listed.prices[place], goes_on)?;
             if limits.allow(own.masses.as_ref(), &own.sizes) {
                 (trains[place].taken, made) = (true, Some(own));
                 break;
             }
         }
-        Ok(Self { within, searched, trains, made })
+        Ok(Self { within, listed, made })
     }
 
+    /// Stages beyond usual practice of the best train.
     fn unusual(&self) -> Option<u32> {
-        unusual(&self.searched.found)
+        let best = self.listed.trains.iter().filter_map(|trains| trains.best.as_ref());
+        best.map(|train| train.unusual_stages).min()
     }
 }
 
@@ -434,8 +485,7 @@ impl Made {
     ) -> Result<Self, Error> {
         let efficiencies = efficiencies(wanted, &train.teeth)?;
         let torque = wanted.input_torque(train.ratio, efficiencies[0]);
-        let making = text(wanted, &train.teeth, torque)?;
-        let document = Document::parse_one(MAKING, making.as_bytes())?;
+        let document = document(wanted, &train.teeth, torque)?;
         let request = SizeRequest { length_price, ..wanted.size.clone() };
         let size = size::answer(&one(&document, &Choice::default())?, &request, goes_on)?;
         let file = size::saved(&document, &size)?;

@@ -1,6 +1,7 @@
 //! The gearbox file of stages in series without their sizes, and what is read from it: efficiencies, and the
 //! order as the search takes it.
 
+use super::arranged::{self, StageKind};
 use super::axes::{efficiency_of_pair, first_pair};
 use super::making::{Load, MAKING, PAIR, mapping, with_load};
 use super::stages_wanted::WantedStages;
@@ -64,8 +65,13 @@ fn of_part(duty: InputStep, [share, torque, speed]: [f64; 3]) -> InputStep {
     InputStep { share: share * duty.share, torque: duty.torque * torque, speed: duty.speed * speed }
 }
 
-/// File of stages without sizes, with a torque on the input.
+/// File of stages without sizes, with a torque on the input; a stage with planets of two gears has no strength yet.
 pub(super) fn text(wanted: &WantedStages, teeth: &[Vec<u32>], torque: Torque) -> Result<String, Error> {
+    if let [stage] = teeth
+        && StageKind::of(stage) != StageKind::Simple
+    {
+        return arranged::text(wanted, stage, torque);
+    }
     let shaft = |place: usize| match place {
         0 => "input".to_owned(),
         _ if place == teeth.len() => "output".to_owned(),
@@ -104,17 +110,41 @@ pub(super) fn text(wanted: &WantedStages, teeth: &[Vec<u32>], torque: Torque) ->
         ])
     };
     let count = if teeth.len() == 1 { "1 stage".to_owned() } else { format!("{} stages", teeth.len()) };
+    let sets = ("sets", Value::Sequence(teeth.iter().enumerate().map(set).collect()));
+    let load = Load { torque, speed: wanted.speed, overload: wanted.overload, spectrum: &wanted.spectrum };
+    written(&count, sets, |file| with_load(file, &wanted.basis, &[(GEAR, 1.0)], load))
+}
+
+/// File of a gearbox with one gear and these sets, and what is added to it.
+pub(super) fn written(
+    name: &str,
+    sets: (&str, Value),
+    add: impl FnOnce(&mut Value),
+) -> Result<String, Error> {
     let mut file = mapping(vec![
-        ("gearbox", count.into()),
+        ("gearbox", name.into()),
         ("input", "input".into()),
         ("output", "output".into()),
-        ("sets", Value::Sequence(teeth.iter().enumerate().map(set).collect())),
+        sets,
         ("gears", Value::Sequence(vec![mapping(vec![("name", GEAR.into())])])),
     ]);
-    let load = Load { torque, speed: wanted.speed, overload: wanted.overload, spectrum: &wanted.spectrum };
-    with_load(&mut file, &wanted.basis, &[(GEAR, 1.0)], load);
+    add(&mut file);
     to_string(&file).map_err(|error| Error::Json(error.to_string()))
 }
 
+/// Stages without sizes as the sizes read them, with materials, factors and duty, and a torque on the input.
+pub(super) fn document(
+    wanted: &WantedStages,
+    teeth: &[Vec<u32>],
+    torque: Torque,
+) -> Result<Document, Error> {
+    if let [stage] = teeth
+        && StageKind::of(stage) != StageKind::Simple
+    {
+        return arranged::making(wanted, stage, torque);
+    }
+    Ok(Document::parse_one(MAKING, text(wanted, teeth, torque)?.as_bytes())?)
+}
+
 /// Name of the only gear.
-const GEAR: &str = "only";
+pub(super) const GEAR: &str = "only";

@@ -1,5 +1,6 @@
 //! Order for stages in series: ratio and load of both shafts, whatever the train.
 
+use super::arranged::StageKind;
 use super::axes::{self, Axes};
 use super::limits::OrderLimits;
 use crate::shared::basis::Basis;
@@ -21,10 +22,14 @@ pub struct WantedStages {
     pub tolerance: f64,
     /// Axes of both shafts.
     pub axes: Axes,
+    /// Kinds of stages to choose from, at least one.
+    pub kinds: Vec<StageKind>,
     /// Numbers of stages.
     pub stages: RangeInclusive<usize>,
     /// Tooth numbers of the sets.
     pub teeth: Teeth,
+    /// Teeth of the suns of sets with planets of two gears.
+    pub arranged_suns: RangeInclusive<u32>,
     /// Speed of the input.
     pub speed: AngularVelocity,
     /// Whether input and output turn backward.
@@ -43,7 +48,8 @@ pub struct WantedStages {
     pub spectrum: Vec<[f64; 3]>,
     /// Limits of the whole gearbox.
     pub limits: OrderLimits,
-    /// Efficiency of each set with its carrier fixed, which the file states.
+    /// Efficiency of each set with its carrier fixed, which the file states; of a set with planets of two gears
+    /// that of one external and one internal mesh together.
     pub efficiency: f64,
     /// Materials, factors, oil and life.
     pub basis: Basis,
@@ -56,6 +62,17 @@ impl WantedStages {
     /// input; the rings are held otherwise.
     pub(super) fn rings_turn(&self) -> bool {
         self.turns_back && !self.has_pair()
+    }
+
+    /// The kind of stages that is searched.
+    pub(super) fn kind(&self) -> StageKind {
+        self.kinds.first().copied().unwrap_or(StageKind::Simple)
+    }
+
+    /// Efficiencies of an external and of an internal mesh.
+    pub(super) fn efficiencies_of_meshes(&self) -> [f64; 2] {
+        let outer = axes::efficiency_of_pair(self.efficiency);
+        [outer, self.efficiency / outer]
     }
 
     /// Whether the fast stage is a pair.
@@ -152,6 +169,7 @@ mod tests {
             steps_up,
             turns_back: false,
             axes: Axes::Coaxial,
+            kinds: vec![StageKind::Simple],
             tolerance: 0.03,
             stages: 1..=3,
             teeth: Teeth {
@@ -162,6 +180,7 @@ mod tests {
                 ring_to_sun_ratio: 1.2..=12.0,
                 is_hunting: false,
             },
+            arranged_suns: 17..=60,
             speed: AngularVelocity::from_si(100.0),
             torque: Torque::from_si(45.0),
             is_of_output: true,

@@ -4,6 +4,7 @@
 //! Every way out is the result of the same search with the limit relaxed. The same command with the option
 //! finds the same train.
 
+use super::arranged::StageKind;
 use super::axes::Axes;
 use super::stages::{MOST_STAGES, Stages, attempted, attempted_with};
 use super::stages_wanted::WantedStages;
@@ -64,7 +65,8 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
     } else if wanted.is_front_asked {
         let has_pair = stages.taken().is_some_and(|trains| trains.has_pair);
         let axes = if has_pair { Axes::Parallel } else { Axes::Coaxial };
-        stages.front = Some(search.front((axes, larger), largest_ring(&stages))?);
+        let kind = stages.taken().map_or(StageKind::Simple, |trains| trains.kind);
+        stages.front = Some(search.front((axes, kind, larger), largest_ring(&stages))?);
     }
     Ok(stages)
 }
@@ -109,6 +111,8 @@ fn candidates(wanted: &WantedStages, found: &Stages) -> Vec<RelaxedLimit> {
         let is_wider = (least..=most) != *own;
         (between(limit, f64::from(least), f64::from(most)), is_wider)
     };
+    // Sets with planets of two gears are one stage, whose rings may have any ratio to the sun.
+    let has_simple = wanted.kinds.contains(&StageKind::Simple);
     let k = &teeth.ring_to_sun_ratio;
     let [least_k, most_k] =
         [k.start().min(*RING_TO_SUN_RATIOS.start()), k.end().max(*RING_TO_SUN_RATIOS.end())];
@@ -122,17 +126,18 @@ fn candidates(wanted: &WantedStages, found: &Stages) -> Vec<RelaxedLimit> {
             RelaxedLimit { greatest: Some(GREATEST_TOLERANCE), ..lifted(Limit::Tolerance) },
             wanted.tolerance < GREATEST_TOLERANCE && !has_many_trains,
         ),
-        (between(Limit::Stages, fewest, most), wanted.stages != STAGES),
+        (lifted(Limit::StageKinds), !has_simple && !wanted.steps_up),
+        (between(Limit::Stages, fewest, most), has_simple && wanted.stages != STAGES),
         of_teeth(Limit::SunTeeth, &teeth.suns, suns(wanted.ratio)),
         of_teeth(Limit::PlanetTeeth, &teeth.planets, PLANETS),
         of_teeth(Limit::RingTeeth, &teeth.rings, RINGS),
-        (between(Limit::RingToSunRatio, least_k, most_k), (least_k..=most_k) != *k),
+        (between(Limit::RingToSunRatio, least_k, most_k), has_simple && (least_k..=most_k) != *k),
         (
             between(Limit::RingOffset, f64::from(*OFFSETS.start()), f64::from(*OFFSETS.end())),
             teeth.ring_offsets == (0..=0),
         ),
         (lifted(Limit::HuntingTeeth), wanted.is_hunting_asked),
-        (lifted(Limit::Axes), wanted.axes == Axes::Coaxial && !wanted.turns_back),
+        (lifted(Limit::Axes), has_simple && wanted.axes == Axes::Coaxial && !wanted.turns_back),
         (lifted(Limit::Modules), size.modules.is_some()),
         (lifted(Limit::FaceWidths), size.face_widths.is_some()),
         (
@@ -166,6 +171,7 @@ const fn is_of_sizes(limit: Limit) -> bool {
                 | Limit::Stages
                 | Limit::HuntingTeeth
                 | Limit::Axes
+                | Limit::StageKinds
         )
 }
 
@@ -190,7 +196,7 @@ impl Search<'_> {
         }
         // More tooth numbers make the search many times longer. Another kind of train is no gearbox of the order
         // while one of this kind holds.
-        let is_last = |one: &RelaxedLimit| is_of_teeth(one.limit) || one.limit == Limit::Axes;
+        let is_last = |one: &RelaxedLimit| is_of_teeth(one.limit) || matches!(one.limit, Limit::Axes | Limit::StageKinds);
         let (of_teeth, others): (Vec<_>, Vec<_>) = all.into_iter().partition(is_last);
         let mut ways = vec![];
         for group in [&others, &of_teeth] {
@@ -208,14 +214,14 @@ impl Search<'_> {
     /// one, with its kinds of bearings and modules, which may be the larger ones.
     fn front(
         &self,
-        (axes, larger): (Axes, Option<SizeRequest>),
+        (axes, kind, larger): (Axes, StageKind, Option<SizeRequest>),
         mut ring: f64,
     ) -> Result<Vec<WayOutOfStages>, Error> {
         let mut points: Vec<WayOutOfStages> = vec![];
         let known = &mut self.known.borrow_mut()[usize::from(larger.is_some())];
         let mut wanted = self.wanted.clone();
         wanted.size = larger.unwrap_or(wanted.size);
-        wanted.axes = axes;
+        (wanted.axes, wanted.kinds) = (axes, vec![kind]);
         // A pair alone has no ring.
         while points.len() < MOST_SMALLER && ring > 0.0 {
             let most = rounded(ring * (1.0 - SMALLER), f64::floor);
@@ -333,13 +339,14 @@ fn relax(one: RelaxedLimit, wanted: &mut WantedStages) {
     match one.limit {
         Limit::Tolerance => wanted.tolerance = ends[1],
         Limit::Stages => wanted.stages = ends[0] as usize..=ends[1] as usize,
-        Limit::SunTeeth => wanted.teeth.suns = of_teeth(),
+        Limit::SunTeeth => (wanted.teeth.suns, wanted.arranged_suns) = (of_teeth(), of_teeth()),
         Limit::PlanetTeeth => wanted.teeth.planets = of_teeth(),
         Limit::RingTeeth => wanted.teeth.rings = of_teeth(),
         Limit::RingToSunRatio => wanted.teeth.ring_to_sun_ratio = ends[0]..=ends[1],
         Limit::RingOffset => wanted.teeth.ring_offsets = ends[0] as i32..=ends[1] as i32,
         Limit::HuntingTeeth => wanted.teeth.is_hunting = false,
         Limit::Axes => wanted.axes = Axes::Either,
+        Limit::StageKinds => wanted.kinds = StageKind::ALL.to_vec(),
         Limit::WholeMass => wanted.limits.whole_kg = one.greatest,
         Limit::Length => wanted.limits.length_m = one.greatest,
         _ => one.relax_size(&mut wanted.size),

@@ -122,6 +122,8 @@ pub enum Limit {
     Bearings,
     /// Shafts in one line; relaxed to either kind of fast stage.
     Axes,
+    /// Kinds of stages; all.
+    StageKinds,
 }
 
 /// Factors on a limit that is just sufficient for exact ratios. Real tooth numbers only come close and may
@@ -368,7 +370,7 @@ impl RelaxedLimit {
             | Limit::Bearings => self.relax_size(&mut wanted.size),
             Limit::WholeMass => wanted.limits.whole_kg = self.greatest,
             // Of stages in series.
-            Limit::Length | Limit::Stages | Limit::HuntingTeeth | Limit::Axes => {}
+            Limit::Length | Limit::Stages | Limit::HuntingTeeth | Limit::Axes | Limit::StageKinds => {}
         }
     }
 

@@ -1,5 +1,6 @@
 //! Stages in series, asked and reached, with what came next.
 
+use crate::design::answer::arranged::{MOST_SIZED, StageKind};
 use crate::design::answer::stages::{Stages, TrainsOf};
 use crate::design::answer::stages_ways_out::{PLANETS, RINGS, STAGES, suns};
 use crate::design::answer::ways_out::WayOutOfStages;
@@ -55,6 +56,10 @@ fn in_the_way(stages: &Stages) -> Option<String> {
     let mut text = all.join("; ");
     if !text.is_empty() {
         text.push('.');
+    }
+    let without_teeth = stages.trains.iter().find(|trains| trains.kind != StageKind::Simple && trains.compared == 0);
+    if let Some(of) = without_teeth.and_then(|trains| of_kind(trains.kind)) {
+        text.push_str(&format!(" No {of} with teeth within the bounds has the ratio."));
     }
     if let Some(lightest) = stages.limits.lightest_kg {
         text.push_str(&format!(
@@ -181,11 +186,14 @@ pub(crate) fn in_short(stages: &Stages) -> String {
         1 => format!("a pair of gears, {TURNS_AROUND}"),
         _ => format!("the fast one a pair of gears, {TURNS_AROUND}"),
     }));
-    all.extend((ratio < 0.0 && !has_pair).then(|| RINGS_TURN.to_owned()));
+    let kind = stages.taken().map_or(StageKind::Simple, |trains| trains.kind);
+    all.extend(of_kind(kind).map(|of| format!("a {of}")));
+    all.extend((ratio < 0.0 && !has_pair && kind == StageKind::Simple).then(|| RINGS_TURN.to_owned()));
     all.extend(steps_up.then(|| STEPS_UP.to_owned()));
     all.push(format!("i = {} (asked {asked})", of_ratio(ratio)));
     all.extend(stages.efficiency.map(|of| format!("η = {}", trimmed(of, 3))));
-    all.extend(of_sizes(sizes, stages.masses.as_ref()));
+    let diameter = if kind == StageKind::Stepped { "diameter" } else { "ring" };
+    all.extend(of_sizes(sizes, stages.masses.as_ref(), diameter));
     format!("{}.", all.join(", "))
 }
 
@@ -267,11 +275,26 @@ fn asked(stages: &Stages) -> Section {
     Section { name: "asked_and_reached", title: "Asked and reached", columns: COLUMNS, rows, note: "" }
 }
 
-/// Teeth of each stage: of sun, planet and ring, or of a pair.
+/// Kind of a set with planets of two gears in words; `None` of simple sets.
+const fn of_kind(kind: StageKind) -> Option<&'static str> {
+    match kind {
+        StageKind::Simple => None,
+        StageKind::Stepped => Some("set with stepped planets"),
+        StageKind::Wolfrom => Some("Wolfrom set"),
+    }
+}
+
+/// Teeth of each stage, with its kind unless it is a simple set.
 fn teeth(stages: &[Vec<u32>]) -> String {
     let numbers = |teeth: &Vec<u32>| {
         let all: Vec<String> = teeth.iter().map(u32::to_string).collect();
-        if teeth.len() == 2 { format!("pair {}", all.join(" ")) } else { all.join(" ") }
+        let kind = match StageKind::of(teeth) {
+            StageKind::Simple if teeth.len() == 2 => "pair ",
+            StageKind::Simple => "",
+            StageKind::Stepped => "stepped ",
+            StageKind::Wolfrom => "Wolfrom ",
+        };
+        format!("{kind}{}", all.join(" "))
     };
     let all: Vec<String> = stages.iter().map(numbers).collect();
     all.join(" + ")
@@ -286,7 +309,7 @@ fn trains(stages: &Stages) -> Records {
         |of: &TrainsOf| stages.trains.iter().any(|other| other.stages == of.stages && other.best.is_some());
     let rows = rows
         .filter(|(of, train, is_best)| train.is_some() || *is_best && (of.compared > 0 || !has_train(of)));
-    let columns = if has_pairs(stages) {
+    let columns = if has_kinds(stages) {
         "stages fast_stage taken teeth ratio mass rules_missed"
     } else {
         "stages taken teeth ratio mass rules_missed"
@@ -311,9 +334,10 @@ fn trains(stages: &Stages) -> Records {
         .note(format!(
             "The teeth are those of {}. Trains that keep to usual practice come first, then less mass, of which each rule missed counts a quarter and each stage 15 %: \
              of gears, carriers and housing by a rule, or what --minimise says. Slow shaft and flanges are not in this mass. \
-             --stages decides otherwise.{}",
+             --stages decides otherwise.{}{}",
             ranges(stages),
-            if has_pairs(stages) { " Pairs have the teeth of --axes." } else { "" }
+            if has_pairs(stages) { " Pairs have the teeth of --axes." } else { "" },
+            arranged(stages).map(|note| format!(" {note}")).unwrap_or_default()
         ))
         .records()
 }
@@ -323,13 +347,39 @@ fn has_pairs(stages: &Stages) -> bool {
     stages.trains.iter().any(|trains| trains.has_pair)
 }
 
+/// What the teeth of sets with planets of two gears are, and how they were chosen; `None` without such sets.
+fn arranged(stages: &Stages) -> Option<String> {
+    let has = |kind| stages.trains.iter().any(|trains| trains.kind == kind);
+    let order = [
+        has(StageKind::Stepped).then_some("stepped: sun, both steps, ring"),
+        has(StageKind::Wolfrom).then_some("Wolfrom: sun, first step, its ring at rest, second step, its ring"),
+    ];
+    let order: Vec<&str> = order.into_iter().flatten().collect();
+    (!order.is_empty()).then(|| {
+        format!(
+            "Teeth of {}. Of sets with planets of two gears the {MOST_SIZED} with the least estimated volume are sized at most; without --sun their suns have up to 60 teeth.",
+            order.join("; of ")
+        )
+    })
+}
+
+/// Whether trains of several kinds were searched, or of another kind than simple sets.
+fn has_kinds(stages: &Stages) -> bool {
+    stages.trains.iter().any(|trains| trains.has_pair || trains.kind != StageKind::Simple)
+}
+
 /// Kind of the fast stage.
 const fn fast_stage(of: &TrainsOf) -> &'static str {
-    if of.has_pair { "pair" } else { "set" }
+    match of.kind {
+        StageKind::Simple if of.has_pair => "pair",
+        StageKind::Simple => "set",
+        StageKind::Stepped => "stepped",
+        StageKind::Wolfrom => "Wolfrom",
+    }
 }
 
 fn searched(stages: &Stages) -> Records {
-    let columns = if has_pairs(stages) {
+    let columns = if has_kinds(stages) {
         "stages fast_stage compared sized complete"
     } else {
         "stages compared sized complete"

@@ -58,7 +58,7 @@ pub(crate) fn in_short(transmission: &Transmission) -> String {
             lightest.map_or("no sizes that hold".to_owned(), |mass| format!("{mass}, above --max-mass")),
         );
     }
-    all.extend(of_sizes(sizes, transmission.masses.as_ref()));
+    all.extend(of_sizes(sizes, transmission.masses.as_ref(), "ring"));
     format!("{}.", all.join(", "))
 }
 

@@ -56,6 +56,9 @@ const CLOSED: f64 = 0.01;
 /// Layouts that a search holds at most; it then ends within minutes.
 const MOST: u32 = 100_000;
 
+/// Designs for each of these layouts that a search may have. Where nothing holds, a million takes about five seconds.
+const DESIGNS: u32 = 100;
+
 /// Step of the radii of several kinds of planets in modules, unless one is asked for.
 const COARSE: f64 = 0.25;
 
@@ -176,8 +179,8 @@ impl Making<'_> {
             return Ok(Err(Reason::NoCommonRadius));
         }
         let count = places.len() as f64 * counts.len() as f64 * designs as f64;
-        if count > f64::from(MOST) * 10.0 {
-            return Err(strength::Error::SpaceTooLarge { count, most: MOST * 10 }.into());
+        if count > f64::from(MOST) * f64::from(DESIGNS) {
+            return Err(strength::Error::SpaceTooLarge { count, most: MOST * DESIGNS }.into());
         }
         let (mut all, mut tried) = (vec![], Tried::default());
         for planets in counts {

@@ -315,11 +315,12 @@ pub struct SizedDesign {
     pub gears: Vec<SizedTeeth>,
     /// Whether the aim of the profile shifts is met; otherwise it is met only as far as the limits allow.
     pub aim_met: bool,
-    /// Whether gears, widths, speeds and bearings keep to usual practice; true where it does not count.
-    pub usual: bool,
+    /// Rules of usual practice that gears, widths, speeds and bearings miss; 0 where it does not count.
+    pub rules_missed: u32,
     /// Planets of each kind; none for a pair.
     pub planet_sizes: Vec<SizedPlanet>,
-    /// Outside diameter of the largest ring, in m; null for a set without one.
+    /// Outside diameter of the largest ring in m, or of the circle that tips of planets reach to where that is
+    /// larger; null for a set without a ring.
     pub ring_diameter_m: Option<f64>,
     /// Mass of all gears of the set, in kg.
     pub mass_kg: f64,
@@ -397,7 +398,7 @@ impl SizedDesign {
             gears: layout.gears.iter().enumerate().map(teeth).collect(),
             aim_met: layout.is_aim_met,
             planet_sizes: design.planets.iter().enumerate().map(planet).collect(),
-            usual: design.rules_missed == 0,
+            rules_missed: design.rules_missed,
             ring_diameter_m: design.ring_diameter.map(Physical::si),
             mass_kg: design.mass.si(),
             structure_kg: design.structure.si(),

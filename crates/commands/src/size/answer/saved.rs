@@ -1,7 +1,7 @@
 //! Gearbox file with the sizes found for it.
 
 use super::Size;
-use super::records::{SizedBearing, SizedDesign, SizedSet, SizedTeeth};
+use super::records::{SizedBearing, SizedDesign, SizedFamily, SizedGear, SizedSet, SizedTeeth};
 use crate::error::Error;
 use crate::shared::tool::ToolKind;
 use epicyclic_formats::Document;
@@ -144,10 +144,7 @@ fn write(entry: &mut Mapping, is_short: bool, design: &SizedDesign) {
         }
     }
     if let Some(strength) = entry.get_mut("strength").and_then(Value::as_mapping_mut) {
-        let of_width = design.families.iter().filter_map(|family| family.face_load_factor);
-        if let Some(factor) = of_width.reduce(f64::max) {
-            inner(strength, "factors").insert(Value::from(FACE_LOAD), Value::from(factor));
-        }
+        write_face_loads(strength, design);
         let is_simple = is_short && design.gears.len() == 3 && design.planet_sizes.len() == 1;
         for (gear, rim) in design.gears.iter().filter_map(|gear| Some((gear, gear.rim_m?))) {
             let of = if is_simple { &mut *strength } else { inner(strength, "rims") };
@@ -157,6 +154,29 @@ fn write(entry: &mut Mapping, is_short: bool, design: &SizedDesign) {
     }
     for gear in &design.gears {
         write_tool(entry, gear);
+    }
+}
+
+/// Writes `K_Hβ` by the face widths: the greatest of all meshes, and where it differs that of each mesh.
+fn write_face_loads(strength: &mut Mapping, design: &SizedDesign) {
+    let factors = || design.families.iter().filter_map(|family| family.face_load_factor);
+    let Some(greatest) = factors().reduce(f64::max) else { return };
+    inner(strength, "factors").insert(Value::from(FACE_LOAD), Value::from(greatest));
+    if factors().all(|factor| factor == greatest) {
+        return;
+    }
+    // Both gears of a mesh that the duty loads stand beside each other.
+    for mesh in design.over_duty.chunks_exact(2) {
+        let key = |of: &SizedGear| {
+            let gear = design.gears.iter().find(|gear| gear.toothed_gear == of.toothed_gear)?;
+            Some(gear.key.as_str())
+        };
+        let of_mesh = |family: &&SizedFamily| family.toothed_gears.contains(&mesh[0].toothed_gear);
+        let factor = design.families.iter().find(of_mesh).and_then(|family| family.face_load_factor);
+        if let (Some(first), Some(second), Some(factor)) = (key(&mesh[0]), key(&mesh[1]), factor) {
+            let own = inner(inner(strength, "mesh_factors"), &format!("{first}-{second}"));
+            own.insert(Value::from(FACE_LOAD), Value::from(factor));
+        }
     }
 }
 
