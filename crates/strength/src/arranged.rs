@@ -58,16 +58,7 @@ pub fn estimated_volume(set: &ArrangedTeeth) -> Option<f64> {
     let module = |gear: usize| modules[gears[gear].step];
     let radius = |gear: usize| module(gear) * teeth[gear] / 2.0;
     let planets = f64::from(set.planets());
-    let of_sun = 1.0 / (planets * radius(0));
-    let forces = match arrangement {
-        Arrangement::Stepped => vec![of_sun, of_sun * radius(1) / radius(2)],
-        Arrangement::Wolfrom => {
-            let [first, second] = [1, 3].map(radius);
-            let of_second_ring = 2.0 * of_sun * first / (first - second);
-            vec![of_sun, of_second_ring - of_sun, of_second_ring]
-        }
-        _ => return None,
-    };
+    let forces = forces(arrangement, planets, radius)?;
     let mut widths = [0.0_f64; 2];
     for (mesh, force) in meshes.iter().zip(forces) {
         let [first, second] = mesh.map(|gear| teeth[gear]);
@@ -84,7 +75,9 @@ pub fn estimated_volume(set: &ArrangedTeeth) -> Option<f64> {
         let own = (0..gears.len()).filter(|gear| gears[*gear].step == step && !is_ring(*gear));
         own.map(|gear| 2.0 * radius(gear)).fold(f64::INFINITY, f64::min)
     };
-    let scale = libm::cbrt([0, 1].map(|step| widths[step] / (PROPORTION * smallest(step))).into_iter().fold(0.0, f64::max));
+    let scale = libm::cbrt(
+        [0, 1].map(|step| widths[step] / (PROPORTION * smallest(step))).into_iter().fold(0.0, f64::max),
+    );
     let widths = widths.map(|width| width / (scale * scale));
     let volume = |gear: usize| {
         let own = scale * radius(gear);
@@ -103,25 +96,44 @@ pub fn estimated_volume(set: &ArrangedTeeth) -> Option<f64> {
     whole.is_finite().then_some(whole)
 }
 
+/// Tangential forces by amount of one planet's meshes for a torque of 1 on the sun; `None` of other arrangements.
+fn forces(arrangement: Arrangement, planets: f64, radius: impl Fn(usize) -> f64) -> Option<Vec<f64>> {
+    let of_sun = 1.0 / (planets * radius(0));
+    match arrangement {
+        Arrangement::Stepped => Some(vec![of_sun, of_sun * radius(1) / radius(2)]),
+        Arrangement::Wolfrom => {
+            let [first, second] = [1, 3].map(radius);
+            let of_second_ring = 2.0 * of_sun * first / (first - second);
+            Some(vec![of_sun, (of_second_ring - of_sun).abs(), of_second_ring.abs()])
+        }
+        _ => None,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// The torques of all central gears and of the planets balance.
+    /// Radii of the gears with a radius of the planets of 1.
+    fn radii(teeth: [f64; 5]) -> [f64; 5] {
+        let [first, second] = [2.0 / (teeth[0] + teeth[1]), 2.0 / (teeth[4] - teeth[3])];
+        [0, 1, 2, 3, 4].map(|gear| teeth[gear] / 2.0 * if gear < 3 { first } else { second })
+    }
+
+    /// Forces and moments of a planet balance, and the output has the torque of the ratio.
     #[test]
     fn forces_of_a_wolfrom_set_balance() {
-        let (first, second, sun) = (34.0, 32.0, 34.0);
-        let [one, other] = [2.0 / (sun + first), 2.0 / (100.0 - second)];
-        let [r_sun, r_first, r_second] = [one * sun / 2.0, one * first / 2.0, other * second / 2.0];
-        let of_sun = 1.0 / (3.0 * r_sun);
-        let of_second_ring = 2.0 * of_sun * r_first / (r_first - r_second);
-        let of_first_ring = of_second_ring - of_sun;
-        // Tangential forces on a planet: the sun's and the first ring's against the second ring's.
-        assert!((of_sun + of_first_ring - of_second_ring).abs() < 1e-12);
-        let moment = of_sun * r_first - of_first_ring * r_first + of_second_ring * r_second;
-        assert!(moment.abs() < 1e-12, "{moment}");
-        let ratio = of_second_ring * 3.0 * (other * 100.0 / 2.0);
-        assert!((ratio - 100.0).abs() < 1e-9, "{ratio}");
+        for (teeth, ratio) in
+            [([34.0, 34.0, 102.0, 32.0, 100.0], 100.0), ([12.0, 48.0, 108.0, 40.0, 100.0], 100.0)]
+        {
+            let own = radii(teeth);
+            let all = forces(Arrangement::Wolfrom, 3.0, |gear| own[gear]).unwrap();
+            let &[of_sun, of_first_ring, of_second_ring] = &all[..] else { panic!("{all:?}") };
+            assert!((of_sun + of_first_ring - of_second_ring).abs() < 1e-12, "{all:?}");
+            let moment = (of_sun - of_first_ring) * own[1] + of_second_ring * own[3];
+            assert!(moment.abs() < 1e-12, "{moment}");
+            assert!((of_second_ring * 3.0 * own[4] - ratio).abs() < 1e-9, "{all:?}");
+        }
     }
 
     #[test]

@@ -149,14 +149,20 @@ impl Request {
         let refuse = |message| Err(Failure::conflict("--kind", message));
         if kinds.iter().any(|kind| *kind != StageKind::Simple) {
             if self.stages.as_ref().is_some_and(|stages| !stages.contains(&1)) {
-                return refuse("a set with stepped planets and a Wolfrom set are one stage; write --stages 1, or leave it out");
+                return refuse(
+                    "a set with stepped planets and a Wolfrom set are one stage; write --stages 1, or leave it out",
+                );
             }
             if axes == Axes::Parallel {
-                return refuse("a pair of gears is in front of simple sets; leave out --axes, or write --kind simple");
+                return refuse(
+                    "a pair of gears is in front of simple sets; leave out --axes, or write --kind simple",
+                );
             }
         }
         if steps_up && kinds.contains(&StageKind::Wolfrom) {
-            return refuse("the losses of a Wolfrom set that steps up usually hold it; write --kind simple,stepped");
+            return refuse(
+                "the losses of a Wolfrom set that steps up usually hold it; write --kind simple,stepped",
+            );
         }
         Ok(kinds)
     }

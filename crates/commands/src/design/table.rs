@@ -31,7 +31,9 @@ pub(crate) fn of_sizes(sizes: &SizesStep, masses: Option<&Masses>, diameter: &st
     let found: Vec<&SizedDesign> = sizes.sets.iter().filter_map(|set| set.found.first()).collect();
     let mut all = vec![];
     let rings = found.iter().filter_map(|design| design.ring_diameter_m);
-    all.extend(rings.reduce(f64::max).map(|ring| format!("{diameter} {}", words(Dimension::Length, ring, DIGITS))));
+    all.extend(
+        rings.reduce(f64::max).map(|ring| format!("{diameter} {}", words(Dimension::Length, ring, DIGITS))),
+    );
     let is_known = masses.is_some_and(Masses::are_of_sets);
     all.extend(is_known.then(|| format!("length about {}", words(Dimension::Length, length_m(sizes), 2))));
     all.extend(sizes.mass_kg.map(|mass| format!("gears {}", words(Dimension::Mass, mass, 3))));

@@ -264,7 +264,7 @@ pub(crate) fn left_out(sets: &[SizedSet]) -> Records {
             "Designs left out by strength and life",
             "set held not_calculable flank root overload bearing_life not_reached",
         )
-        .note("spacing: planets not at equal angles. shifts: none without fault. practice: refused by usual practice or stated limits. b/d: wider than allowed. ring: larger than allowed. rim: thinner than allowed. bearing: wider than its planet. outside: beyond the standard. A design that misses several of S_H, S_F, overload and life counts where it misses most. not reached: not checked, no better than the last one found.")
+        .note("spacing: planets not at equal angles. shifts: none without fault. practice: refused by usual practice or stated limits. b/d: wider than allowed. ring: larger than allowed. rim: thinner than allowed. bearing: wider than its planet. outside: beyond the standard. A design that misses several of S_H, S_F and overload counts where it misses most, and for life only where its teeth hold. not reached: not checked, no better than the last one found.")
         .records()
 }
 

@@ -1,5 +1,6 @@
 //! Commands against second ways. One program: its tests run side by side.
 
+mod arranged_stages;
 mod arranged_teeth;
 mod bearings;
 mod clutches;

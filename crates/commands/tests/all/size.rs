@@ -185,7 +185,8 @@ fn counts_add_up_and_designs_are_in_order() {
             + out.overload
             + out.bearing_life;
         assert_eq!(left_out + set.not_reached + set.found.len() as u64, set.designs);
-        let ranks: Vec<(bool, f64)> = set.found.iter().map(|one| (one.rules_missed > 0, one.mass_kg)).collect();
+        let ranks: Vec<(bool, f64)> =
+            set.found.iter().map(|one| (one.rules_missed > 0, one.mass_kg)).collect();
         assert!(ranks.is_sorted(), "{ranks:?}");
         assert!(set.found.iter().all(|design| design.governing.value >= design.governing.required));
     }

@@ -53,48 +53,13 @@ pub fn search(
         bearings: task.planets.iter().map(|planet| by_bore(planet.eligible())).collect(),
         left_out: tried.left_out,
         against_stated: vec![],
+        is_quick: true,
     };
-    let mut heap = BinaryHeap::new();
-    for layout in 0..layouts.len() {
-        heap.extend(search.narrowest(layout).into_iter().map(Reverse));
-    }
-    let (mut found, mut nearest): (Vec<Design>, Option<Design>) = (vec![], None);
-    while found.len() < most {
-        let Some(Reverse(mut next)) = heap.pop() else { break };
-        if goes_on().is_break() {
-            return Err(Error::Cancelled);
-        }
-        if let Some(design) = next.design.take() {
-            found.push(*design);
-            continue;
-        }
-        // Wider designs are no lighter: they enter the queue only now, which keeps it short.
-        if !next.is_followed {
-            heap.extend(search.wider(&next).into_iter().map(Reverse));
-        }
-        let (misses, _) = search.misses(next.layout, &search.widths(&next.widths));
-        if misses.is_refused() {
-            search.refuse(misses, 1);
-            continue;
-        }
-        let Some(design) = search.judged(&next)? else { continue };
-        if design.governing.ratio() >= 1.0 {
-            // It waits until no other design can be better.
-            let widths = search.widths(&next.widths);
-            let key = search.objectives(design.rules_missed, next.layout, design.mass.si(), &widths);
-            heap.push(Reverse(Candidate { objectives: key, design: Some(Box::new(design)), ..next }));
-            continue;
-        }
-        match design.governing.requirement {
-            Requirement::Flank => search.left_out.flank += 1,
-            Requirement::Root => search.left_out.root += 1,
-            Requirement::OverloadFlank | Requirement::OverloadRoot => search.left_out.overload += 1,
-            Requirement::BearingLife => search.left_out.bearing_life += 1,
-        }
-        let reserve = |design: &Design| design.governing.reserve();
-        if found.is_empty() && nearest.as_ref().is_none_or(|one| reserve(&design) > reserve(one)) {
-            nearest = Some(design);
-        }
+    let (mut found, mut nearest) = search.best(most, goes_on)?;
+    if found.is_empty() {
+        // Only now the design that misses least is asked for, and with it the bearings of those whose teeth miss.
+        (search.is_quick, search.left_out, search.against_stated) = (false, tried.left_out, vec![]);
+        (found, nearest) = search.best(most, goes_on)?;
     }
     Ok(Found {
         space,
@@ -158,9 +123,67 @@ struct Search<'a> {
     left_out: LeftOut,
     /// Designs outside a stated range, by the rule.
     against_stated: Vec<(Rule, u64)>,
+    /// Whether no bearings are tried for teeth that miss a requirement.
+    is_quick: bool,
 }
 
 impl Search<'_> {
+    /// The best designs, and of those judged in full the one that misses least.
+    fn best(
+        &mut self,
+        most: usize,
+        goes_on: &dyn Fn() -> ControlFlow<()>,
+    ) -> Result<(Vec<Design>, Option<Design>), Error> {
+        let mut heap = BinaryHeap::new();
+        for layout in 0..self.layouts.len() {
+            heap.extend(self.narrowest(layout).into_iter().map(Reverse));
+        }
+        let (mut found, mut nearest): (Vec<Design>, Option<Design>) = (vec![], None);
+        while found.len() < most {
+            let Some(Reverse(mut next)) = heap.pop() else { break };
+            if goes_on().is_break() {
+                return Err(Error::Cancelled);
+            }
+            if let Some(design) = next.design.take() {
+                found.push(*design);
+                continue;
+            }
+            // Wider designs are no lighter: they enter the queue only now, which keeps it short.
+            if !next.is_followed {
+                heap.extend(self.wider(&next).into_iter().map(Reverse));
+            }
+            let (misses, _) = self.misses(next.layout, &self.widths(&next.widths));
+            if misses.is_refused() {
+                self.refuse(misses, 1);
+                continue;
+            }
+            let Some((design, missed)) = self.judged(&next)? else { continue };
+            if design.governing.ratio() >= 1.0 {
+                // It waits until no other design can be better.
+                let widths = self.widths(&next.widths);
+                let key = self.objectives(design.rules_missed, next.layout, design.mass.si(), &widths);
+                heap.push(Reverse(Candidate { objectives: key, design: Some(Box::new(design)), ..next }));
+                continue;
+            }
+            self.leave_out(missed);
+            let reserve = |design: &Design| design.governing.reserve();
+            if found.is_empty() && nearest.as_ref().is_none_or(|one| reserve(&design) > reserve(one)) {
+                nearest = Some(design);
+            }
+        }
+        Ok((found, nearest))
+    }
+
+    /// Counts a design for the requirement that it misses.
+    const fn leave_out(&mut self, requirement: Requirement) {
+        match requirement {
+            Requirement::Flank => self.left_out.flank += 1,
+            Requirement::Root => self.left_out.root += 1,
+            Requirement::OverloadFlank | Requirement::OverloadRoot => self.left_out.overload += 1,
+            Requirement::BearingLife => self.left_out.bearing_life += 1,
+        }
+    }
+
     /// Leaves out designs for what they miss of practice and of stated ranges.
     fn refuse(&mut self, misses: Misses, designs: u64) {
         self.left_out.practice += designs;
@@ -270,8 +293,9 @@ impl Search<'_> {
         next
     }
 
-    /// A design with its safeties and lives; `None` if it is left out for other reasons, which are counted.
-    fn judged(&mut self, one: &Candidate) -> Result<Option<Design>, Error> {
+    /// A design with its safeties and lives, and the requirement that it counts for if it does not hold: the one that
+    /// its teeth miss most, or else that of its bearings. `None` if it is left out for other reasons, which are counted.
+    fn judged(&mut self, one: &Candidate) -> Result<Option<(Design, Requirement)>, Error> {
         let (task, layouts) = (self.task, self.layouts);
         let own = &layouts[one.layout];
         let mut teeth = vec![];
@@ -281,6 +305,13 @@ impl Search<'_> {
                 return Ok(None);
             };
             teeth.push(rated);
+        }
+        // Bearings and thin rims only add to what teeth miss.
+        let of_teeth = Governing::least(teeth.iter().filter_map(|rated| rated.governing));
+        let missed = of_teeth.filter(|least| least.ratio() < 1.0).map(|least| least.requirement);
+        if let Some(missed) = missed.filter(|_| self.is_quick) {
+            self.leave_out(missed);
+            return Ok(None);
         }
         let widths = self.widths(&one.widths);
         let Held { planets, governing: of_bearings, misses: of_pins } = match self.planets(one, &widths)? {
@@ -325,7 +356,7 @@ impl Search<'_> {
         };
         let ratio = |(width, diameter): (&f64, &f64)| width / diameter;
         let misses = self.misses(one.layout, &widths).0.with(of_pins);
-        Ok(Some(Design {
+        let design = Design {
             rules_missed: misses.count(),
             mass: Mass::from_si(masses.all(own.planets, planets.iter().map(bore), &widths)),
             structure: Mass::from_si(masses.structure(&widths)),
@@ -340,7 +371,8 @@ impl Search<'_> {
             overload: Governing::least(teeth.iter().filter_map(|rated| rated.overload)),
             meshes: teeth.into_iter().map(|rated| rated.over_duty).collect(),
             governing,
-        }))
+        };
+        Ok(Some((design, missed.unwrap_or(governing.requirement))))
     }
 
     /// Planets of each kind with the bearing that misses the fewest rules of practice, of equal ones that of

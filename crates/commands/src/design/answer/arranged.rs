@@ -189,9 +189,8 @@ fn sized(wanted: &WantedStages, candidate: &Candidate) -> Result<Option<(TrainOf
     let [Some(efficiency), _] = efficiencies(wanted, &stages)? else { return Ok(None) };
     let torque = wanted.input_torque(candidate.ratio, Some(efficiency));
     let document = making(wanted, &candidate.teeth, torque)?;
-    let size = size::answer(&one(&document, &Choice::default())?, &wanted.size, &|| {
-        ControlFlow::Continue(())
-    })?;
+    let size =
+        size::answer(&one(&document, &Choice::default())?, &wanted.size, &|| ControlFlow::Continue(()))?;
     let Some(best) = size.sets.first().and_then(|set| set.found.first()) else { return Ok(None) };
     let is_whole = wanted.size.objective() == Objective::Whole;
     let mass_kg = if is_whole { best.with_structure_kg() } else { best.mass_kg };

@@ -133,11 +133,7 @@ pub(super) fn written(
 }
 
 /// Stages without sizes as the sizes read them, with materials, factors and duty, and a torque on the input.
-pub(super) fn document(
-    wanted: &WantedStages,
-    teeth: &[Vec<u32>],
-    torque: Torque,
-) -> Result<Document, Error> {
+pub(super) fn document(wanted: &WantedStages, teeth: &[Vec<u32>], torque: Torque) -> Result<Document, Error> {
     if let [stage] = teeth
         && StageKind::of(stage) != StageKind::Simple
     {

@@ -196,7 +196,9 @@ impl Search<'_> {
         }
         // More tooth numbers make the search many times longer. Another kind of train is no gearbox of the order
         // while one of this kind holds.
-        let is_last = |one: &RelaxedLimit| is_of_teeth(one.limit) || matches!(one.limit, Limit::Axes | Limit::StageKinds);
+        let is_last = |one: &RelaxedLimit| {
+            is_of_teeth(one.limit) || matches!(one.limit, Limit::Axes | Limit::StageKinds)
+        };
         let (of_teeth, others): (Vec<_>, Vec<_>) = all.into_iter().partition(is_last);
         let mut ways = vec![];
         for group in [&others, &of_teeth] {

@@ -57,7 +57,8 @@ fn in_the_way(stages: &Stages) -> Option<String> {
     if !text.is_empty() {
         text.push('.');
     }
-    let without_teeth = stages.trains.iter().find(|trains| trains.kind != StageKind::Simple && trains.compared == 0);
+    let without_teeth =
+        stages.trains.iter().find(|trains| trains.kind != StageKind::Simple && trains.compared == 0);
     if let Some(of) = without_teeth.and_then(|trains| of_kind(trains.kind)) {
         text.push_str(&format!(" No {of} with teeth within the bounds has the ratio."));
     }
@@ -352,7 +353,8 @@ fn arranged(stages: &Stages) -> Option<String> {
     let has = |kind| stages.trains.iter().any(|trains| trains.kind == kind);
     let order = [
         has(StageKind::Stepped).then_some("stepped: sun, both steps, ring"),
-        has(StageKind::Wolfrom).then_some("Wolfrom: sun, first step, its ring at rest, second step, its ring"),
+        has(StageKind::Wolfrom)
+            .then_some("Wolfrom: sun, first step, its ring at rest, second step, its ring"),
     ];
     let order: Vec<&str> = order.into_iter().flatten().collect();
     (!order.is_empty()).then(|| {

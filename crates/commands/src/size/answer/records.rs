@@ -107,8 +107,8 @@ impl HeldKey {
     }
 }
 
-/// Number of designs that each requirement left out. A design that fails several safeties or lives counts for
-/// the one with the least margin.
+/// Number of designs that each requirement left out. A design that fails several safeties counts for the one with
+/// the least margin, and for bearings only where its teeth hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct LeftOut {
