@@ -1,6 +1,7 @@
 //! Design of a gearbox from speeds and power: its scheme, tooth numbers and sizes with sufficient strength.
 //!
 //! - [`arranged`]: one stage with planets of two gears.
+//! - [`backlash`]: allowances of the teeth for the play of the output.
 //! - [`limits`]: limits of the whole gearbox.
 //! - [`masses`]: the whole and its parts.
 //! - [`records`]: steps, each with its choice and the next best.
@@ -16,6 +17,7 @@ pub mod arranged;
 mod assumed;
 mod attempt;
 pub(crate) mod axes;
+pub mod backlash;
 pub mod limits;
 mod loaded;
 mod making;

@@ -176,6 +176,11 @@ pub struct Request {
     #[arg(long, value_name = "LENGTH", value_parser = positive::<Length>, conflicts_with_all = ["speeds", "ratios"], allow_hyphen_values = true, help_heading = STAGES)]
     pub max_length: Option<Quantity<Length>>,
 
+    /// The greatest backlash of the output while the input is held, such as 3arcmin: thickness allowances of all
+    /// gears that keep it are in the file of --save. Default: none, teeth without allowances.
+    #[arg(long, value_name = "ANGLE", value_parser = positive::<Angle>, conflicts_with_all = ["speeds", "ratios"], allow_hyphen_values = true, help_heading = STAGES)]
+    pub backlash: Option<Quantity<Angle>>,
+
     /// This scheme or structure in place of the best: II-3, D.T1.B+T2.B.T1.
     #[arg(long, value_name = "NAME", value_parser = named)]
     pub scheme: Option<Mechanism>,

@@ -134,6 +134,7 @@ impl Request {
             is_of_output: self.output_torque.is_some(),
             overload: self.overload()?,
             spectrum: self.spectrum(&FULL_LOAD)?,
+            backlash: self.backlash.map(|angle| angle.0),
             limits: self.limits()?,
             efficiency: self.criteria.set_efficiency()?.get(),
             basis: self.basis()?,

@@ -87,6 +87,14 @@ pub(crate) fn chapter(subject: &Gearbox) -> Result<Option<DataSheets>, Error> {
     Ok(Some(described(subject, None)?).filter(|sheets| !sheets.sets.is_empty()))
 }
 
+/// Backlash and stiffness at the output in each gear; none where no set can be described.
+///
+/// # Errors
+/// As of [`chapter`].
+pub(crate) fn at_output(subject: &Gearbox) -> Result<Vec<AtOutput>, Error> {
+    Ok(chapter(subject)?.map(|sheets| sheets.at_output).unwrap_or_default())
+}
+
 fn described(subject: &Gearbox, wanted: Option<&str>) -> Result<DataSheets, Error> {
     let file: GearboxFile = subject.document.read()?;
     subject.check_set(wanted)?;

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, which clippy does not know for such")]
 
+use crate::common::stages;
 use epicyclic_commands::shared::gearbox::Gearbox;
 use epicyclic_commands::sheet::answer::records::AtOutput;
 use epicyclic_commands::sheet::{DataSheets, Request};
@@ -100,5 +101,39 @@ fn the_ends_of_a_tolerance_bound_the_play() {
     for at in ["-0.2", "-0.1", "-0.03", "0", "0.07", "0.15", "0.2"] {
         let one = within(at, at);
         assert!(one.lower >= all.lower - 1e-15 && one.upper <= all.upper + 1e-15, "{at}");
+    }
+}
+
+/// The allowances of a design leave the output the play asked for, less a step of theirs: by the sheet of its file, and
+/// by the lever of its only set.
+#[test]
+fn a_design_keeps_the_backlash_asked_for() {
+    const SIZES: &str =
+        "--input=3000rpm|--modules=1mm, 1.5mm, 2mm|--face-widths=15mm, 20mm, 30mm|--planets=3";
+    for (order, is_fine) in [
+        ("--ratio=6|--torque=20 N·m|--backlash=6arcmin", false),
+        ("--ratio=6|--torque=20 N·m|--backlash=1arcmin", true),
+        ("--ratio=30|--torque=5 N·m|--backlash=8arcmin|--stages=2", false),
+        ("--ratio=60|--torque=2 N·m|--backlash=8arcmin|--kind=wolfrom", false),
+    ] {
+        let stages = stages(&format!("{order}|{SIZES}"));
+        let backlash = stages.backlash.unwrap();
+        let file = stages.file.unwrap();
+        let told = sheets(&file, None);
+        let play = told.at_output[0].backlash_rad.unwrap();
+        assert_eq!(backlash.reached_rad, [play.lower, play.upper]);
+        let share = play.upper / backlash.asked_rad;
+        assert!((0.9..1.0 + 1e-9).contains(&share), "{order}: {share}");
+        let is_warned = stages.warnings.iter().any(|warning| warning.name == "fine-backlash");
+        assert_eq!(is_warned, is_fine, "{order}");
+        if let [set] = &told.sets[..]
+            && set.gears.len() == 3
+        {
+            let lever = (set.gears[0].base_diameter_m + set.gears[2].base_diameter_m) / 2.0;
+            let [thin, _] = backlash.thickness_allowances_m;
+            let cos = libm::cos(20.0_f64.to_radians());
+            assert!((play.upper * lever / (-4.0 * thin * cos) - 1.0).abs() < 0.03, "{order}");
+        }
+        assert!(file.starts_with("# "), "the bearings stay named: {file}");
     }
 }

@@ -4,6 +4,7 @@ use super::arranged::{self, StageKind};
 use super::assumed::{AssumedLoad, assumed};
 use super::attempt::CLASSES;
 use super::axes::{self, Axes};
+use super::backlash::OutputBacklash;
 use super::limits::OrderLimits;
 use super::making::{BEARINGS_DECIDE, warnings};
 use super::masses::Masses;
@@ -63,6 +64,8 @@ pub struct Stages {
     pub efficiency: Option<f64>,
     /// Efficiency of the meshes when the output drives; null if no train holds, or if the losses hold it.
     pub back_driving_efficiency: Option<f64>,
+    /// Backlash of the output; null if not asked for, or if no train holds.
+    pub backlash: Option<OutputBacklash>,
     /// Sets of tooth numbers that stages were chosen from.
     pub sets: usize,
     /// Tooth numbers allowed.
@@ -320,12 +323,14 @@ pub(super) fn attempted_with(
     let train = trains.iter().find(|trains| trains.taken).and_then(|trains| trains.best.clone());
     let (mut of_train, mut file, mut all_warnings) = (None, None, vec![]);
     let (mut efficiency, mut back_driving_efficiency, mut masses) = (None, None, None);
+    let mut backlash = None;
     let mut torque = Some(wanted.torque).filter(|_| !wanted.is_of_output);
     if let Some(made) = made {
         [efficiency, back_driving_efficiency] = made.efficiencies;
         (torque, masses, all_warnings) = (Some(made.torque), made.masses, made.warnings);
-        (of_train, file) = (Some(made.sizes), Some(made.file));
+        (of_train, file, backlash) = (Some(made.sizes), Some(made.file), made.backlash);
         all_warnings.extend(limits.warning());
+        all_warnings.extend(backlash.as_ref().and_then(OutputBacklash::warning));
     }
     let of_set = BasisKey::of_number("efficiency", wanted.efficiency);
     let of_pair = BasisKey::of_number("efficiency of a pair", axes::efficiency_of_pair(wanted.efficiency));
@@ -356,13 +361,18 @@ pub(super) fn attempted_with(
         input_power_w: torque.map(|of| (of * wanted.speed).si()),
         efficiency,
         back_driving_efficiency,
+        backlash,
         sets,
         teeth: TeethRanges { sun: ends(&teeth.suns), planet: ends(&teeth.planets), ring: ends(&teeth.rings) },
         limits,
         masses,
         trains,
         basis: wanted.basis.told().into_iter().chain([of_set]).chain(of_pair).collect(),
-        assumed: assumed(&wanted.basis, &wanted.size, &load)?.into_iter().chain(of_pair_assumed).collect(),
+        assumed: assumed(&wanted.basis, &wanted.size, &load)?
+            .into_iter()
+            .chain(of_pair_assumed)
+            .chain(backlash.as_ref().map(OutputBacklash::assumed))
+            .collect(),
         sizes: of_train,
         file,
         ways_out: None,
@@ -473,6 +483,7 @@ struct Made {
     sizes: SizesStep,
     masses: Option<Masses>,
     file: String,
+    backlash: Option<OutputBacklash>,
     warnings: Vec<Warning>,
 }
 
@@ -492,6 +503,8 @@ impl Made {
         let warnings = warnings(&size, Some(&file), &wanted.size)?;
         let sizes = SizesStep::of(size);
         let masses = Masses::of(&file, &sizes, (wanted.size.application, wanted.overload))?;
-        Ok(Self { efficiencies, torque, sizes, masses, file, warnings })
+        let kept = wanted.backlash.map(|asked| OutputBacklash::of(&file, asked)).transpose()?;
+        let (file, backlash) = kept.map_or((file, None), |(file, backlash)| (file, Some(backlash)));
+        Ok(Self { efficiencies, torque, sizes, masses, file, backlash, warnings })
     }
 }

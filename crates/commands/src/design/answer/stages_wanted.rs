@@ -7,7 +7,7 @@ use crate::shared::basis::Basis;
 use crate::size::options::Request as SizeRequest;
 use epicyclic_strength::series::{InputStep, Teeth};
 use std::ops::RangeInclusive;
-use uom::si::f64::{AngularVelocity, Torque};
+use uom::si::f64::{Angle, AngularVelocity, Torque};
 
 /// Order for stages in series.
 #[derive(Debug, Clone)]
@@ -46,6 +46,8 @@ pub struct WantedStages {
     pub overload: Option<f64>,
     /// Steps of the duty: share of the time, torque and speed over these.
     pub spectrum: Vec<[f64; 3]>,
+    /// Greatest backlash of the output.
+    pub backlash: Option<Angle>,
     /// Limits of the whole gearbox.
     pub limits: OrderLimits,
     /// Efficiency of each set with its carrier fixed, which the file states; of a set with planets of two gears
@@ -186,6 +188,7 @@ mod tests {
             is_of_output: true,
             overload: None,
             spectrum: vec![[1.0; 3]],
+            backlash: None,
             limits: OrderLimits::default(),
             efficiency: 0.9,
             basis: Basis::default(),

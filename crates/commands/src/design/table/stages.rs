@@ -1,6 +1,7 @@
 //! Stages in series, asked and reached, with what came next.
 
 use crate::design::answer::arranged::{MOST_SIZED, StageKind};
+use crate::design::answer::backlash::OutputBacklash;
 use crate::design::answer::stages::{Stages, TrainsOf};
 use crate::design::answer::stages_ways_out::{PLANETS, RINGS, STAGES, suns};
 use crate::design::answer::ways_out::WayOutOfStages;
@@ -225,7 +226,7 @@ fn asked(stages: &Stages) -> Section {
         Row::new(name, label, symbol, [asked, of(dimension, value), Figure::None])
     };
     let deviation = stages.ratio.map(|ratio| percent((ratio / stages.asked_ratio).abs() - 1.0));
-    let rows = vec![
+    let mut rows = vec![
         Row::new(
             "ratio",
             "ratio",
@@ -271,9 +272,19 @@ fn asked(stages: &Stages) -> Section {
         of_input("input_torque", "torque on the input", "T_in", Dimension::Torque, stages.input_torque_n_m),
         of_input("input_power", "power into the input", "P", Dimension::Power, stages.input_power_w),
     ];
+    rows.extend(stages.backlash.as_ref().map(backlash));
     const COLUMNS: &[(&str, &str)] =
         &[("asked", "asked"), ("reached", "reached"), ("deviation", "deviation")];
     Section { name: "asked_and_reached", title: "Asked and reached", columns: COLUMNS, rows, note: "" }
+}
+
+/// Greatest backlash of the output, asked and reached.
+fn backlash(of: &OutputBacklash) -> Row {
+    let [_, greatest] = of.reached_rad;
+    // In the unit of servo drives.
+    let minutes = |angle: f64| text(format!("{} arcmin", trimmed(60.0 * angle.to_degrees(), DIGITS)));
+    let [asked, reached] = [of.asked_rad, greatest].map(minutes);
+    Row::new("backlash", "greatest backlash of the output", "φ", [asked, reached, Figure::None])
 }
 
 /// Kind of a set with planets of two gears in words; `None` of simple sets.

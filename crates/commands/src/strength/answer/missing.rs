@@ -225,11 +225,7 @@ impl<'d> MissingKeys<'d> {
         for missing in &self.keys {
             let Missing { at, key, usual: Some(usual), .. } = missing else { continue };
             list(&mut listed, &missing.name(), usual);
-            let of = at.segments().iter().try_fold(&mut file, |value, segment| match segment {
-                Segment::Key(key) => value.get_mut(key.as_str()),
-                Segment::Index(index) => value.get_mut(*index),
-            });
-            if let Some(of) = of.and_then(Value::as_mapping_mut) {
+            if let Some(of) = mapping_at(&mut file, at) {
                 of.insert(key.as_str().into(), usual.clone());
             }
         }
@@ -331,6 +327,15 @@ impl<'d> MissingKeys<'d> {
         let place = if self.document.has(&id) { id } else { at.clone() };
         self.document.key_position(&place).line
     }
+}
+
+/// The mapping at a path; `None` where there is none.
+pub(crate) fn mapping_at<'v>(file: &'v mut Value, path: &Path) -> Option<&'v mut Mapping> {
+    let found = path.segments().iter().try_fold(file, |value, segment| match segment {
+        Segment::Key(key) => value.get_mut(key.as_str()),
+        Segment::Index(index) => value.get_mut(*index),
+    });
+    found?.as_mapping_mut()
 }
 
 /// Usual values of what the strength of a set lacks.
