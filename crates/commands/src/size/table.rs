@@ -202,7 +202,7 @@ pub(crate) fn designs<'s>(
         title,
         "set place module face_width face_width_over_diameter planets centre_distance ring_diameter mass usual",
     )
-    .note("b/d: face width over the reference diameter of the smallest sun, of a pair of the smaller gear; --width-ratio bounds it. A list has a value for each family of gears in mesh. Usual: gears, widths, speeds and bearings miss no rule of practice; of others each miss counts as a quarter more.")
+    .note("ring: outside diameter of the largest, or of the circle that planets reach to. b/d: face width over the reference diameter of the smallest sun, of a pair of the smaller gear; --width-ratio bounds it. A list has a value for each family of gears in mesh. Usual: gears, widths, speeds and bearings miss no rule of practice; of others each miss counts as a quarter more.")
     .view(
         format!("{title}: bearings and their life, least safeties"),
         "set place bearing governing bearing_hours flank_safety root_safety",
