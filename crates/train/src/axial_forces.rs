@@ -33,7 +33,8 @@
 //! central gear the moments of equally spaced planets cancel.
 //!
 //! # Left out
-//! Losses; the couple of the radial and tangential forces of a stepped planet, whose gears lie in two planes.
+//! Losses; the couple of the radial and tangential forces of a stepped planet, whose gears lie in two planes:
+//! [`PlanetSet::step_couple`].
 
 use crate::planet_places::planet_of;
 use crate::planet_set::{GearOf, MeshKind, PlanetSet};
@@ -154,7 +155,7 @@ impl PlanetSet {
 
     /// Direction from the centre of a gear to the pitch point of a mesh: outwards and along the positive
     /// rotation.
-    fn pitch_point(
+    pub(crate) fn pitch_point(
         &self,
         toothed: &ToothedSet,
         angles: &[(usize, uom::si::f64::Angle)],

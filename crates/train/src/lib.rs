@@ -106,6 +106,7 @@ pub mod solution;
 pub mod spacing;
 pub mod speeds;
 pub mod state;
+mod step_couple;
 pub mod sweep;
 pub mod tolerance;
 pub mod tooth_checks;

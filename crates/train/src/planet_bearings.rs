@@ -65,7 +65,8 @@
 //!
 //! # Left out
 //! - Bevel planets ([`Lack::Bevel`]).
-//! - The couple of the two planes of a stepped planet, which loads two bearings unequally.
+//! - The couple of the two planes of a stepped planet, which loads two bearings unequally:
+//!   [`PlanetSet::step_couple`].
 //! - Forces of the pins of a planet shaft (K-H-V) on their disc beyond a pure couple.
 //! - Weight, helix angle, unequal load sharing.
 //! - The working pressure angle of meshes whose shifts are not given.

@@ -25,7 +25,7 @@ use crate::strength::answer::overload::{Peak, below_duty, peaks};
 use crate::strength::answer::place::Fault;
 use crate::strength::answer::prepared::{SetToSize, sets_to_size};
 use crate::strength::answer::records::{NotRated, Reason, Required};
-use crate::strength::answer::{Asked, axial_force, reversed_bending};
+use crate::strength::answer::{Asked, axial_force, reversed_bending, step_couple};
 use crate::tolerance::SAME;
 use epicyclic_formats::Document;
 use epicyclic_formats::gearbox::{GearboxFile, PlanetData};
@@ -212,7 +212,8 @@ pub(crate) fn answer(
     let weak = below_duty(&file);
     let warnings = no_size.into_iter().chain(tilting(&spanless)).chain(weak).chain(unfitted);
     let judged = judgement.warnings(&[]);
-    let reversed = reversed_bending(&sized)?.into_iter().chain(axial_force(&sized)?);
+    let reversed =
+        reversed_bending(&sized)?.into_iter().chain(axial_force(&sized)?).chain(step_couple(&sized)?);
     let warnings = warnings.chain(tooth_checks.warnings()).chain(judged).chain(reversed).collect();
     Ok(Size {
         gearbox: subject.train.name().to_owned(),

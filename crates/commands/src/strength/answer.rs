@@ -234,6 +234,14 @@ pub(crate) fn axial_force(subject: &Gearbox) -> Result<Vec<Warning>, Error> {
     of_each_set(subject, &|set, steps| axial_on_planets::warning(subject, set, steps))
 }
 
+/// Warnings that the steps of planets tilt them over the duty.
+///
+/// # Errors
+/// Those of the reader.
+pub(crate) fn step_couple(subject: &Gearbox) -> Result<Vec<Warning>, Error> {
+    of_each_set(subject, &|set, steps| axial_on_planets::couple(subject, set, steps))
+}
+
 /// A warning about the duty of each set with data for its strength.
 fn of_each_set(
     subject: &Gearbox,
@@ -397,6 +405,7 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
     let idlers = idlers::warnings(subject, &file, &sets)?;
     let reversed = sets.iter().filter_map(|set| together::reversed(set, &steps));
     let axial_force = sets.iter().filter_map(|set| axial_on_planets::warning(subject, set, &steps));
+    let couples = sets.iter().filter_map(|set| axial_on_planets::couple(subject, set, &steps));
     let warnings = safeties
         .below(required)
         .into_iter()
@@ -409,6 +418,7 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
         .chain(shared_flanks.iter().filter_map(|shared| shared.warning(required)))
         .chain(tilting(&helical))
         .chain(axial_force)
+        .chain(couples)
         .chain(overload::below_duty(&file))
         .collect();
     let duty = if is_at_point { vec![] } else { file.duty.iter().map(DutyStep::of).collect() };

@@ -1,21 +1,23 @@
-//! Axial forces that stay on planets, which no life of their bearings contains.
+//! Axial forces that stay on planets, and couples of their steps, which no life of their bearings contains.
 
 use super::axial;
 use super::duty::WorkedStep;
 use super::load::SetLoad;
-use super::rated_set::RatedSet;
+use super::rated_set::{RatedMesh, RatedSet};
 use crate::answer::Warning;
 use crate::shared::gearbox::Gearbox;
+use epicyclic_train::planet_set::GearOf;
+use epicyclic_units::Physical;
 use epicyclic_units::format::trimmed;
+use uom::si::f64::Length;
 
-/// Significant digits of a force in a warning.
+/// Significant digits of a force or moment in a warning.
 const FORCE_DIGITS: usize = 4;
 
 /// Warning that planets with rated bearings keep an axial force over the duty, as stepped ones do: forces and
 /// lives of their bearings leave it out.
 pub(super) fn warning(subject: &Gearbox, set: &RatedSet<'_>, duty: &[WorkedStep<'_>]) -> Option<Warning> {
-    let bearings = || subject.planet_bearings.iter().filter(|own| own.set == set.place);
-    if !bearings().any(|own| own.load_rating.is_some()) {
+    if !has_bearings(subject, set) {
         return None;
     }
     let loads = duty.iter().filter_map(|WorkedStep(entry, worked)| {
@@ -28,6 +30,46 @@ pub(super) fn warning(subject: &Gearbox, set: &RatedSet<'_>, duty: &[WorkedStep<
         name: "axial-force",
         message: format!(
             "set {}: helical teeth leave up to {} N along the axis on a planet; forces and lives of its bearings leave this force out",
+            set.id,
+            trimmed(greatest, FORCE_DIGITS)
+        ),
+    })
+}
+
+fn has_bearings(subject: &Gearbox, set: &RatedSet<'_>) -> bool {
+    let mut bearings = subject.planet_bearings.iter().filter(|own| own.set == set.place);
+    bearings.any(|own| own.load_rating.is_some())
+}
+
+/// Warning that the steps of planets with rated bearings, which lie side by side, tilt them over the duty: lives of
+/// their bearings leave this moment out.
+pub(super) fn couple(subject: &Gearbox, set: &RatedSet<'_>, duty: &[WorkedStep<'_>]) -> Option<Warning> {
+    let gears = set.set.gears();
+    let steps = |planet: usize| {
+        gears.iter().filter(|gear| matches!(gear, GearOf::Planet(of, _) if *of == planet)).count()
+    };
+    let stepped: Vec<usize> = (0..set.set.planets().len()).filter(|planet| steps(*planet) > 1).collect();
+    if stepped.is_empty() || !has_bearings(subject, set) {
+        return None;
+    }
+    // A gear in two meshes is as wide as the wider of them.
+    let width = |gear: &GearOf| {
+        let own = set.toothed.meshes.iter().zip(&set.meshes).filter(|(made, _)| made.gears.contains(gear));
+        own.map(|(_, RatedMesh { mesh, .. })| mesh.face_width.si()).fold(0.0, f64::max)
+    };
+    let widths: Vec<Length> = gears.iter().map(|gear| Length::from_si(width(gear))).collect();
+    let teeth = (&set.toothed, subject.is_behind(set.set));
+    let moments =
+        duty.iter().filter_map(|step| step.1.as_ref()?.member_torques(set.place)).flat_map(|torques| {
+            let of = |planet: &usize| set.set.step_couple(*planet, teeth, &torques, &widths);
+            stepped.iter().filter_map(of).map(|[out, along]| libm::hypot(out, along)).collect::<Vec<_>>()
+        });
+    let greatest = moments.fold(0.0, f64::max);
+    (greatest > 0.0).then(|| Warning {
+        name: "step-couple",
+        message: format!(
+            "set {}: the steps of a planet, side by side, tilt it by up to {} N·m; lives of its bearings leave this moment out: two bearings \
+             far apart carry it",
             set.id,
             trimmed(greatest, FORCE_DIGITS)
         ),
