@@ -198,7 +198,7 @@ pub enum Error {
     NoBearings,
     /// Bearings of one row alone for planets that helical teeth tilt.
     #[error(
-        "helical teeth tilt their planets, and one bearing row has no rating against a moment; pairs of bearings are needed"
+        "helical teeth and steps tilt their planets, and one bearing row has no rating against a moment; pairs of bearings are needed"
     )]
     OneBearingRow,
     /// A fault of the gears' geometry.

@@ -19,6 +19,19 @@ use epicyclic_units::Physical;
 use uom::si::f64::{Length, Torque};
 
 impl PlanetSet {
+    /// Whether a planet has several gears.
+    #[must_use]
+    pub fn has_stepped_planets(&self) -> bool {
+        (0..self.planets().len()).any(|planet| self.is_stepped(planet))
+    }
+
+    /// Whether a planet has several gears.
+    #[must_use]
+    pub fn is_stepped(&self, planet: usize) -> bool {
+        let is_own = |gear: &&GearOf| matches!(gear, GearOf::Planet(of, _) if *of == planet);
+        self.gears().iter().filter(is_own).count() > 1
+    }
+
     /// Moment of the gears' forces about the middle of a planet at these torques on the members of its set, N·m;
     /// `widths` in the order of [`gears`](Self::gears). `None` where the loads of its meshes do not follow, and where
     /// two planets in mesh do not reach each other.

@@ -123,7 +123,7 @@ pub(crate) fn answer(
     let peaks = peaks(subject, &file.overload, None)?;
     let is_left_out = |set: &&SetToSize<'_>| {
         let is_of_planet = |(kind, planet): (usize, &PlanetData)| {
-            planet.bearing.is_some() && planet.bearing_span.is_none() && is_tilted(set, kind)
+            planet.bearing.is_some() && planet.bearing_span.is_none() && has_helix(set, kind)
         };
         set.data.planets.iter().enumerate().any(is_of_planet)
     };
@@ -403,7 +403,7 @@ fn task(
         all
     };
     let planet = |(kind, planet): (usize, &PlanetData)| SizedPlanet {
-        is_tilted: is_tilted(set, kind),
+        is_tilted: set.set.is_stepped(kind) || has_helix(set, kind),
         bearings: match (planet.bearing, planet.bore) {
             (Some((load_rating, rolling)), bore) => Arc::from([Bearing {
                 designation: String::new(),
@@ -463,7 +463,7 @@ fn task(
 }
 
 /// Whether planets of a kind have helical teeth, whose axial forces tilt them.
-fn is_tilted(set: &SetToSize<'_>, kind: usize) -> bool {
+fn has_helix(set: &SetToSize<'_>, kind: usize) -> bool {
     let is_own = |gear: &GearOf| matches!(gear, GearOf::Planet(own, _) if *own == kind);
     let mut meshes =
         (0..set.set.meshes().len()).filter(|mesh| set.set.gears_of_mesh(*mesh).iter().any(is_own));

@@ -222,7 +222,7 @@ fn is_stated(file: &GearboxFile) -> bool {
 /// # Errors
 /// [`Error::Document`] for invalid data in the file, with the place.
 pub(crate) fn reversed_bending(subject: &Gearbox) -> Result<Vec<Warning>, Error> {
-    of_each_set(subject, &together::reversed)
+    of_each_set(subject, &|_, set, steps| together::reversed(set, steps))
 }
 
 /// Warnings of sets whose planets keep an axial force over the duty, which no life of their bearings contains;
@@ -231,7 +231,7 @@ pub(crate) fn reversed_bending(subject: &Gearbox) -> Result<Vec<Warning>, Error>
 /// # Errors
 /// Those of the file.
 pub(crate) fn axial_force(subject: &Gearbox) -> Result<Vec<Warning>, Error> {
-    of_each_set(subject, &|set, steps| axial_on_planets::warning(subject, set, steps))
+    of_each_set(subject, &|_, set, steps| axial_on_planets::warning(subject, set, steps))
 }
 
 /// Warnings that the steps of planets tilt them over the duty.
@@ -239,13 +239,13 @@ pub(crate) fn axial_force(subject: &Gearbox) -> Result<Vec<Warning>, Error> {
 /// # Errors
 /// Those of the reader.
 pub(crate) fn step_couple(subject: &Gearbox) -> Result<Vec<Warning>, Error> {
-    of_each_set(subject, &|set, steps| axial_on_planets::couple(subject, set, steps))
+    of_each_set(subject, &|file, set, steps| axial_on_planets::couple(subject, file, set, steps))
 }
 
 /// A warning about the duty of each set with data for its strength.
 fn of_each_set(
     subject: &Gearbox,
-    warning: &dyn Fn(&RatedSet<'_>, &[WorkedStep<'_>]) -> Option<Warning>,
+    warning: &dyn Fn(&GearboxFile, &RatedSet<'_>, &[WorkedStep<'_>]) -> Option<Warning>,
 ) -> Result<Vec<Warning>, Error> {
     if subject.document.value().get("transmissions").is_some() {
         return Ok(vec![]);
@@ -256,7 +256,7 @@ fn of_each_set(
     }
     let (sets, _) = rated_set::sets(subject, &file)?;
     let steps = duty::steps(subject, &file.duty)?;
-    Ok(sets.iter().filter_map(|set| warning(set, &steps)).collect())
+    Ok(sets.iter().filter_map(|set| warning(&file, set, &steps)).collect())
 }
 
 /// Strength of a gearbox for a report, with the factors: at an operating point with load and speed, then over
@@ -405,7 +405,7 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
     let idlers = idlers::warnings(subject, &file, &sets)?;
     let reversed = sets.iter().filter_map(|set| together::reversed(set, &steps));
     let axial_force = sets.iter().filter_map(|set| axial_on_planets::warning(subject, set, &steps));
-    let couples = sets.iter().filter_map(|set| axial_on_planets::couple(subject, set, &steps));
+    let couples = sets.iter().filter_map(|set| axial_on_planets::couple(subject, &file, set, &steps));
     let warnings = safeties
         .below(required)
         .into_iter()

@@ -362,10 +362,10 @@ fn rows_of_stepped_planets_balance_as_rigid_bodies() {
             let hands = [first.signum(), second.signum()];
             let omega = 900.0 / (1.0 + 80.0 * 40.0 / (20.0 * 20.0)) * PI / 30.0;
             // x outwards, y along the positive rotation, z along the axis; the sun is inside, the ring
-            // outside.
+            // outside. Both gears lie side by side, 30 mm wide each.
             let forces = [
-                ([-radii[0], 0.0, 0.0], [of_sun.abs() * alpha[0], of_sun, hands[0] * of_sun * tan[0]]),
-                ([radii[1], 0.0, 0.0], [-of_ring.abs() * alpha[1], of_ring, -hands[1] * of_ring * tan[1]]),
+                ([-radii[0], 0.0, -0.015], [of_sun.abs() * alpha[0], of_sun, hands[0] * of_sun * tan[0]]),
+                ([radii[1], 0.0, 0.015], [-of_ring.abs() * alpha[1], of_ring, -hands[1] * of_ring * tan[1]]),
                 ([0.0; 3], [3.0 * centre * omega * omega, 0.0, 0.0]),
             ];
             let (mut sum, mut about_second) = ([0.0; 3], [0.0; 3]);

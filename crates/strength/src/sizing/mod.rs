@@ -70,7 +70,8 @@
 //!              F_t = F_1 + F_2    F_r = F_1·tan α_w1 − F_2·tan α_w2    n = |n_s − n_H|·z_s/z_p
 //! ```
 //!
-//! Axial forces of helical teeth tilt a planet by the moment `M`. Its bearing then is a pair, of whose rows one
+//! Axial forces of helical teeth, and the forces of a stepped planet's gears, which lie side by side, tilt a planet by
+//! the moment `M`. Its bearing then is a pair, of whose rows one
 //! bears more; the load of both as a unit takes the place of `F` ([`bearing_rows`](crate::bearing_rows)). A
 //! single row is left out: it has no stated rating against a moment. The distance of the rows is the stated
 //! one ([`Pin::span`]), or that of two bearings at the ends of the planet

@@ -22,12 +22,13 @@ pub(super) struct PinStep {
 }
 
 /// Loads and speeds of a planet's bearing over the duty; with the distance of its rows, where a moment tilts
-/// the planet.
+/// the planet. Widths of gears are in m.
 pub(super) fn bearing_duty(
     own: &Layout,
     planet: usize,
     (planet_kg, sharing): (f64, f64),
     (rolling, span): (Rolling, Option<Length>),
+    width: impl Fn(usize) -> f64,
 ) -> Vec<PinStep> {
     let steps = own.bearing_loads[planet].iter().map(|step| {
         let centrifugal = planet_kg * own.radii[planet].si() * step.carrier_speed.si().powi(2);
@@ -35,7 +36,10 @@ pub(super) fn bearing_duty(
         let along = sharing * step.tangential.si();
         let force = Force::from_si(libm::hypot(along, radial));
         let (load, at_rest) = span.map_or((force, force), |span| {
-            let moment = step.moment.map(|part| Torque::from_si(sharing * part.si()));
+            let of_widths =
+                |axis: usize| step.of_widths.iter().map(|(gear, own)| width(*gear) * own[axis]).sum::<f64>();
+            let moment =
+                [0, 1].map(|axis| Torque::from_si(sharing * (step.moment[axis].si() + of_widths(axis))));
             let rows = row_forces([radial, along].map(Force::from_si), moment, span);
             let rows = rows.map(|[out, along]| Force::from_si(libm::hypot(out.si(), along.si())));
             (equivalent_load(rolling, rows), 2.0 * rows[0].max(rows[1]))
@@ -104,11 +108,11 @@ mod tests {
             is_aim_met: true,
             loads: [].into(),
             sharing: 1.25,
-            bearing_loads: vec![vec![step]],
+            bearing_loads: vec![vec![step.clone()]],
         };
         let of = |span: Option<f64>| {
             let rows = (Rolling::Rollers, span.map(Length::from_si));
-            bearing_duty(&own, 0, (20.0, own.sharing), rows)[0]
+            bearing_duty(&own, 0, (20.0, own.sharing), rows, |_| 0.0)[0]
         };
         // Forces outwards of 200 N with and against 600 N.
         let [more, less] = [libm::hypot(500.0, 800.0), libm::hypot(500.0, 400.0)];
@@ -119,6 +123,16 @@ mod tests {
         near(tilted.at_rest, 2.0 * more);
         let mean = f64::midpoint(libm::pow(more, 4.5), libm::pow(less, 4.5));
         near(tilted.step.load, 2.0 * libm::pow(mean, 1.0 / 4.5));
+        // Half of the moment by the widths of two gears.
+        let by_widths = PlanetStep {
+            moment: [Torque::default(), Torque::from_si(torque / 2.5)],
+            of_widths: vec![(3, [0.0, 800.0]), (5, [0.0, -80.0])],
+            ..step
+        };
+        let own = Layout { bearing_loads: vec![vec![by_widths]], ..own.clone() };
+        let rows = (Rolling::Rollers, Some(Length::from_si(0.1)));
+        let widths = |gear: usize| if gear == 3 { 0.04 } else { 0.1 };
+        near(bearing_duty(&own, 0, (20.0, own.sharing), rows, widths)[0].at_rest, 2.0 * more);
         let without = of(None);
         assert_eq!((without.step.load, without.at_rest), (without.force, without.force));
         near(without.force, libm::hypot(1000.0, 400.0));

@@ -458,7 +458,9 @@ impl Search<'_> {
                         let own_mass = self.masses[one.layout].planet(*kind, bore, widths);
                         let mass = task.planets[*kind].mass.map_or(own_mass, Physical::si);
                         let sharing = task.planets[*kind].sharing.unwrap_or(own.sharing);
-                        bearing_duty(own, *kind, (mass, sharing), (rolling, span))
+                        bearing_duty(own, *kind, (mass, sharing), (rolling, span), |gear| {
+                            widths[task.gears[gear].family]
+                        })
                     };
                     let duties: Vec<_> = kinds.iter().map(|kind| (*kind, duty(kind))).collect();
                     let ratio = least(&borne(&duties, bearing, task.life)?);

@@ -308,6 +308,7 @@ impl Sizing {
                 tangential: Force::from_si(first + second),
                 radial: Force::from_si(first * outer - second * inner),
                 moment: [Torque::default(), axial.tilting_moment],
+                of_widths: vec![],
                 carrier_speed: step.carrier_speed,
                 speed: step.sun_speed.abs() * (sun / planet),
             }

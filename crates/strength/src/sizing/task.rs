@@ -126,7 +126,7 @@ pub struct MeshLoads {
 }
 
 /// Load of a planet's bearing in a step of the duty.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct PlanetStep {
     /// Share of the time.
     pub share: f64,
@@ -136,6 +136,9 @@ pub struct PlanetStep {
     pub radial: Force,
     /// Moment of the axial forces that tilts the planet, about the directions outwards and of `tangential`.
     pub moment: [Torque; 2],
+    /// Gears of a stepped planet, each with the moment that its face width adds, over the width in N, about the same
+    /// directions; empty of planets with one gear.
+    pub of_widths: Vec<(usize, [f64; 2])>,
     /// Speed of the carrier.
     pub carrier_speed: AngularVelocity,
     /// Speed of the planet relative to the carrier.

@@ -7,6 +7,7 @@ use crate::shared::gearbox::Gearbox;
 use crate::shared::judgement::answer::TEETH;
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_train::one_way::Duty;
+use epicyclic_train::planet_bearings::PlanetBearing;
 use epicyclic_train::{self as train, Analysis, PlanetSet};
 use epicyclic_units::format::quantity;
 
@@ -170,6 +171,29 @@ pub(crate) fn tilted(subject: &Gearbox, has_lives: bool) -> Option<Warning> {
         warning.message.push_str("; strength rates the bearings with it");
     }
     Some(warning)
+}
+
+/// Warning at a load that planets with rated bearings are stepped: lives leave out the moment of the steps' forces.
+pub(crate) fn stepped(subject: &Gearbox) -> Option<Warning> {
+    let sets = subject.train.sets();
+    let is_left_out = |bearing: &&PlanetBearing| {
+        bearing.load_rating.is_some() && sets[bearing.set].is_stepped(bearing.planet)
+    };
+    let mut names: Vec<&str> =
+        subject.planet_bearings.iter().filter(is_left_out).map(|bearing| sets[bearing.set].id()).collect();
+    names.dedup();
+    let which = match &names[..] {
+        [] => return None,
+        [only] => format!("set {only} has"),
+        several => format!("sets {} have", several.join(", ")),
+    };
+    Some(Warning {
+        name: "step-couple",
+        message: format!(
+            "{which} stepped planets: forces of the steps, side by side, tilt each planet; lives of planet bearings leave this moment out, \
+             which strength takes into account where `bearing_span` is stated"
+        ),
+    })
 }
 
 /// Warning that these sets are helical, and which loads the rating of their planet bearings leaves out.

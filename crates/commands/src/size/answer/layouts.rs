@@ -532,6 +532,22 @@ impl Making<'_> {
             ..SetSize::default()
         };
         let still = AngularVelocity::default();
+        // The moment is a linear function of the widths.
+        let gears_of = |planet: usize| {
+            let is_own =
+                |gear: &usize| matches!(self.set.data.of[*gear], GearOf::Planet(of, _) if of == planet);
+            (0..self.set.data.of.len()).filter(is_own).collect::<Vec<_>>()
+        };
+        let of_widths = |planet: usize, torques: &[Torque]| {
+            let own = gears_of(planet);
+            let of = |gear: usize| {
+                let mut widths = vec![Length::default(); self.set.data.of.len()];
+                widths[gear] = Length::from_si(1.0);
+                let moment = set.step_couple(planet, (toothed, &self.set.data.is_behind), torques, &widths);
+                (gear, moment.unwrap_or_default())
+            };
+            if own.len() > 1 { own.into_iter().map(of).collect() } else { vec![] }
+        };
         let mut all = vec![];
         for bearing in set.bearings(self.set.place, &size)? {
             let loaded = |worked: &Worked<'_>, share: f64| {
@@ -543,7 +559,8 @@ impl Making<'_> {
                     let axial = set.planet_axial_load(bearing.planet, teeth, &torques);
                     let moment = axial.map_or([0.0; 2], |axial| axial.moment).map(Torque::from_si);
                     let tangential = PlanetBearing::push_direction(&torques) * tangential;
-                    PlanetStep { share, tangential, radial, moment, ..PlanetStep::default() }
+                    let of_widths = of_widths(bearing.planet, &torques);
+                    PlanetStep { share, tangential, radial, moment, of_widths, ..PlanetStep::default() }
                 }))
             };
             let mut own = vec![];

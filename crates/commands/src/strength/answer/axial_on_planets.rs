@@ -6,6 +6,7 @@ use super::load::SetLoad;
 use super::rated_set::{RatedMesh, RatedSet};
 use crate::answer::Warning;
 use crate::shared::gearbox::Gearbox;
+use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_train::planet_set::GearOf;
 use epicyclic_units::Physical;
 use epicyclic_units::format::trimmed;
@@ -17,7 +18,8 @@ const FORCE_DIGITS: usize = 4;
 /// Warning that planets with rated bearings keep an axial force over the duty, as stepped ones do: forces and
 /// lives of their bearings leave it out.
 pub(super) fn warning(subject: &Gearbox, set: &RatedSet<'_>, duty: &[WorkedStep<'_>]) -> Option<Warning> {
-    if !has_bearings(subject, set) {
+    let bearings = || subject.planet_bearings.iter().filter(|own| own.set == set.place);
+    if !bearings().any(|own| own.load_rating.is_some()) {
         return None;
     }
     let loads = duty.iter().filter_map(|WorkedStep(entry, worked)| {
@@ -36,22 +38,25 @@ pub(super) fn warning(subject: &Gearbox, set: &RatedSet<'_>, duty: &[WorkedStep<
     })
 }
 
-fn has_bearings(subject: &Gearbox, set: &RatedSet<'_>) -> bool {
-    let mut bearings = subject.planet_bearings.iter().filter(|own| own.set == set.place);
-    bearings.any(|own| own.load_rating.is_some())
-}
-
 /// Warning that the steps of planets with rated bearings, which lie side by side, tilt them over the duty: lives of
 /// their bearings leave this moment out.
-pub(super) fn couple(subject: &Gearbox, set: &RatedSet<'_>, duty: &[WorkedStep<'_>]) -> Option<Warning> {
-    let gears = set.set.gears();
-    let steps = |planet: usize| {
-        gears.iter().filter(|gear| matches!(gear, GearOf::Planet(of, _) if *of == planet)).count()
+pub(super) fn couple(
+    subject: &Gearbox,
+    file: &GearboxFile,
+    set: &RatedSet<'_>,
+    duty: &[WorkedStep<'_>],
+) -> Option<Warning> {
+    let data = file.set_data(set.set)?;
+    let is_left_out = |planet: &usize| {
+        let own = data.planets.get(*planet);
+        set.set.is_stepped(*planet)
+            && own.is_some_and(|own| own.bearing.is_some() && own.bearing_span.is_none())
     };
-    let stepped: Vec<usize> = (0..set.set.planets().len()).filter(|planet| steps(*planet) > 1).collect();
-    if stepped.is_empty() || !has_bearings(subject, set) {
+    let stepped: Vec<usize> = (0..set.set.planets().len()).filter(is_left_out).collect();
+    if stepped.is_empty() {
         return None;
     }
+    let gears = set.set.gears();
     // A gear in two meshes is as wide as the wider of them.
     let width = |gear: &GearOf| {
         let own = set.toothed.meshes.iter().zip(&set.meshes).filter(|(made, _)| made.gears.contains(gear));
@@ -68,8 +73,7 @@ pub(super) fn couple(subject: &Gearbox, set: &RatedSet<'_>, duty: &[WorkedStep<'
     (greatest > 0.0).then(|| Warning {
         name: "step-couple",
         message: format!(
-            "set {}: the steps of a planet, side by side, tilt it by up to {} N·m; lives of its bearings leave this moment out: two bearings \
-             far apart carry it",
+            "set {}: the steps of a planet, side by side, tilt it by up to {} N·m; lives of its bearings leave this moment out, and contain it with `bearing_span`",
             set.id,
             trimmed(greatest, FORCE_DIGITS)
         ),

@@ -75,8 +75,10 @@ struct Conditions {
 /// Rows of a planet's bearings.
 struct Rows {
     span: Length,
-    /// Helical teeth of the set, in metres.
+    /// Helical teeth of the set, or those of a set with stepped planets, in metres.
     toothed: Option<ToothedSet>,
+    /// Face widths of the gears; empty if no planet is stepped.
+    widths: Vec<Length>,
 }
 
 /// Load of a bearing in a step.
@@ -330,13 +332,19 @@ impl File<'_> {
 
     /// Rows of the bearings of a planet at this distance; the keys missing for the moment on them.
     fn rows(&self, set: &PlanetSet, span: Length) -> Result<Result<Rows, Vec<String>>, Error> {
-        if !set.tooth_shape().is_helical() {
-            return Ok(Ok(Rows { span, toothed: None }));
+        let is_stepped = set.has_stepped_planets();
+        if !set.tooth_shape().is_helical() && !is_stepped {
+            return Ok(Ok(Rows { span, toothed: None, widths: vec![] }));
         }
         let Some(data) = self.file.set_data(set) else { return Ok(Err(vec!["teeth".to_owned()])) };
         let has_module = data.modules.iter().any(Option::is_some);
         Ok(match toothed(self.subject, &data, set)? {
-            Ok(toothed) if has_module => Ok(Rows { span, toothed: Some(toothed) }),
+            Ok(toothed) if has_module => {
+                let widths = || data.face_widths.iter().copied().collect::<Option<Vec<_>>>();
+                let widths = if is_stepped { widths() } else { Some(vec![]) };
+                let rows = |widths| Rows { span, toothed: Some(toothed), widths };
+                widths.map(rows).ok_or_else(|| vec!["face_width".to_owned()])
+            }
             Ok(_) => Err(vec!["module".to_owned()]),
             Err(key) => Err(vec![key.unwrap_or("teeth").to_owned()]),
         })
@@ -388,10 +396,16 @@ impl File<'_> {
         let (mut axial_n, mut moment) = (0.0, [0.0; 2]);
         if let Some(toothed) = &rows.toothed {
             let teeth = (toothed, self.subject.is_behind(set));
-            let own = set.planet_axial_load(bearing.planet, teeth, torques)?;
-            let sizes: f64 = own.meshes.iter().map(|(_, force)| force.abs()).sum();
-            axial_n = if own.force.abs() <= ROUNDED * sizes { 0.0 } else { sharing * own.force };
-            moment = own.moment.map(|part| sharing * part);
+            if set.tooth_shape().is_helical() {
+                let own = set.planet_axial_load(bearing.planet, teeth, torques)?;
+                let sizes: f64 = own.meshes.iter().map(|(_, force)| force.abs()).sum();
+                axial_n = if own.force.abs() <= ROUNDED * sizes { 0.0 } else { sharing * own.force };
+                moment = own.moment.map(|part| sharing * part);
+            }
+            if !rows.widths.is_empty() {
+                let couple = set.step_couple(bearing.planet, teeth, torques, &rows.widths)?;
+                moment = [0, 1].map(|axis: usize| moment[axis] + sharing * couple[axis]);
+            }
         }
         let along = PlanetBearing::push_direction(torques) * along;
         let of_rows = row_forces([out, along], moment.map(Torque::from_si), rows.span);
