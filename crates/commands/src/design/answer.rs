@@ -14,6 +14,7 @@
 mod assumed;
 mod attempt;
 pub(crate) mod axes;
+mod larger;
 pub mod limits;
 mod loaded;
 mod making;
@@ -38,6 +39,7 @@ use assumed::{AssumedLoad, assumed};
 use attempt::Attempt;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_selection::{Mechanism, Space};
+use larger::Compared;
 use limits::OrderLimits;
 use masses::Masses;
 use records::{SchemeStep, SizesStep, TeethStep};
@@ -124,9 +126,35 @@ pub fn answer(wanted: &Wanted, watch: &Watch) -> Result<Design, Error> {
     Ok(design)
 }
 
-/// Designs a gearbox without ways out; if no scheme is accepted, also returns the criteria that alone reject
-/// schemes.
+/// Designs a gearbox without ways out, with larger sizes than usual where they pay; if no scheme is accepted, also
+/// returns the criteria that alone reject schemes.
 fn attempted(wanted: &Wanted, watch: &Watch) -> Result<(Design, Vec<select::Relaxation>), Error> {
+    // A number counts the designs that the best is one of.
+    let of_best = Wanted { tooth_design: None, ..wanted.clone() };
+    let (design, relaxations) = attempted_with(&of_best, watch)?;
+    let compared = |of: &Design| {
+        let taken = of.teeth.as_ref().and_then(|teeth| teeth.taken.as_ref());
+        Compared::new(taken.and_then(|taken| taken.rules_missed), of.masses, &of.warnings)
+    };
+    let (usual, has_teeth) = (compared(&design), design.teeth.is_some());
+    let larger = wanted.size.larger().filter(|_| has_teeth && usual.is_open());
+    let (mut best, mut of_best) = ((design, relaxations), of_best);
+    if let Some(size) = larger {
+        let with_larger = Wanted { size, ..of_best.clone() };
+        let (mut design, relaxations) = attempted_with(&with_larger, watch)?;
+        if usual.gives_way_to(compared(&design)) {
+            design.limits = design.limits.with(best.0.limits, design.file.is_some());
+            (best, of_best) = ((design, relaxations), with_larger);
+        }
+    }
+    match wanted.tooth_design {
+        None => Ok(best),
+        tooth_design => attempted_with(&Wanted { tooth_design, ..of_best }, watch),
+    }
+}
+
+/// Designs a gearbox with the sizes of the order.
+fn attempted_with(wanted: &Wanted, watch: &Watch) -> Result<(Design, Vec<select::Relaxation>), Error> {
     let space = match wanted.mechanism {
         Some(mechanism) => Space::Mechanisms(vec![mechanism]),
         None => wanted.selection.space.clone(),
@@ -175,13 +203,6 @@ fn attempted(wanted: &Wanted, watch: &Watch) -> Result<(Design, Vec<select::Rela
             && !design.limits.allow(design.masses.as_ref(), sizes)
         {
             (design.file, design.masses) = (None, None);
-        }
-        if design.file.is_none()
-            && let Some(size) = wanted.size.larger()
-        {
-            let (mut larger, relaxations) = attempted(&Wanted { size, ..wanted.clone() }, watch)?;
-            larger.limits = larger.limits.with(design.limits, larger.file.is_some());
-            return Ok((larger, relaxations));
         }
         design.warnings.extend(design.limits.warning());
     }

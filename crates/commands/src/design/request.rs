@@ -291,7 +291,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     // Where no scheme of the catalogue holds, some other structure may.
     if design.file.is_none() && request.may_be_of_gears(&design) {
         let mut of_gears = request.answer_gears(&|| call.goes_on())?;
-        if of_gears.file.is_some() {
+        if of_gears.file.is_some() || of_gears.limits.lightest_kg.is_some() {
             of_gears.ways_out = design.ways_out.unwrap_or_default();
             return deliver_gears(call, args, &of_gears);
         }

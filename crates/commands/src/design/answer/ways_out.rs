@@ -31,6 +31,8 @@ pub struct WayOut {
     pub speeds: Vec<ReachedSpeed>,
     /// Tooth numbers and mass of the gearbox.
     pub teeth: TeethTaken,
+    /// Mass of the whole in kg.
+    pub whole_kg: Option<f64>,
 }
 
 /// Limits, with the stages in series that are found with them.
@@ -191,7 +193,8 @@ impl Search<'_> {
         let found =
             design.teeth.as_ref().and_then(|teeth| teeth.taken.clone()).zip(design.scheme.taken.clone());
         let Some((teeth, scheme)) = found.filter(|_| design.file.is_some()) else { return Ok(None) };
-        let way = WayOut { limits: limits.to_vec(), scheme, speeds: design.speeds.clone(), teeth };
+        let (limits, whole_kg) = (limits.to_vec(), design.masses.map(|masses| masses.whole_kg));
+        let way = WayOut { limits, scheme, speeds: design.speeds.clone(), teeth, whole_kg };
         Ok(Some((way, design)))
     }
 

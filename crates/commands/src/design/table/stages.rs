@@ -4,7 +4,8 @@ use crate::design::answer::stages::{Stages, TrainsOf};
 use crate::design::answer::stages_ways_out::{PLANETS, RINGS, STAGES, suns};
 use crate::design::answer::ways_out::WayOutOfStages;
 use crate::design::table::{
-    ASSUMED, DIGITS, assumed, limits, masses, of_found, of_sizes, options_of, parts_of_sizes,
+    ASSUMED, DIGITS, assumed, beside, lightest, limits, masses, of_found, of_sizes, options_of,
+    parts_of_sizes,
 };
 use crate::select::table::percent;
 use crate::size::table::basis;
@@ -32,7 +33,10 @@ pub(crate) fn parts_of_stages(stages: &Stages) -> Vec<Part> {
         parts.push(Part::Records(ways_out(ways)));
     }
     parts.push(Part::Records(trains(stages)));
-    parts.extend(stages.front.as_deref().map(|front| Part::Records(smaller_rings(front))));
+    parts.extend(stages.front.as_deref().map(|front| match front {
+        [] => Part::Text(Text::paragraph(NO_SMALLER_RING)),
+        front => Part::Records(smaller_rings(front)),
+    }));
     parts.push(Part::Records(searched(stages)));
     parts.extend(limits(&stages.limits, stages.masses.as_ref(), stages.sizes.as_ref()));
     parts.extend(stages.masses.as_ref().map(|of| Part::Facts(masses(of))));
@@ -56,15 +60,12 @@ fn in_the_way(stages: &Stages) -> Option<String> {
     if !text.is_empty() {
         text.push('.');
     }
-    if let Some(lightest) = stages.limits.lightest_kg {
-        text.push_str(&format!(
-            " The lightest train found has {}, above --max-mass.",
-            words(Dimension::Mass, lightest, 3)
-        ));
+    if let Some(lightest) = lightest(&stages.limits) {
+        text.push_str(&format!(" The lightest train found has {lightest}, above --max-mass."));
     } else if let Some(shortest) = stages.limits.shortest_m {
         text.push_str(&format!(
             " The shortest train found has {}, above --max-length.",
-            words(Dimension::Length, shortest, 3)
+            beside(Dimension::Length, shortest, (stages.limits.length_m, 3))
         ));
     } else if !of_strength.is_empty() {
         text.push_str(&format!(
@@ -122,7 +123,8 @@ pub(crate) fn why_no_stages(stages: &Stages) -> String {
     let ways = stages.ways_out.as_deref().unwrap_or_default();
     let why = match ways.first() {
         Some(way) => {
-            let mass = way.whole_kg.map(|mass| format!(", whole about {}", words(Dimension::Mass, mass, 2)));
+            let mass =
+                way.whole_kg.map(|mass| format!(", whole about {}", words(Dimension::Mass, mass, DIGITS)));
             let of = count(way.teeth.len());
             let ratio = of_ratio(way.ratio);
             format!("{} gives {of}, i = {ratio}{}", options_of(&way.limits), mass.unwrap_or_default())
@@ -148,6 +150,10 @@ fn smaller_rings(front: &[WayOutOfStages]) -> Records {
         )
         .records()
 }
+
+/// Words for a front without a train.
+const NO_SMALLER_RING: &str =
+    "No train with rings 5 % smaller or more holds with the same kinds of bearings.";
 
 fn with_limits<'a>(
     name: &'static str,
@@ -185,7 +191,7 @@ pub(crate) fn in_short(stages: &Stages) -> String {
     all.extend(steps_up.then(|| STEPS_UP.to_owned()));
     all.push(format!("i = {} (asked {asked})", of_ratio(ratio)));
     all.extend(stages.efficiency.map(|of| format!("η = {}", trimmed(of, 3))));
-    all.extend(of_sizes(sizes, stages.masses.as_ref()));
+    all.extend(of_sizes(sizes, stages.masses.as_ref(), &stages.limits));
     format!("{}.", all.join(", "))
 }
 

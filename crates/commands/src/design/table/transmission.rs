@@ -1,13 +1,14 @@
 //! A gearbox for a list of gears, asked and reached, with what came next.
 
-use crate::design::answer::transmission::{GearboxWithTeeth, Transmission};
-use crate::design::table::{ASSUMED, assumed, limits, masses, of_found, of_sizes, parts_of_sizes, ways_out};
+use crate::design::answer::transmission::{GearboxWithTeeth, NEAREST, Transmission};
+use crate::design::table::{
+    ASSUMED, assumed, lightest, limits, masses, of_found, of_sizes, parts_of_sizes, ways_out,
+};
 use crate::select::table::percent;
 use crate::size::table::basis;
 use crate::synthesize::answer::teeth::TeethOfSet;
 use crate::table::columns::Table;
-use crate::table::quantities::words;
-use crate::table::report::{AsReport, Part, Records, Report};
+use crate::table::report::{AsReport, Part, Records, Report, Text};
 use epicyclic_units::Dimension;
 use epicyclic_units::format::trimmed;
 
@@ -25,6 +26,7 @@ pub(crate) fn parts_of_transmission(transmission: &Transmission) -> Vec<Part> {
     if !transmission.gearboxes.is_empty() {
         parts.push(Part::Records(gearboxes(&transmission.gearboxes)));
     }
+    parts.extend(too_heavy(transmission).map(|why| Part::Text(Text::paragraph(why))));
     if !transmission.ways_out.is_empty() {
         parts.push(Part::Records(ways_out(&transmission.ways_out)));
     }
@@ -33,6 +35,22 @@ pub(crate) fn parts_of_transmission(transmission: &Transmission) -> Vec<Part> {
     parts.push(Part::Records(basis(&transmission.basis, &format!("{ASSUMED}, --efficiency"))));
     parts.push(Part::Records(assumed(&transmission.assumed)));
     parts
+}
+
+/// What was compared where every gearbox is above the limit of the mass.
+fn too_heavy(transmission: &Transmission) -> Option<String> {
+    let mass = lightest(&transmission.limits)?;
+    let of = &transmission.gearboxes;
+    let is_new = |(place, one): &(usize, &GearboxWithTeeth)| {
+        let structure = |of: &GearboxWithTeeth| (of.structure.clone(), of.shift_elements.clone());
+        of[..*place].iter().all(|before| structure(before) != structure(one))
+    };
+    let structures = of.iter().enumerate().filter(is_new).count();
+    Some(format!(
+        "None of the gearboxes of {structures} structures, of {} with the ratios, keeps --max-mass with the best of their {NEAREST} tooth numbers nearest to the \
+         ratios; the lightest found has {mass}.",
+        transmission.structures
+    ))
 }
 
 /// The gearbox with its gears, shift elements, deviation, ring, mass, least safeties and life.
@@ -53,12 +71,10 @@ pub(crate) fn in_short(transmission: &Transmission) -> String {
         ),
     ];
     if transmission.file.is_none() {
-        let lightest = transmission.limits.lightest_kg.map(|mass| words(Dimension::Mass, mass, 3));
-        all.push(
-            lightest.map_or("no sizes that hold".to_owned(), |mass| format!("{mass}, above --max-mass")),
-        );
+        let above = |mass| format!("whole about {mass}, above --max-mass");
+        all.push(lightest(&transmission.limits).map_or("no sizes that hold".to_owned(), above));
     }
-    all.extend(of_sizes(sizes, transmission.masses.as_ref()));
+    all.extend(of_sizes(sizes, transmission.masses.as_ref(), &transmission.limits));
     format!("{}.", all.join(", "))
 }
 
