@@ -142,7 +142,8 @@ fn a_front_without_smaller_rings_says_so() {
     let line = [&line[..], &["--sun=24", "--planet=36", "--ring=96", "--modules=3 mm"]].concat();
     let shown = text(&output_of(&line));
     assert!(
-        shown.contains("No train with rings 5 % smaller or more holds") && !shown.contains("Smaller rings,")
+        shown.contains("No gearbox with rings 5 % smaller or more holds")
+            && !shown.contains("Smaller rings,")
     );
 }
 

@@ -1,10 +1,12 @@
 //! Design of a gearbox from speeds and power: its scheme, tooth numbers and sizes with sufficient strength.
 //!
+//! - [`front`]: gearboxes with smaller and smaller rings.
+//! - [`larger`]: larger sizes than usual.
 //! - [`limits`]: limits of the whole gearbox.
 //! - [`masses`]: the whole and its parts.
 //! - [`records`]: steps, each with its choice and the next best.
 //! - [`stages`]: stages in series for one ratio.
-//! - [`transmission`]: a list of gears.
+//! - [`transmission`], [`transmission_records`]: a list of gears.
 //! - [`ways_out`], [`stages_ways_out`]: limits to relax if no gearbox is found, each with the gearbox that is
 //!   then found.
 //!
@@ -14,6 +16,7 @@
 mod assumed;
 mod attempt;
 pub(crate) mod axes;
+mod front;
 mod larger;
 pub mod limits;
 mod loaded;
@@ -26,6 +29,7 @@ mod stages_search;
 pub mod stages_wanted;
 pub mod stages_ways_out;
 pub mod transmission;
+pub mod transmission_records;
 pub mod ways_out;
 
 use crate::answer::{Answer, Warning};
@@ -70,6 +74,8 @@ pub struct Wanted {
     pub spectrum: Vec<[f64; 3]>,
     /// Limits of the whole gearbox.
     pub limits: OrderLimits,
+    /// Whether gearboxes with smaller rings are asked for.
+    pub is_front_asked: bool,
     /// Materials, factors, oil and life.
     pub basis: Basis,
     /// Search space of sizes.
@@ -101,6 +107,9 @@ pub struct Design {
     /// Limits to relax if no gearbox is found, each with the gearbox that is then found. Null if there is a
     /// file, or if the tooth design was given by its number.
     pub ways_out: Option<Vec<WayOut>>,
+    /// Gearboxes with smaller and smaller rings, each the best that its limit of the rings leaves; null if not asked
+    /// for, or without a gearbox.
+    pub front: Option<Vec<WayOut>>,
     /// Warnings about the design.
     pub warnings: Vec<Warning>,
 }
@@ -119,41 +128,57 @@ impl Answer for Design {
 ///   [`size::Request::answer`](SizeRequest::answer), which refer to the file `basis` or to the unfinished
 ///   gearbox.
 pub fn answer(wanted: &Wanted, watch: &Watch) -> Result<Design, Error> {
-    let (mut design, relaxations) = attempted(wanted, watch)?;
+    let Attempted { mut design, relaxations, size } = attempted(wanted, watch)?;
     if design.file.is_none() && wanted.tooth_design.is_none() {
         design.ways_out = Some(ways_out::of(wanted, &design, &relaxations, watch)?);
+    }
+    if design.file.is_some() && wanted.is_front_asked {
+        let wanted = Wanted { size, ..wanted.clone() };
+        design.front = Some(ways_out::smaller_rings(&wanted, &design, watch)?);
     }
     Ok(design)
 }
 
-/// Designs a gearbox without ways out, with larger sizes than usual where they pay; if no scheme is accepted, also
-/// returns the criteria that alone reject schemes.
-fn attempted(wanted: &Wanted, watch: &Watch) -> Result<(Design, Vec<select::Relaxation>), Error> {
+/// Design without ways out and front.
+struct Attempted {
+    design: Design,
+    /// Criteria that alone reject schemes, if no scheme is accepted.
+    relaxations: Vec<select::Relaxation>,
+    /// Space of the sizes that it is taken from.
+    size: SizeRequest,
+}
+
+/// Designs a gearbox without ways out and front, with larger sizes than usual where they pay.
+fn attempted(wanted: &Wanted, watch: &Watch) -> Result<Attempted, Error> {
     // A number counts the designs that the best is one of.
-    let of_best = Wanted { tooth_design: None, ..wanted.clone() };
-    let (design, relaxations) = attempted_with(&of_best, watch)?;
+    let with = |size: SizeRequest, tooth_design| {
+        let own = Wanted { tooth_design, size: size.clone(), ..wanted.clone() };
+        let (design, relaxations) = attempted_with(&own, watch)?;
+        Ok::<_, Error>(Attempted { design, relaxations, size })
+    };
     let compared = |of: &Design| {
         let taken = of.teeth.as_ref().and_then(|teeth| teeth.taken.as_ref());
         Compared::new(taken.and_then(|taken| taken.rules_missed), of.masses, &of.warnings)
     };
-    let (usual, has_teeth) = (compared(&design), design.teeth.is_some());
-    let larger = wanted.size.larger().filter(|_| has_teeth && usual.is_open());
-    let (mut best, mut of_best) = ((design, relaxations), of_best);
-    if let Some(size) = larger {
-        let with_larger = Wanted { size, ..of_best.clone() };
-        let (mut design, relaxations) = attempted_with(&with_larger, watch)?;
-        if usual.gives_way_to(compared(&design)) {
-            design.limits = design.limits.with(best.0.limits, design.file.is_some());
-            (best, of_best) = ((design, relaxations), with_larger);
+    let mut best = with(wanted.size.clone(), None)?;
+    let usual = compared(&best.design);
+    let is_open = best.design.teeth.is_some() && usual.is_open();
+    if let Some(size) = wanted.size.larger().filter(|_| is_open) {
+        let mut larger = with(size, None)?;
+        if usual.gives_way_to(compared(&larger.design)) {
+            let is_found = larger.design.file.is_some();
+            larger.design.limits = larger.design.limits.with(best.design.limits, is_found);
+            best = larger;
         }
     }
     match wanted.tooth_design {
         None => Ok(best),
-        tooth_design => attempted_with(&Wanted { tooth_design, ..of_best }, watch),
+        number => with(best.size, number),
     }
 }
 
-/// Designs a gearbox with the sizes of the order.
+/// Designs a gearbox with the sizes of the order; if no scheme is accepted, also returns the criteria that alone
+/// reject schemes.
 fn attempted_with(wanted: &Wanted, watch: &Watch) -> Result<(Design, Vec<select::Relaxation>), Error> {
     let space = match wanted.mechanism {
         Some(mechanism) => Space::Mechanisms(vec![mechanism]),
@@ -182,6 +207,7 @@ fn attempted_with(wanted: &Wanted, watch: &Watch) -> Result<(Design, Vec<select:
         sizes: None,
         file: None,
         ways_out: None,
+        front: None,
         warnings: vec![],
     };
     if let Some(Attempt { teeth, sizes, file, speeds, warnings, .. }) = attempt {

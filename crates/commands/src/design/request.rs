@@ -127,10 +127,6 @@ pub struct Request {
     #[arg(long, conflicts_with_all = ["speeds", "ratios"], help_heading = STAGES)]
     pub hunting_teeth: bool,
 
-    /// Also the best trains with smaller and smaller rings, each at least 5 % smaller than the one before.
-    #[arg(long, conflicts_with_all = ["speeds", "ratios"], help_heading = STAGES)]
-    pub front: bool,
-
     /// Power into the input in every gear.
     #[arg(long, allow_hyphen_values = true)]
     pub power: Option<Quantity<Power>>,
@@ -170,6 +166,10 @@ pub struct Request {
     /// bound.
     #[arg(long, value_name = "LENGTH", value_parser = positive::<Length>, conflicts_with_all = ["speeds", "ratios"], allow_hyphen_values = true, help_heading = STAGES)]
     pub max_length: Option<Quantity<Length>>,
+
+    /// Also the best gearboxes with smaller and smaller rings, each at least 5 % smaller than the one before.
+    #[arg(long)]
+    pub front: bool,
 
     /// This scheme or structure in place of the best: II-3, D.T1.B+T2.B.T1.
     #[arg(long, value_name = "NAME", value_parser = named)]
@@ -424,6 +424,7 @@ impl Request {
             overload: self.overload()?,
             spectrum: self.spectrum(&FULL_LOAD)?,
             limits: self.limits()?,
+            is_front_asked: self.front,
             basis: self.basis()?,
             size: self.sized(),
         })

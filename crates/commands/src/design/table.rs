@@ -106,6 +106,7 @@ pub(crate) fn parts_of_choice(design: &Design) -> Vec<Part> {
         parts.push(Part::Records(speeds_reached(&design.speeds)));
     }
     parts.push(Part::Records(steps(design)));
+    parts.extend(design.front.as_deref().map(|front| or_none(front, smaller_rings)));
     parts.extend(stopped(design).map(|why| Part::Text(Text::paragraph(why))));
     if let Some(ways) = design.ways_out.as_deref().filter(|ways| !ways.is_empty()) {
         parts.push(Part::Records(ways_out(ways)));
@@ -286,9 +287,22 @@ pub(super) fn lightest(limits: &OrderLimits) -> Option<String> {
 
 /// Limits that would have to give, each with its gearbox.
 fn ways_out(ways: &[WayOut]) -> Records {
-    let note =
-        "Each line is the result of the same search with this option. Deviation: the largest of a gear.";
-    Table::new("ways_out", ways.iter())
+    with_limits("ways_out", "Limits that would have to give, and the gearbox behind each", ways)
+        .note(
+            "Each line is the result of the same search with this option. Deviation: the largest of a gear.",
+        )
+        .records()
+}
+
+/// The best gearboxes with smaller and smaller rings.
+fn smaller_rings(front: &[WayOut]) -> Records {
+    with_limits("front", SMALLER_RINGS, front)
+        .note(format!("{OF_FRONT} Deviation: the largest of a gear."))
+        .records()
+}
+
+fn with_limits<'a>(name: &'static str, title: &'static str, ways: &'a [WayOut]) -> Table<&'a WayOut> {
+    Table::new(name, ways.iter())
         .words("option", "option", |way| options(way))
         .words("scheme", "scheme", |way| {
             let reverses = if way.speeds.iter().any(|speed| speed.reversed) { ", reverses" } else { "" };
@@ -296,13 +310,25 @@ fn ways_out(ways: &[WayOut]) -> Records {
         })
         .words("teeth", "teeth", |way| sets(&way.teeth))
         .number("deviation", "deviation", |way| percent(largest_deviation(&way.speeds)).replace('+', ""))
+        .quantity("ring_diameter", "ring", Dimension::Length, |way| Some(way.ring_diameter_m))
         .quantity("mass", "whole", Dimension::Mass, |way| way.whole_kg)
-        .view(
-            "Limits that would have to give, and the gearbox behind each",
-            "option scheme teeth deviation mass",
-        )
-        .note(note)
-        .records()
+        .number("rules_missed", "rules missed", |way| way.teeth.rules_missed.map(f64::from))
+        .view(title, "option scheme teeth deviation ring_diameter mass rules_missed")
+}
+
+/// Title and note of a front.
+pub(super) const SMALLER_RINGS: &str = "Smaller rings, and the gearbox behind each";
+pub(super) const OF_FRONT: &str = "Each line is the result of the same search with this option, whose ring is 5 % below that of the line before. After the last none holds \
+     with the same kinds of bearings, or it is the twelfth.";
+
+/// A front, or a sentence if it is empty.
+pub(super) fn or_none<T>(front: &[T], records: fn(&[T]) -> Records) -> Part {
+    match front {
+        [] => Part::Text(Text::paragraph(
+            "No gearbox with rings 5 % smaller or more holds with the same kinds of bearings.",
+        )),
+        front => Part::Records(records(front)),
+    }
 }
 
 /// Speeds that a way out reaches.

@@ -102,3 +102,42 @@ fn a_runaway_names_its_speed_and_each_place_once() {
     }
     assert!(slow.warnings.iter().all(|warning| !warning.message.contains(state)), "{:?}", slow.warnings);
 }
+
+/// Each gearbox of a front is what the limit of its rings finds, and its ring is 5 % smaller than the one before.
+#[test]
+fn a_front_of_several_gears_has_the_best_gearbox_of_each_ring() {
+    let order = |more: &str| -> Request {
+        let sizes = "--no-bearings|--modules=2mm, 2.5mm, 3mm|--face-widths=20mm, 30mm, 40mm";
+        request(format!("--power=20kW|--input=1475rpm|{sizes}|{more}").split('|')).unwrap()
+    };
+    let is_smaller = |ring: f64, most: f64, before: f64| {
+        let is_kept = ring <= most * (1.0 + 1e-9);
+        assert!(is_kept && most <= 0.95 * before && most > 0.9 * before, "{ring} {most} {before}");
+    };
+    let scheme = |more: &str| order(&format!("--ratios=3.5{more}")).answer(&|_| GO_ON()).unwrap();
+    let all = scheme("|--front");
+    let sets = all.sizes.unwrap().sets;
+    let rings = sets.iter().filter_map(|set| set.found[0].ring_diameter_m);
+    let (front, mut before) = (all.front.unwrap(), rings.fold(0.0, f64::max));
+    assert!(!front.is_empty());
+    for point in &front {
+        let most = point.limits[0].greatest.unwrap();
+        is_smaller(point.ring_diameter_m, most, before);
+        let alone = scheme(&format!("|--max-ring={most}m"));
+        assert_eq!(alone.teeth.unwrap().taken.unwrap(), point.teeth);
+        assert_eq!(alone.masses.unwrap().whole_kg, point.whole_kg.unwrap());
+        before = point.ring_diameter_m;
+    }
+    let list = |more: &str| order(&format!("--ratios=2.8; 1.5; 1{more}")).answer_gears(&GO_ON).unwrap();
+    let all = list("|--front");
+    let (front, mut before) = (all.front.unwrap(), all.gearboxes[0].ring_diameter_m.unwrap());
+    assert!(!front.is_empty());
+    for point in &front {
+        let most = point.limits[0].greatest.unwrap();
+        is_smaller(point.ring_diameter_m, most, before);
+        let alone = list(&format!("|--max-ring={most}m"));
+        assert_eq!(alone.masses.unwrap().whole_kg, point.whole_kg.unwrap());
+        assert_eq!(alone.gearboxes[0].structure, point.structure);
+        before = point.ring_diameter_m;
+    }
+}

@@ -8,13 +8,15 @@
 //! structures follow.
 
 use super::assumed::{AssumedLoad, assumed};
+use super::front::{front, largest_ring};
 use super::larger::Compared;
 use super::limits::OrderLimits;
 use super::loaded;
 use super::making::{Load, MAKING, for_each_set, shared, warnings, with_duty};
 use super::masses::Masses;
 use super::records::SizesStep;
-use super::ways_out::WayOut;
+use super::transmission_records::{GearReached, GearboxOfRing, GearboxWithTeeth};
+use super::ways_out::{RelaxedLimit, WayOut};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::basis::{Basis, BasisKey};
@@ -26,7 +28,7 @@ use crate::size::options::Request as SizeRequest;
 use crate::strength::answer::missing::{MissingKeys, Purpose};
 use crate::synthesize::answer::teeth::{TeethOfSet, TeethOfSets, TeethWanted};
 use crate::synthesize::answer::{
-    Gear as SearchedGear, Kept, Searching, ShiftElement, Solution, Wanted as Search, saved, solve,
+    Gear as SearchedGear, Kept, Searching, Solution, Wanted as Search, saved, solve,
 };
 use epicyclic_formats::wanted_ratio::{Wanted as Ratio, WantedRatio};
 use epicyclic_formats::yaml::to_string;
@@ -97,6 +99,8 @@ pub struct WantedTransmission {
     pub spectrum: Vec<[f64; 3]>,
     /// Limits of the whole gearbox.
     pub order: OrderLimits,
+    /// Whether gearboxes with smaller rings are asked for.
+    pub is_front_asked: bool,
     /// Materials, factors, oil and life.
     pub basis: Basis,
     /// Search space of sizes.
@@ -130,55 +134,13 @@ pub struct Transmission {
     /// Limits to relax for a scheme of the catalogue, each with the gearbox that is then found; empty for a
     /// list of gears.
     pub ways_out: Vec<WayOut>,
+    /// Gearboxes with smaller and smaller rings, each the best that its limit of the rings leaves; null if not asked
+    /// for, or without a gearbox.
+    pub front: Option<Vec<GearboxOfRing>>,
     /// Gearbox file with sizes; null if a set has none.
     pub file: Option<String>,
     /// Warnings about the gearbox.
     pub warnings: Vec<Warning>,
-}
-
-/// Gear, required and reached.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct GearReached {
-    /// Name of the gear.
-    pub gear: String,
-    /// Required ratio, input speed over output speed.
-    pub asked_ratio: f64,
-    /// Reached ratio; null if no structure was found.
-    pub ratio: Option<f64>,
-    /// Required speed of the output in rad/s.
-    pub asked_output_speed_rad_s: f64,
-    /// Reached speed of the output in rad/s; null if no structure was found.
-    pub output_speed_rad_s: Option<f64>,
-    /// Engaged shift elements.
-    pub engaged: Vec<String>,
-    /// Efficiency with usual losses of the meshes; null without a structure, or if losses hold the gear.
-    pub efficiency: Option<f64>,
-}
-
-/// Gearbox with tooth numbers.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct GearboxWithTeeth {
-    /// Links of sun, ring and carrier of each set: 0 the housing, 1 the input, 2 the output, letters the
-    /// others. A star marks a double-planet set.
-    pub structure: String,
-    /// Brakes and clutches.
-    pub shift_elements: Vec<ShiftElement>,
-    /// Shifts between neighbouring forward gears that exchange more than one shift element.
-    pub multiple_shifts: usize,
-    /// Least efficiency of a forward gear.
-    pub forward_efficiency: f64,
-    /// Tooth numbers of the sets.
-    pub sets: Vec<TeethOfSet>,
-    /// Largest relative deviation of a ratio.
-    pub greatest_deviation: f64,
-    /// Errors and warnings of the judge.
-    pub warnings: usize,
-    /// Mass of all gears in kg; null if a set has no size.
-    pub mass_kg: Option<f64>,
-    /// Outside diameter of the largest ring in m; null if a set has no size.
-    pub ring_diameter_m: Option<f64>,
 }
 
 impl Answer for Transmission {
@@ -229,28 +191,62 @@ pub fn answer(
     // Shares that cannot be are refused before the search.
     let gears = names(&wanted.ratios);
     shared(gears.iter().map(String::as_str).collect(), &wanted.shares)?;
-    let (structures, found) = structures(wanted, goes_on)?;
-    let mut found: Vec<&(Solution, Kept)> = found.iter().collect();
-    let usual = of_structures(wanted, (structures, &found), goes_on)?;
+    let (count, found) = structures(wanted, goes_on)?;
+    let found: Vec<&(Solution, Kept)> = found.iter().collect();
+    let with = |size: SizeRequest, found: &[&(Solution, Kept)]| {
+        let own = WantedTransmission { size, ..wanted.clone() };
+        of_structures(&own, (count, found), goes_on)
+    };
+    let (mut best, mut taken_size) = (with(wanted.size.clone(), &found)?, wanted.size.clone());
     let compared = |of: &Transmission| {
         let missed = of.gearboxes.first().and_then(|best| u32::try_from(best.warnings).ok());
         Compared::new(missed, of.masses, &of.warnings)
     };
-    let is_open = !usual.gearboxes.is_empty() && compared(&usual).is_open();
-    let Some(size) = wanted.size.larger().filter(|_| is_open) else { return Ok(usual) };
-    // Other sizes of a gearbox that holds; the choice of the structure takes longest.
-    if let Some(taken) = usual.gearboxes.first().filter(|_| usual.file.is_some()) {
-        let is_taken =
-            |of: &Solution| (&of.structure, &of.shift_elements) == (&taken.structure, &taken.shift_elements);
-        found.retain(|(solution, _)| is_taken(solution));
+    let usual = compared(&best);
+    let is_open = !best.gearboxes.is_empty() && usual.is_open();
+    if let Some(size) = wanted.size.larger().filter(|_| is_open) {
+        // Other sizes of a gearbox that holds; those of all structures take longest.
+        let taken = best.gearboxes.first().filter(|_| best.file.is_some());
+        let is_taken = |(of, _): &&&(Solution, Kept)| {
+            taken.is_none_or(|taken| {
+                (&of.structure, &of.shift_elements) == (&taken.structure, &taken.shift_elements)
+            })
+        };
+        let of_taken: Vec<_> = found.iter().filter(is_taken).copied().collect();
+        let mut larger = with(size.clone(), &of_taken)?;
+        if usual.gives_way_to(compared(&larger)) {
+            larger.limits = larger.limits.with(best.limits, larger.file.is_some());
+            (best, taken_size) = (larger, size);
+        }
     }
-    let with_larger = WantedTransmission { size, ..wanted.clone() };
-    let mut larger = of_structures(&with_larger, (structures, &found), goes_on)?;
-    if !compared(&usual).gives_way_to(compared(&larger)) {
-        return Ok(usual);
+    if best.file.is_some() && wanted.is_front_asked {
+        best.front = Some(front(largest_ring(best.sizes.as_ref()), |limit| {
+            limit.relax_size(&mut taken_size);
+            let own = with(taken_size.clone(), &found)?;
+            Ok(own.of_ring(limit).map(|point| (point.clone(), point.ring_diameter_m)))
+        })?);
     }
-    larger.limits = larger.limits.with(usual.limits, larger.file.is_some());
-    Ok(larger)
+    Ok(best)
+}
+
+impl Transmission {
+    /// The gearbox taken under a limit of the rings; `None` without one.
+    fn of_ring(&self, limit: RelaxedLimit) -> Option<GearboxOfRing> {
+        self.file.as_ref()?;
+        let taken = self.gearboxes.first()?;
+        let teeth = |of: &TeethOfSet| {
+            [Some(of.sun), Some(of.planet), of.outer_planet, Some(of.ring)].into_iter().flatten().collect()
+        };
+        Some(GearboxOfRing {
+            limits: vec![limit],
+            structure: taken.structure.clone(),
+            teeth: taken.sets.iter().map(teeth).collect(),
+            greatest_deviation: taken.greatest_deviation,
+            ring_diameter_m: taken.ring_diameter_m?,
+            whole_kg: self.masses.map(|masses| masses.whole_kg),
+            warnings: taken.warnings,
+        })
+    }
 }
 
 /// Designs a gearbox of one of these structures, of so many that have the ratios, with the sizes of the order.
@@ -296,6 +292,7 @@ fn of_structures(
         masses: None,
         sizes: None,
         ways_out: vec![],
+        front: None,
         file: None,
         warnings: vec![],
     };

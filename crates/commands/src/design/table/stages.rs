@@ -4,8 +4,8 @@ use crate::design::answer::stages::{Stages, TrainsOf};
 use crate::design::answer::stages_ways_out::{PLANETS, RINGS, STAGES, suns};
 use crate::design::answer::ways_out::WayOutOfStages;
 use crate::design::table::{
-    ASSUMED, DIGITS, assumed, beside, lightest, limits, masses, of_found, of_sizes, options_of,
-    parts_of_sizes,
+    ASSUMED, DIGITS, OF_FRONT, SMALLER_RINGS, assumed, beside, lightest, limits, masses, of_found, of_sizes,
+    options_of, or_none, parts_of_sizes,
 };
 use crate::select::table::percent;
 use crate::size::table::basis;
@@ -33,10 +33,7 @@ pub(crate) fn parts_of_stages(stages: &Stages) -> Vec<Part> {
         parts.push(Part::Records(ways_out(ways)));
     }
     parts.push(Part::Records(trains(stages)));
-    parts.extend(stages.front.as_deref().map(|front| match front {
-        [] => Part::Text(Text::paragraph(NO_SMALLER_RING)),
-        front => Part::Records(smaller_rings(front)),
-    }));
+    parts.extend(stages.front.as_deref().map(|front| or_none(front, smaller_rings)));
     parts.push(Part::Records(searched(stages)));
     parts.extend(limits(&stages.limits, stages.masses.as_ref(), stages.sizes.as_ref()));
     parts.extend(stages.masses.as_ref().map(|of| Part::Facts(masses(of))));
@@ -143,17 +140,8 @@ fn ways_out(ways: &[WayOutOfStages]) -> Records {
 
 /// The best stages with smaller and smaller rings.
 fn smaller_rings(front: &[WayOutOfStages]) -> Records {
-    with_limits("front", "Smaller rings, and the stages behind each", front)
-        .note(
-            "Each line is the result of the same search with this option, whose ring is 5 % below that of the line before. After the last no train \
-             holds with the same kinds of bearings, or it is the twelfth.",
-        )
-        .records()
+    with_limits("front", SMALLER_RINGS, front).note(OF_FRONT).records()
 }
-
-/// Words for a front without a train.
-const NO_SMALLER_RING: &str =
-    "No train with rings 5 % smaller or more holds with the same kinds of bearings.";
 
 fn with_limits<'a>(
     name: &'static str,

@@ -1,8 +1,10 @@
 //! A gearbox for a list of gears, asked and reached, with what came next.
 
-use crate::design::answer::transmission::{GearboxWithTeeth, NEAREST, Transmission};
+use crate::design::answer::transmission::{NEAREST, Transmission};
+use crate::design::answer::transmission_records::{GearboxOfRing, GearboxWithTeeth};
 use crate::design::table::{
-    ASSUMED, assumed, lightest, limits, masses, of_found, of_sizes, parts_of_sizes, ways_out,
+    ASSUMED, OF_FRONT, SMALLER_RINGS, assumed, lightest, limits, masses, of_found, of_sizes, options_of,
+    or_none, parts_of_sizes, ways_out,
 };
 use crate::select::table::percent;
 use crate::size::table::basis;
@@ -26,6 +28,7 @@ pub(crate) fn parts_of_transmission(transmission: &Transmission) -> Vec<Part> {
     if !transmission.gearboxes.is_empty() {
         parts.push(Part::Records(gearboxes(&transmission.gearboxes)));
     }
+    parts.extend(transmission.front.as_deref().map(|front| or_none(front, smaller_rings)));
     parts.extend(too_heavy(transmission).map(|why| Part::Text(Text::paragraph(why))));
     if !transmission.ways_out.is_empty() {
         parts.push(Part::Records(ways_out(&transmission.ways_out)));
@@ -35,6 +38,25 @@ pub(crate) fn parts_of_transmission(transmission: &Transmission) -> Vec<Part> {
     parts.push(Part::Records(basis(&transmission.basis, &format!("{ASSUMED}, --efficiency"))));
     parts.push(Part::Records(assumed(&transmission.assumed)));
     parts
+}
+
+/// The best gearboxes with smaller and smaller rings.
+fn smaller_rings(front: &[GearboxOfRing]) -> Records {
+    let teeth = |of: &GearboxOfRing| {
+        let all = of.teeth.iter().map(|set| set.iter().map(u32::to_string).collect::<Vec<_>>().join(" "));
+        all.collect::<Vec<String>>().join(" + ")
+    };
+    Table::new("front", front.iter())
+        .words("option", "option", |of| options_of(&of.limits))
+        .words("structure", "structure", |of| of.structure.clone())
+        .words("teeth", "sun, planet, ring", move |of| teeth(of))
+        .words("deviation", "off by", |of| percent(of.greatest_deviation).trim_start_matches('+').to_owned())
+        .quantity("ring_diameter", "ring", Dimension::Length, |of| Some(of.ring_diameter_m))
+        .quantity("mass", "whole", Dimension::Mass, |of| of.whole_kg)
+        .number("warnings", "warnings", |of| of.warnings as f64)
+        .view(SMALLER_RINGS, "option structure teeth deviation ring_diameter mass warnings")
+        .note(OF_FRONT)
+        .records()
 }
 
 /// What was compared where every gearbox is above the limit of the mass.
