@@ -1,7 +1,6 @@
 //! Gearboxes with smaller and smaller rings.
 
 use super::records::SizesStep;
-use super::ways_out::{Limit, RelaxedLimit, rounded};
 use crate::error::Error;
 
 /// Part by which the limit of the rings is below the last ring, from one gearbox of a front to the next.
@@ -11,16 +10,14 @@ const SMALLER: f64 = 0.05;
 const MOST_SMALLER: usize = 12;
 
 /// The best gearboxes whose rings are smaller and smaller than this one, until none holds: `with` searches the one
-/// under a limit of the rings, with its ring. A pair alone has no ring.
+/// under a limit of the rings in m, with its ring. A pair alone has no ring.
 pub(super) fn front<T>(
     mut ring: f64,
-    mut with: impl FnMut(RelaxedLimit) -> Result<Option<(T, f64)>, Error>,
+    mut with: impl FnMut(f64) -> Result<Option<(T, f64)>, Error>,
 ) -> Result<Vec<T>, Error> {
     let mut points = vec![];
     while points.len() < MOST_SMALLER && ring > 0.0 {
-        let most = rounded(ring * (1.0 - SMALLER), f64::floor);
-        let limit = RelaxedLimit { greatest: Some(most), ..RelaxedLimit::lifted(Limit::LargestRing) };
-        let Some((point, own)) = with(limit)? else { break };
+        let Some((point, own)) = with(ring * (1.0 - SMALLER))? else { break };
         ring = own;
         points.push(point);
     }

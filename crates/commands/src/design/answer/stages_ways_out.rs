@@ -204,7 +204,8 @@ impl Search<'_> {
         let mut wanted = self.wanted.clone();
         wanted.size = larger.unwrap_or(wanted.size);
         wanted.axes = axes;
-        front(ring, |limit| {
+        front(ring, |most| {
+            let limit = RelaxedLimit::of_rings(most);
             relax(limit, &mut wanted);
             let stages = attempted_with(&wanted, 1, known, self.goes_on)?;
             Ok(way(&[limit], &stages).map(|way| (way.clone(), way.ring_diameter_m)))

@@ -220,7 +220,8 @@ pub fn answer(
         }
     }
     if best.file.is_some() && wanted.is_front_asked {
-        best.front = Some(front(largest_ring(best.sizes.as_ref()), |limit| {
+        best.front = Some(front(largest_ring(best.sizes.as_ref()), |most| {
+            let limit = RelaxedLimit::of_rings(most);
             limit.relax_size(&mut taken_size);
             let own = with(taken_size.clone(), &found)?;
             Ok(own.of_ring(limit).map(|point| (point.clone(), point.ring_diameter_m)))

@@ -197,7 +197,8 @@ fn way(limits: &[RelaxedLimit], design: &Design) -> Option<WayOut> {
 /// The best gearboxes with smaller rings than that of a design, with its kinds of bearings and modules.
 pub(super) fn smaller_rings(wanted: &Wanted, design: &Design, watch: &Watch) -> Result<Vec<WayOut>, Error> {
     let mut wanted = Wanted { tooth_design: None, ..wanted.clone() };
-    front(largest_ring(design.sizes.as_ref()), |limit| {
+    front(largest_ring(design.sizes.as_ref()), |most| {
+        let limit = RelaxedLimit::of_rings(most);
         limit.relax(&mut wanted);
         let (design, _) = attempted_with(&wanted, watch)?;
         Ok(way(&[limit], &design).map(|way| (way.clone(), way.ring_diameter_m)))
@@ -328,6 +329,11 @@ impl RelaxedLimit {
     /// Limit that is removed, without a value.
     pub(super) const fn lifted(limit: Limit) -> Self {
         Self { limit, least: None, greatest: None }
+    }
+
+    /// Limit of the rings, of three digits and not above a diameter in m.
+    pub(super) fn of_rings(most: f64) -> Self {
+        Self { greatest: Some(rounded(most, f64::floor)), ..Self::lifted(Limit::LargestRing) }
     }
 
     /// Limit of a criterion, relaxed by a margin and rounded to three digits on the safe side.
