@@ -11,10 +11,15 @@
 //! All gearboxes are put in the order of the sums of these bounds. One set of the first gearbox is sized:
 //! for the least load, later for its own. Its cost takes the place of its bound, and the gearbox goes back
 //! into the queue. The gearbox that comes first with all sets sized is the best: no other has a lower bound.
+//!
+//! # Limit of the whole mass
+//! A gearbox is left out once its parts beside the sets and the least masses of its sets, whatever rules they miss,
+//! exceed the limit; one with all sets sized counts with their masses.
 
 use crate::Error;
 use crate::bounded::{Cost, Geometries, Load, Sets, TriedSet, greatest};
-use crate::sizing::{SetOverload, SetStep, SetTeeth, Sizing};
+use crate::sizing::{Objective, SetOverload, SetStep, SetTeeth, Sizing, Space};
+use crate::tolerance::MASS;
 use epicyclic_units::Physical;
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap};
@@ -22,6 +27,9 @@ use std::ops::{Add, ControlFlow};
 
 /// Sets that are sized at most.
 const MOST: u64 = 3000;
+
+/// Sets that are sized at most where a limit of the mass leaves none: most are left out by bounds.
+const MOST_WITHIN: u64 = 400;
 
 /// Sets that are sized at most for the best gearboxes of other groups than those found first.
 const MOST_FOR_OTHERS: u64 = 40;
@@ -46,6 +54,17 @@ pub struct Gearbox {
     pub sets: Vec<LoadedSet>,
     /// Rules of usual practice that the gearbox misses besides those of its sets.
     pub rules_missed: u32,
+    /// Mass of its parts beside gears, carriers and housing, in kg.
+    pub others_kg: f64,
+}
+
+/// Number and limit of the gearboxes that are searched.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wanted {
+    /// Number of the best gearboxes.
+    pub most: usize,
+    /// Greatest mass of the whole in kg; `None` without a limit.
+    pub whole_kg: Option<f64>,
 }
 
 /// Gearbox with the cost of its sets at their best sizes.
@@ -61,6 +80,8 @@ pub struct Costed {
     pub mass_kg: f64,
     /// Mass with a quarter more for each rule missed, in kg.
     pub price_kg: f64,
+    /// Mass of gears, carriers, housing and the other parts of the gearbox, in kg.
+    pub whole_kg: f64,
 }
 
 /// Result of a search.
@@ -74,10 +95,13 @@ pub struct Found {
     pub best: Vec<Costed>,
     /// The best gearboxes of groups without one of these, in order, as far as a short search finds them.
     pub of_other_groups: Vec<Costed>,
+    /// The lightest gearbox above the limit of the mass among those with all sets sized; where bounds alone leave
+    /// out all, the best without the limit.
+    pub above: Option<Costed>,
 }
 
-/// The best `most` gearboxes, unless `goes_on`, which is called now and then, breaks. `of_set` is a set with materials, factors, requirements and space; its teeth, duty and
-/// overloads are not used.
+/// The best gearboxes that are wanted, unless `goes_on`, which is called now and then, breaks. `of_set` is a set
+/// with materials, factors, requirements and space; its teeth, duty and overloads are not used.
 ///
 /// # Errors
 /// [`Error::NothingToSearch`] for a space without modules, face widths or planets; [`Error::Cancelled`]; those
@@ -85,17 +109,21 @@ pub struct Found {
 pub fn lightest(
     of_set: &Sizing,
     gearboxes: &[Gearbox],
-    most: usize,
+    Wanted { most, whole_kg }: Wanted,
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<Found, Error> {
     of_set.space.check()?;
     let mut search = Search::new(of_set, gearboxes, goes_on)?;
+    if whole_kg.is_some() {
+        search.weigh();
+    }
+    let is_above = |mass: f64| whole_kg.is_some_and(|most| mass > most * (1.0 + MASS));
     let mut queue = BinaryHeap::new();
     for place in 0..gearboxes.len() {
         let bounds = search.known(place).into_iter().map(|(cost, _)| cost);
         queue.extend(search.whole(place, bounds).map(|cost| Reverse(Queued { cost, place })));
     }
-    let mut found = Found { sized: 0, is_complete: true, best: vec![], of_other_groups: vec![] };
+    let mut found = Found::default();
     let mut others_from = None;
     while let Some(Reverse(next)) = queue.pop() {
         let group = gearboxes[next.place].group;
@@ -105,6 +133,9 @@ pub fn lightest(
             continue;
         }
         let known = search.known(next.place);
+        if is_above(search.least_mass(next.place)) {
+            continue;
+        }
         let costs = known.iter().map(|(cost, _)| *cost);
         let Some(cost) = search.whole(next.place, costs) else { continue };
         if cost > next.cost {
@@ -116,6 +147,7 @@ pub fn lightest(
             Some((set, (_, known))) if *known < Known::Sized => {
                 let limit = match is_enough {
                     true => *others_from.get_or_insert(search.sized) + MOST_FOR_OTHERS,
+                    false if found.best.is_empty() && whole_kg.is_some() => MOST_WITHIN,
                     false => MOST,
                 };
                 if search.sized >= limit {
@@ -132,12 +164,24 @@ pub fn lightest(
                     rules_missed: cost.missed,
                     mass_kg: cost.mass,
                     price_kg: cost.price,
+                    whole_kg: cost.whole + gearboxes[next.place].others_kg,
                 };
+                if is_above(costed.whole_kg) {
+                    let least = found.above.is_none_or(|above| costed.whole_kg < above.whole_kg);
+                    found.above = if least { Some(costed) } else { found.above };
+                    continue;
+                }
                 if is_enough { &mut found.of_other_groups } else { &mut found.best }.push(costed);
             }
         }
     }
-    Ok(Found { sized: search.sized, ..found })
+    found.sized = search.sized;
+    if found.best.is_empty() && found.above.is_none() && whole_kg.is_some() {
+        let free = lightest(of_set, gearboxes, Wanted { most: 1, whole_kg: None }, goes_on)?;
+        found.above = free.best.first().copied();
+        found.sized += free.sized;
+    }
+    Ok(found)
 }
 
 /// A gearbox in the queue with a bound below its cost.
@@ -158,6 +202,13 @@ enum Known {
     Sized,
 }
 
+impl Default for Found {
+    /// Search without gearboxes.
+    fn default() -> Self {
+        Self { sized: 0, is_complete: true, best: vec![], of_other_groups: vec![], above: None }
+    }
+}
+
 /// Set under the least of the loads that it has in the gearboxes of a group.
 #[derive(Debug, Clone)]
 struct Least {
@@ -168,6 +219,8 @@ struct Least {
     /// Bound, and cost for this load once it is sized; `None` if nothing holds.
     bound: Option<Cost>,
     sized: Option<Option<Cost>>,
+    /// Mass of gears and structure that no size is below, whatever rules it misses, kg; 0 until it is weighed.
+    mass: f64,
 }
 
 /// Group, place and teeth of a set.
@@ -242,6 +295,28 @@ impl<'a> Search<'a> {
         self.of_gearbox[gearbox].iter().enumerate().map(of).collect()
     }
 
+    /// Finds the least masses of the sets.
+    fn weigh(&mut self) {
+        let of_set = self.sets.of_set;
+        let space = Space { length_price: 0.0, ..of_set.space.clone() };
+        let of_set = Sizing { practice: None, objective: Objective::Whole, space, ..of_set.clone() };
+        let (sets, tried) = (Sets::new(&of_set), &self.tried);
+        for one in self.least.iter_mut().filter(|one| one.bound.is_some()) {
+            let set = tried.get(&one.teeth).and_then(Option::as_ref).map(TriedSet::unjudged);
+            one.mass = set.and_then(|set| sets.bound(&set, one.load)).map_or(0.0, |cost| cost.whole);
+        }
+    }
+
+    /// Mass of a whole gearbox, of sets that are not sized the least.
+    fn least_mass(&self, gearbox: usize) -> f64 {
+        let of = |(place, least): (usize, &usize)| match self.own.get(&(gearbox, place)) {
+            Some(cost) => cost.map_or(0.0, |cost| cost.whole),
+            None => self.least[*least].mass,
+        };
+        let sets = self.of_gearbox[gearbox].iter().enumerate().map(of);
+        self.gearboxes[gearbox].others_kg + sets.sum::<f64>()
+    }
+
     /// Cost of a gearbox; `None` if a set has none.
     fn whole(&self, gearbox: usize, costs: impl Iterator<Item = Option<Cost>>) -> Option<Cost> {
         let sum = costs.collect::<Option<Vec<Cost>>>()?.into_iter().fold(Cost::default(), Add::add);
@@ -282,7 +357,7 @@ impl Least {
     fn of(set: &LoadedSet) -> Self {
         let LoadedSet { teeth, duty, overloads } = set.clone();
         let load = Load { duty: 0, torque: 0.0, wear: [[0.0; 4]; 2], carrier_speed: 0.0 };
-        Self { teeth, duty, overloads, load, bound: None, sized: None }
+        Self { teeth, duty, overloads, load, bound: None, sized: None, mass: 0.0 }
     }
 
     /// Takes the lesser of each load.

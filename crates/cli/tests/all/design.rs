@@ -107,6 +107,46 @@ fn ways_out_are_what_the_same_search_finds_with_the_option_typed() {
     }
 }
 
+/// The mass that a refusal of `--max-mass` names finds a gearbox when it is typed: of schemes and of structures.
+#[test]
+fn a_mass_that_is_named_finds_a_gearbox() {
+    for order in ["--speeds=0.8 m/s, 3.15 m/s", "--ratios=3.5", "--ratios=2", "--ratios=2.8; 1.5; 1"] {
+        let (code, answer, said) = design(&[order, "--max-mass=5kg"]);
+        assert_eq!((code, answer["file"].is_null()), (1, true), "{order}: {said}");
+        let named = said.split("--max-mass ").last().and_then(|rest| rest.split("kg").next()).unwrap();
+        let (code, answer, said) = design(&[order, &format!("--max-mass={named}kg")]);
+        assert_eq!(code, 0, "{order} {named}: {said}");
+        let whole = answer["masses"]["whole_kg"].as_f64().unwrap();
+        let most: f64 = named.parse().unwrap();
+        assert!(whole <= most && whole > 0.9 * most, "{order}: {whole} {most}");
+        // The first lines and the table tell the mass from its limit.
+        let limit = format!("--max-mass={whole}kg");
+        let line = [&["design", order, &limit], QUICK].concat();
+        let shown = text(&output_of(&line));
+        let shown: f64 = shown
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ")
+            .split("whole about ")
+            .nth(1)
+            .and_then(|rest| rest.split(' ').next()?.parse().ok())
+            .unwrap();
+        assert!(shown <= whole && shown > 0.999 * whole, "{order}: {shown} {whole}");
+    }
+}
+
+/// Without a train of a smaller ring a front is a sentence.
+#[test]
+fn a_front_without_smaller_rings_says_so() {
+    let line = ["design", "--ratio=5", "--power=10kW", "--input=1450rpm", "--no-bearings", "--front"];
+    let line = [&line[..], &["--sun=24", "--planet=36", "--ring=96", "--modules=3 mm"]].concat();
+    let shown = text(&output_of(&line));
+    assert!(
+        shown.contains("No gearbox with rings 5 % smaller or more holds")
+            && !shown.contains("Smaller rings,")
+    );
+}
+
 /// Tooth numbers of scheme I by trial of all: none that are nearer to the ratio by a class are passed over
 /// for mass, only for usual practice.
 #[test]
@@ -411,6 +451,8 @@ fn values_that_make_no_sense_are_refused_with_what_to_type() {
         (&["--ratio=5", "--application=robot", "--max-length=1m"], &["--max-length", "flanges"]),
         (&["--ratio=5", "--runaway=0.9"], &["--runaway: 0.9", "write 1 or more"]),
         (&["--ratios=3.5", "--runaway=0"], &["--runaway: 0"]),
+        (&["--ratio=5", "--runaway=1e9"], &["--runaway: 1000000000", "at most 6580"]),
+        (&["--ratios=3; 2; 1", "--runaway=1e9"], &["--runaway: 1000000000", "at most 6580"]),
         (&["--ratio=5", "--side-load=0kN"], &["--side-load", "must be above 0"]),
         (&["--ratio=5", "--helix-angle=70deg"], &["--helix-angle", "between 0 and 60 °", "other hand"]),
         (&["--ratio=5", "--helix-angle=20"], &["--helix-angle", "deg"]),

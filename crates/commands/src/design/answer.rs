@@ -2,11 +2,13 @@
 //!
 //! - [`arranged`]: one stage with planets of two gears.
 //! - [`backlash`]: allowances of the teeth for the play of the output.
+//! - [`front`]: gearboxes with smaller and smaller rings.
+//! - [`larger`]: larger sizes than usual.
 //! - [`limits`]: limits of the whole gearbox.
 //! - [`masses`]: the whole and its parts.
 //! - [`records`]: steps, each with its choice and the next best.
 //! - [`stages`]: stages in series for one ratio.
-//! - [`transmission`]: a list of gears.
+//! - [`transmission`], [`transmission_records`]: a list of gears.
 //! - [`ways_out`], [`stages_ways_out`]: limits to relax if no gearbox is found, each with the gearbox that is
 //!   then found.
 //!
@@ -18,6 +20,8 @@ mod assumed;
 mod attempt;
 pub(crate) mod axes;
 pub mod backlash;
+mod front;
+mod larger;
 pub mod limits;
 mod loaded;
 mod making;
@@ -29,6 +33,7 @@ mod stages_search;
 pub mod stages_wanted;
 pub mod stages_ways_out;
 pub mod transmission;
+pub mod transmission_records;
 pub mod ways_out;
 
 use crate::answer::{Answer, Warning};
@@ -42,6 +47,7 @@ use assumed::{AssumedLoad, assumed};
 use attempt::Attempt;
 use epicyclic_gears::synthesis::Bounds;
 use epicyclic_selection::{Mechanism, Space};
+use larger::Compared;
 use limits::OrderLimits;
 use masses::Masses;
 use records::{SchemeStep, SizesStep, TeethStep};
@@ -72,6 +78,8 @@ pub struct Wanted {
     pub spectrum: Vec<[f64; 3]>,
     /// Limits of the whole gearbox.
     pub limits: OrderLimits,
+    /// Whether gearboxes with smaller rings are asked for.
+    pub is_front_asked: bool,
     /// Materials, factors, oil and life.
     pub basis: Basis,
     /// Search space of sizes.
@@ -103,6 +111,9 @@ pub struct Design {
     /// Limits to relax if no gearbox is found, each with the gearbox that is then found. Null if there is a
     /// file, or if the tooth design was given by its number.
     pub ways_out: Option<Vec<WayOut>>,
+    /// Gearboxes with smaller and smaller rings, each the best that its limit of the rings leaves; null if not asked
+    /// for, or without a gearbox.
+    pub front: Option<Vec<WayOut>>,
     /// Warnings about the design.
     pub warnings: Vec<Warning>,
 }
@@ -121,16 +132,58 @@ impl Answer for Design {
 ///   [`size::Request::answer`](SizeRequest::answer), which refer to the file `basis` or to the unfinished
 ///   gearbox.
 pub fn answer(wanted: &Wanted, watch: &Watch) -> Result<Design, Error> {
-    let (mut design, relaxations) = attempted(wanted, watch)?;
+    let Attempted { mut design, relaxations, size } = attempted(wanted, watch)?;
     if design.file.is_none() && wanted.tooth_design.is_none() {
         design.ways_out = Some(ways_out::of(wanted, &design, &relaxations, watch)?);
+    }
+    if design.file.is_some() && wanted.is_front_asked {
+        let wanted = Wanted { size, ..wanted.clone() };
+        design.front = Some(ways_out::smaller_rings(&wanted, &design, watch)?);
     }
     Ok(design)
 }
 
-/// Designs a gearbox without ways out; if no scheme is accepted, also returns the criteria that alone reject
-/// schemes.
-fn attempted(wanted: &Wanted, watch: &Watch) -> Result<(Design, Vec<select::Relaxation>), Error> {
+/// Design without ways out and front.
+struct Attempted {
+    design: Design,
+    /// Criteria that alone reject schemes, if no scheme is accepted.
+    relaxations: Vec<select::Relaxation>,
+    /// Space of the sizes that it is taken from.
+    size: SizeRequest,
+}
+
+/// Designs a gearbox without ways out and front, with larger sizes than usual where they pay.
+fn attempted(wanted: &Wanted, watch: &Watch) -> Result<Attempted, Error> {
+    // A number counts the designs that the best is one of.
+    let with = |size: SizeRequest, tooth_design| {
+        let own = Wanted { tooth_design, size: size.clone(), ..wanted.clone() };
+        let (design, relaxations) = attempted_with(&own, watch)?;
+        Ok::<_, Error>(Attempted { design, relaxations, size })
+    };
+    let compared = |of: &Design| {
+        let taken = of.teeth.as_ref().and_then(|teeth| teeth.taken.as_ref());
+        Compared::new(taken.and_then(|taken| taken.rules_missed), of.masses, &of.warnings)
+    };
+    let mut best = with(wanted.size.clone(), None)?;
+    let usual = compared(&best.design);
+    let is_open = best.design.teeth.is_some() && usual.is_open();
+    if let Some(size) = wanted.size.larger().filter(|_| is_open) {
+        let mut larger = with(size, None)?;
+        if usual.gives_way_to(compared(&larger.design)) {
+            let is_found = larger.design.file.is_some();
+            larger.design.limits = larger.design.limits.with(best.design.limits, is_found);
+            best = larger;
+        }
+    }
+    match wanted.tooth_design {
+        None => Ok(best),
+        number => with(best.size, number),
+    }
+}
+
+/// Designs a gearbox with the sizes of the order; if no scheme is accepted, also returns the criteria that alone
+/// reject schemes.
+fn attempted_with(wanted: &Wanted, watch: &Watch) -> Result<(Design, Vec<select::Relaxation>), Error> {
     let space = match wanted.mechanism {
         Some(mechanism) => Space::Mechanisms(vec![mechanism]),
         None => wanted.selection.space.clone(),
@@ -158,6 +211,7 @@ fn attempted(wanted: &Wanted, watch: &Watch) -> Result<(Design, Vec<select::Rela
         sizes: None,
         file: None,
         ways_out: None,
+        front: None,
         warnings: vec![],
     };
     if let Some(Attempt { teeth, sizes, file, speeds, warnings, .. }) = attempt {
@@ -179,13 +233,6 @@ fn attempted(wanted: &Wanted, watch: &Watch) -> Result<(Design, Vec<select::Rela
             && !design.limits.allow(design.masses.as_ref(), sizes)
         {
             (design.file, design.masses) = (None, None);
-        }
-        if design.file.is_none()
-            && let Some(size) = wanted.size.larger()
-        {
-            let (mut larger, relaxations) = attempted(&Wanted { size, ..wanted.clone() }, watch)?;
-            larger.limits = larger.limits.with(design.limits, larger.file.is_some());
-            return Ok((larger, relaxations));
         }
         design.warnings.extend(design.limits.warning());
     }

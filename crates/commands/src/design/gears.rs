@@ -102,6 +102,7 @@ impl Request {
             overload: self.overload()?,
             spectrum: self.spectrum(self.sizes.application.map_or(&FULL_LOAD, Application::spectrum))?,
             order: self.limits()?,
+            is_front_asked: self.front,
             basis: self.basis()?,
             size: self.sized(),
         };

@@ -132,10 +132,6 @@ pub struct Request {
     #[arg(long, conflicts_with_all = ["speeds", "ratios"], help_heading = STAGES)]
     pub hunting_teeth: bool,
 
-    /// Also the best trains with smaller and smaller rings, each at least 5 % smaller than the one before.
-    #[arg(long, conflicts_with_all = ["speeds", "ratios"], help_heading = STAGES)]
-    pub front: bool,
-
     /// Power into the input in every gear.
     #[arg(long, allow_hyphen_values = true)]
     pub power: Option<Quantity<Power>>,
@@ -180,6 +176,10 @@ pub struct Request {
     /// gears that keep it are in the file of --save. Default: none, teeth without allowances.
     #[arg(long, value_name = "ANGLE", value_parser = positive::<Angle>, conflicts_with_all = ["speeds", "ratios"], allow_hyphen_values = true, help_heading = STAGES)]
     pub backlash: Option<Quantity<Angle>>,
+
+    /// Also the best gearboxes with smaller and smaller rings, each at least 5 % smaller than the one before.
+    #[arg(long)]
+    pub front: bool,
 
     /// This scheme or structure in place of the best: II-3, D.T1.B+T2.B.T1.
     #[arg(long, value_name = "NAME", value_parser = named)]
@@ -301,7 +301,7 @@ pub fn run(call: &Call<'_>, args: &Args) -> Result<(), Failure> {
     // Where no scheme of the catalogue holds, some other structure may.
     if design.file.is_none() && request.may_be_of_gears(&design) {
         let mut of_gears = request.answer_gears(&|| call.goes_on())?;
-        if of_gears.file.is_some() {
+        if of_gears.file.is_some() || of_gears.limits.lightest_kg.is_some() {
             of_gears.ways_out = design.ways_out.unwrap_or_default();
             return deliver_gears(call, args, &of_gears);
         }
@@ -434,6 +434,7 @@ impl Request {
             overload: self.overload()?,
             spectrum: self.spectrum(&FULL_LOAD)?,
             limits: self.limits()?,
+            is_front_asked: self.front,
             basis: self.basis()?,
             size: self.sized(),
         })

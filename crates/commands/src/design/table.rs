@@ -21,13 +21,18 @@ use crate::table::figure::{Figure, hours, text};
 use crate::table::quantities::{quantity, words};
 use crate::table::report::AsReport;
 use crate::table::report::{Part, Records, Report, Row, Section, Text, warned};
+use epicyclic_judge::Rule;
 use epicyclic_strength::sizing::Requirement;
 use epicyclic_units::Dimension;
 use epicyclic_units::format::trimmed;
 
 /// Ring, masses, least safeties and life of the best sizes. What the diameter is of is said: a ring, or planets
-/// that reach beyond it.
-pub(crate) fn of_sizes(sizes: &SizesStep, masses: Option<&Masses>, diameter: &str) -> Vec<String> {
+/// that reach beyond it. What an order limits has the digits that tell it from its limit.
+pub(crate) fn of_sizes(
+    sizes: &SizesStep,
+    masses: Option<&Masses>,
+    (limits, diameter): (&OrderLimits, &str),
+) -> Vec<String> {
     let found: Vec<&SizedDesign> = sizes.sets.iter().filter_map(|set| set.found.first()).collect();
     let mut all = vec![];
     let rings = found.iter().filter_map(|design| design.ring_diameter_m);
@@ -35,9 +40,14 @@ pub(crate) fn of_sizes(sizes: &SizesStep, masses: Option<&Masses>, diameter: &st
         rings.reduce(f64::max).map(|ring| format!("{diameter} {}", words(Dimension::Length, ring, DIGITS))),
     );
     let is_known = masses.is_some_and(Masses::are_of_sets);
-    all.extend(is_known.then(|| format!("length about {}", words(Dimension::Length, length_m(sizes), 2))));
+    all.extend(is_known.then(|| {
+        format!("length about {}", beside(Dimension::Length, length_m(sizes), (limits.length_m, 2)))
+    }));
     all.extend(sizes.mass_kg.map(|mass| format!("gears {}", words(Dimension::Mass, mass, 3))));
-    all.extend(masses.map(|of| format!("whole about {}", words(Dimension::Mass, of.whole_kg, 2))));
+    all.extend(
+        masses
+            .map(|of| format!("whole about {}", beside(Dimension::Mass, of.whole_kg, (limits.whole_kg, 2)))),
+    );
     let gears = || found.iter().flat_map(|design| &design.over_duty);
     let least = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::min);
     all.extend(
@@ -56,6 +66,20 @@ pub(crate) fn of_sizes(sizes: &SizesStep, masses: Option<&Masses>, diameter: &st
     all.extend(life.map(|life| format!("L_10 {} h", trimmed(hours(life), 3))));
     all
 }
+
+/// A value with the fewest digits, at least so many, that lie on its side of a limit; without one with the least.
+pub(super) fn beside(dimension: Dimension, value: f64, (limit, least): (Option<f64>, usize)) -> String {
+    let Some(limit) = limit else { return words(dimension, value, least) };
+    let is_told = |digits: &usize| {
+        let shown = trimmed(value, *digits).parse::<f64>();
+        shown.is_ok_and(|shown| (shown <= limit) == (value <= limit))
+    };
+    words(dimension, value, (DIGITS..MOST_DIGITS).find(is_told).unwrap_or(MOST_DIGITS))
+}
+
+/// Digits of a value beside its limit at most.
+const MOST_DIGITS: usize = 9;
+
 /// Title of the assumed values.
 pub(super) const ASSUMED: &str = "Assumed values; change with --basis, --factors, --life";
 
@@ -88,6 +112,7 @@ pub(crate) fn parts_of_choice(design: &Design) -> Vec<Part> {
         parts.push(Part::Records(speeds_reached(&design.speeds)));
     }
     parts.push(Part::Records(steps(design)));
+    parts.extend(design.front.as_deref().map(|front| or_none(front, smaller_rings)));
     parts.extend(stopped(design).map(|why| Part::Text(Text::paragraph(why))));
     if let Some(ways) = design.ways_out.as_deref().filter(|ways| !ways.is_empty()) {
         parts.push(Part::Records(ways_out(ways)));
@@ -117,11 +142,20 @@ pub(crate) fn limits(of: &OrderLimits, masses: Option<&Masses>, sizes: Option<&S
     let most = of.length_m.map(|length| quantity(Dimension::Length, length));
     row("length", "length of the stages, at most", most, figure(Dimension::Length, length));
     let runaway = of.runaway_over_speed.map(number);
-    row("runaway", "greatest speed without load, over that of the load", runaway, Figure::None);
+    let speed = figure(Dimension::AngularSpeed, of.runaway_speed_rad_s);
+    row("runaway", "greatest speed without load, over that of the load", runaway, speed);
+    let checks = sizes.iter().flat_map(|sizes| &sizes.judgement.checks);
+    let pitch_line = checks.filter(|check| check.is_of(&[Rule::SpurSpeed, Rule::HelicalSpeed]));
+    let fastest = pitch_line.filter_map(|check| check.value).reduce(f64::max);
+    let is_asked = of.runaway_over_speed.map(|_| Figure::None);
+    row("pitch_line_speed", "greatest pitch-line speed at it", is_asked, figure(Dimension::Speed, fastest));
     let force = of.side_load_n.map(|force| quantity(Dimension::Force, force));
     row("side_load", "side load of the output, not judged", force, Figure::None);
     const COLUMNS: &[(&str, &str)] = &[("asked", "asked"), ("reached", "reached")];
     let note = match is_found {
+        true if of.runaway_over_speed == Some(1.0) => {
+            "A runaway of 1 is the speed of the load, which is judged in any case."
+        }
         true => "",
         false => "Reached: the least that was found, which exceeds a limit.",
     };
@@ -206,7 +240,7 @@ pub(crate) fn in_short(design: &Design) -> String {
     let off = percent(largest_deviation(&design.speeds)).replace('+', "");
     let asked = trimmed(100.0 * design.scheme.criteria.tolerance, 3);
     let mut all = vec![name.to_owned(), format!("speeds within {off} (asked {asked} %)")];
-    all.extend(of_sizes(sizes, design.masses.as_ref(), "ring"));
+    all.extend(of_sizes(sizes, design.masses.as_ref(), (&design.limits, "ring")));
     format!("{}.", all.join(", "))
 }
 
@@ -218,8 +252,8 @@ fn stopped(design: &Design) -> Option<String> {
             "No scheme meets the criteria. `epicyclic select` with the same speeds and --tolerance lists the criteria that each one fails."
         }
         (Some(_), None, _) => "No tooth numbers within the bounds give the ratios, or not so many.",
-        (Some(_), Some(_), _) if design.limits.lightest_kg.is_some() => {
-            "The lightest gearbox found is above --max-mass."
+        (Some(teeth), Some(_), _) if design.limits.lightest_kg.is_some() => {
+            return Some(too_heavy(design, teeth));
         }
         (Some(_), Some(_), _) => {
             "No size of a set holds over the duty; the nearest misses list what they lack."
@@ -234,11 +268,47 @@ fn stopped(design: &Design) -> Option<String> {
     Some(format!("{why}{none}"))
 }
 
+/// What was compared where every gearbox is above the limit of the mass.
+fn too_heavy(design: &Design, teeth: &TeethStep) -> String {
+    let [count, within] = [teeth.compared.to_string(), trimmed(100.0 * teeth.tolerance, DIGITS)];
+    let end = match teeth.complete {
+        true => String::new(),
+        false => format!(
+            " The search ended early, after {} sets were sized: another gearbox may keep it; fewer teeth, such as --sun 20..40, or --scheme let it come to \
+             its end.",
+            teeth.sized
+        ),
+    };
+    format!(
+        "None of the gearboxes with the {count} tooth numbers within {within} % keeps --max-mass, with the sizes that are best of each; the lightest found \
+         has {}.{end}",
+        lightest(&design.limits).unwrap_or_default()
+    )
+}
+
+/// The least mass found where it is above its limit.
+pub(super) fn lightest(limits: &OrderLimits) -> Option<String> {
+    limits.lightest_kg.map(|mass| beside(Dimension::Mass, mass, (limits.whole_kg, 3)))
+}
+
 /// Limits that would have to give, each with its gearbox.
 fn ways_out(ways: &[WayOut]) -> Records {
-    let note =
-        "Each line is the result of the same search with this option. Deviation: the largest of a gear.";
-    Table::new("ways_out", ways.iter())
+    with_limits("ways_out", "Limits that would have to give, and the gearbox behind each", ways)
+        .note(
+            "Each line is the result of the same search with this option. Deviation: the largest of a gear.",
+        )
+        .records()
+}
+
+/// The best gearboxes with smaller and smaller rings.
+fn smaller_rings(front: &[WayOut]) -> Records {
+    with_limits("front", SMALLER_RINGS, front)
+        .note(format!("{OF_FRONT} Deviation: the largest of a gear."))
+        .records()
+}
+
+fn with_limits<'a>(name: &'static str, title: &'static str, ways: &'a [WayOut]) -> Table<&'a WayOut> {
+    Table::new(name, ways.iter())
         .words("option", "option", |way| options(way))
         .words("scheme", "scheme", |way| {
             let reverses = if way.speeds.iter().any(|speed| speed.reversed) { ", reverses" } else { "" };
@@ -246,13 +316,25 @@ fn ways_out(ways: &[WayOut]) -> Records {
         })
         .words("teeth", "teeth", |way| sets(&way.teeth))
         .number("deviation", "deviation", |way| percent(largest_deviation(&way.speeds)).replace('+', ""))
-        .quantity("mass", "", Dimension::Mass, |way| way.teeth.mass_kg)
-        .view(
-            "Limits that would have to give, and the gearbox behind each",
-            "option scheme teeth deviation mass",
-        )
-        .note(note)
-        .records()
+        .quantity("ring_diameter", "ring", Dimension::Length, |way| Some(way.ring_diameter_m))
+        .quantity("mass", "whole", Dimension::Mass, |way| way.whole_kg)
+        .number("rules_missed", "rules missed", |way| way.teeth.rules_missed.map(f64::from))
+        .view(title, "option scheme teeth deviation ring_diameter mass rules_missed")
+}
+
+/// Title and note of a front.
+pub(super) const SMALLER_RINGS: &str = "Smaller rings, and the gearbox behind each";
+pub(super) const OF_FRONT: &str = "Each line is the result of the same search with this option, whose ring is 5 % below that of the line before. After the last none holds \
+     with the same kinds of bearings, or it is the twelfth.";
+
+/// A front, or a sentence if it is empty.
+pub(super) fn or_none<T>(front: &[T], records: fn(&[T]) -> Records) -> Part {
+    match front {
+        [] => Part::Text(Text::paragraph(
+            "No gearbox with rings 5 % smaller or more holds with the same kinds of bearings.",
+        )),
+        front => Part::Records(records(front)),
+    }
 }
 
 /// Speeds that a way out reaches.
@@ -267,7 +349,8 @@ fn speeds_of(way: &WayOut) -> Records {
 /// A way out in words: the options and what they give.
 #[must_use]
 pub fn way_out(way: &WayOut) -> String {
-    format!("{} gives {}{}", options(way), way.scheme, mass(&way.teeth))
+    let whole = way.whole_kg.map(|mass| format!(", whole about {}", words(Dimension::Mass, mass, DIGITS)));
+    format!("{} gives {}{}{}", options(way), way.scheme, whole.unwrap_or_default(), missed(&way.teeth))
 }
 
 fn options(way: &WayOut) -> String {
@@ -381,12 +464,16 @@ fn teeth(step: &TeethStep) -> [String; 5] {
 /// Mass that decides, and the rules missed.
 fn mass(of: &TeethTaken) -> String {
     let mass = of.mass_kg.map(|mass| format!(", {}", words(Dimension::Mass, mass, DIGITS)));
-    let missed = match of.rules_missed {
+    format!("{}{}", mass.unwrap_or_default(), missed(of))
+}
+
+/// Rules missed.
+fn missed(of: &TeethTaken) -> String {
+    match of.rules_missed {
         None | Some(0) => String::new(),
         Some(1) => ", misses 1 rule".to_owned(),
         Some(missed) => format!(", misses {missed} rules"),
-    };
-    format!("{}{missed}", mass.unwrap_or_default())
+    }
 }
 
 fn sizes(step: &SizesStep) -> [String; 5] {

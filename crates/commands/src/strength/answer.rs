@@ -413,7 +413,7 @@ fn rated(subject: &Gearbox, request: &Request, with_overloads: bool) -> Result<S
         .chain(uneven)
         .chain(idlers)
         .chain(reversed)
-        .chain(pins::warning(subject, &turning))
+        .chain(pins::warning(subject, &turning, &[]))
         .chain(shared.warnings())
         .chain(shared_flanks.iter().filter_map(|shared| shared.warning(required)))
         .chain(tilting(&helical))

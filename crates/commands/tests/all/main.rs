@@ -7,6 +7,7 @@ mod clutches;
 #[allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests, which clippy does not know for such")]
 mod common;
 mod design;
+mod design_limits;
 mod every_set;
 mod idlers;
 mod judgement;

@@ -60,15 +60,18 @@ pub(crate) struct Cost {
     pub(crate) length: f64,
     /// Mass that the objective counts, kg.
     pub(crate) mass: f64,
+    /// Mass of gears, carriers and housing, kg.
+    pub(crate) whole: f64,
     /// Rules that are missed.
     pub(crate) missed: u32,
 }
 
 impl Cost {
-    /// Cost of a set, by its mass and its length with what a metre of it counts in kg.
-    pub(crate) fn of(missed: u32, mass: f64, [length, of_length]: [f64; 2]) -> Self {
+    /// Cost of a set, by the mass that counts and that of gears and structure, and by its length with what a metre
+    /// of it counts in kg.
+    pub(crate) fn of(missed: u32, [mass, whole]: [f64; 2], [length, of_length]: [f64; 2]) -> Self {
         let [unusual, price] = priced(missed, mass);
-        Self { unusual, price: price + of_length * length, length, mass, missed }
+        Self { unusual, price: price + of_length * length, length, mass, whole, missed }
     }
 }
 
@@ -103,6 +106,7 @@ impl Add for Cost {
             price: self.price + other.price,
             length: self.length + other.length,
             mass: self.mass + other.mass,
+            whole: self.whole + other.whole,
             missed: self.missed + other.missed,
         }
     }
@@ -130,6 +134,12 @@ pub(crate) struct TriedSet {
 }
 
 impl TriedSet {
+    /// The set without the rules that its trials miss.
+    pub(crate) fn unjudged(&self) -> Self {
+        let tried = self.tried.iter().map(|tried| Tried { missed: 0, ..tried.clone() });
+        Self { tried: tried.collect(), ..self.clone() }
+    }
+
     /// Number of duties under which it was tried.
     pub(crate) fn duties(&self) -> usize {
         self.tried.first().and_then(|tried| tried.volumes.first()).map_or(0, Vec::len)
@@ -406,8 +416,8 @@ impl<'a> Sets<'a> {
         let face = self.widths.get(width)?.si();
         let gears = tried.sections[planets] * module * module * face;
         let ring = tried.ring * module;
-        let mass = self.of_set.objective.mass(gears, structure(ring, face));
-        let cost = |missed| Cost::of(missed, mass, [length(ring, face), self.of_set.space.length_price]);
+        let masses = self.of_set.objective.masses(gears, structure(ring, face));
+        let cost = |missed| Cost::of(missed, masses, [length(ring, face), self.of_set.space.length_price]);
         let missed = tried.missed + missed;
         // Most are too heavy, whatever the rules say of their width.
         if known.is_some_and(|known| known < cost(missed)) {
@@ -496,9 +506,9 @@ impl<'a> Sets<'a> {
                 Entry::Vacant(place) => place.insert(sizing.geometries(goes_on)?),
             };
             let cost = |design: Design| {
-                let mass = of_set.objective.mass(design.mass.si(), design.structure.si());
+                let masses = of_set.objective.masses(design.mass.si(), design.structure.si());
                 let length = [design.length.si(), of_set.space.length_price];
-                Cost::of(design.rules_missed, mass, length)
+                Cost::of(design.rules_missed, masses, length)
             };
             best = sizing.best_of(geometries, goes_on)?.map(cost).into_iter().chain(best).min();
         }
@@ -530,11 +540,13 @@ pub(crate) fn greatest(duty: &[SetStep]) -> f64 {
 pub(crate) type Geometries = HashMap<(SetTeeth, u32, u64), Vec<Layout>>;
 
 impl Objective {
-    /// Mass that counts; of the ring, which does not add up over sets, that of the gears.
-    fn mass(self, gears: f64, structure: f64) -> f64 {
+    /// Mass that counts, of the ring, which does not add up over sets, that of the gears; and mass of gears and
+    /// structure.
+    fn masses(self, gears: f64, structure: f64) -> [f64; 2] {
+        let whole = gears + structure;
         match self {
-            Self::Mass | Self::Ring => gears,
-            Self::Whole => gears + structure,
+            Self::Mass | Self::Ring => [gears, whole],
+            Self::Whole => [whole; 2],
         }
     }
 }

@@ -4,7 +4,7 @@
 
 use crate::common::{conveyor, helical, helix_angles, mm, with_pairs};
 use epicyclic_gears::ToothCount;
-use epicyclic_strength::lightest::{Costed, Gearbox, LoadedSet, lightest};
+use epicyclic_strength::lightest::{Costed, Gearbox, LoadedSet, Wanted, lightest};
 use epicyclic_strength::sizing::bearing::listed_rollers;
 use epicyclic_strength::sizing::{Objective, SetOverload, SetStep, SetTeeth, Sizing, Space, size};
 use proptest::prelude::*;
@@ -64,12 +64,13 @@ fn gearbox((group, sets): &Drawn, torque: f64) -> Gearbox {
         }
     };
     let rules_missed = u32::from(*group == 1);
-    Gearbox { group: *group, sets: sets.iter().enumerate().map(set).collect(), rules_missed }
+    let others_kg = 3.0 * sets.len() as f64;
+    Gearbox { group: *group, sets: sets.iter().enumerate().map(set).collect(), rules_missed, others_kg }
 }
 
-/// Sets beyond usual practice and price of a gearbox by the size of each of its sets.
-fn by_trial(of_set: &Sizing, gearbox: &Gearbox) -> Option<[f64; 2]> {
-    let mut sum = [0.0, 0.0];
+/// Sets beyond usual practice, price and whole mass of a gearbox by the size of each of its sets.
+fn by_trial(of_set: &Sizing, gearbox: &Gearbox) -> Option<[f64; 3]> {
+    let mut sum = [0.0, 0.0, gearbox.others_kg];
     for LoadedSet { teeth, duty, overloads } in &gearbox.sets {
         let (duty, overloads) = (duty.clone(), overloads.clone());
         let sizing = Sizing { teeth: *teeth, duty, overloads, ..of_set.clone() };
@@ -79,25 +80,29 @@ fn by_trial(of_set: &Sizing, gearbox: &Gearbox) -> Option<[f64; 2]> {
         let mass = best.mass + if whole { best.structure } else { uom::si::f64::Mass::default() };
         let missed = best.rules_missed;
         let price = 1.25_f64.powi(i32::try_from(missed).unwrap()) * mass.get::<kilogram>();
-        sum = [sum[0] + f64::from(missed.min(1)), sum[1] + price];
+        let mass_with_structure = (best.mass + best.structure).get::<kilogram>();
+        sum = [sum[0] + f64::from(missed.min(1)), sum[1] + price, sum[2] + mass_with_structure];
     }
     let missed = gearbox.rules_missed;
     let price = 1.25_f64.powi(i32::try_from(missed).unwrap()) * sum[1];
-    Some([sum[0] + f64::from(missed.min(1)), price])
+    Some([sum[0] + f64::from(missed.min(1)), price, sum[2]])
 }
 
 /// Compares the best two gearboxes, and those of other groups, with every trial.
 fn agrees(of_set: &Sizing, all: &[Drawn], torque: f64) -> Result<(), TestCaseError> {
     let gearboxes: Vec<Gearbox> = all.iter().map(|one| gearbox(one, torque)).collect();
     let go_on = || ControlFlow::Continue(());
-    let found = lightest(of_set, &gearboxes, 2, &go_on).unwrap();
+    let search = |whole_kg| lightest(of_set, &gearboxes, Wanted { most: 2, whole_kg }, &go_on).unwrap();
+    let found = search(None);
     prop_assert!(found.is_complete);
     let all = gearboxes.iter().enumerate();
     let tried = all.filter_map(|(place, gearbox)| Some((place, by_trial(of_set, gearbox)?)));
-    let mut tried: Vec<(usize, [f64; 2])> = tried.collect();
+    let mut tried: Vec<(usize, [f64; 3])> = tried.collect();
     tried.sort_by(|(_, one), (_, other)| one[0].total_cmp(&other[0]).then(one[1].total_cmp(&other[1])));
-    let is_of = |one: &Costed, [unusual, price]: [f64; 2]| {
-        f64::from(one.unusual) == unusual && (one.price_kg / price - 1.0).abs() < 1e-9
+    let is_of = |one: &Costed, [unusual, price, whole]: [f64; 3]| {
+        f64::from(one.unusual) == unusual
+            && (one.price_kg / price - 1.0).abs() < 1e-9
+            && (one.whole_kg / whole - 1.0).abs() < 1e-9
     };
     prop_assert_eq!(found.best.len(), tried.len().min(2));
     for (best, (_, cost)) in found.best.iter().zip(&tried) {
@@ -110,6 +115,19 @@ fn agrees(of_set: &Sizing, all: &[Drawn], torque: f64) -> Result<(), TestCaseErr
         prop_assert!(!is_seen(other.place));
         let cost = tried.iter().find(|(place, _)| group(*place) == group(other.place)).unwrap().1;
         prop_assert!(is_of(other, cost), "{:?} for {:?}", other, cost);
+    }
+    // With every limit of the mass the best are those within it.
+    let masses = tried.iter().map(|(_, [.., whole])| *whole);
+    for most in masses.clone().flat_map(|mass| [mass, 0.999 * mass]) {
+        let within: Vec<_> = tried.iter().filter(|(_, [.., whole])| *whole <= most * (1.0 + 1e-9)).collect();
+        let found = search(Some(most));
+        prop_assert!(found.is_complete && found.best.len() == within.len().min(2), "{} {:?}", most, found);
+        for (best, (_, cost)) in found.best.iter().zip(within) {
+            prop_assert!(is_of(best, *cost), "{:?} for {:?}", best, cost);
+        }
+        let above = found.above.map_or(f64::INFINITY, |above| above.whole_kg);
+        let least = masses.clone().filter(|mass| *mass > most).reduce(f64::min).unwrap_or(f64::INFINITY);
+        prop_assert!(above > most && above >= least * (1.0 - 1e-9), "{} {}", above, least);
     }
     Ok(())
 }

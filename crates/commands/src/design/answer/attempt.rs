@@ -20,7 +20,7 @@ use epicyclic_schemes::catalogue::SchemeGear;
 use epicyclic_selection::drawing::drawable_direct_clutches;
 use epicyclic_selection::every::{ToothedMechanism, designs, sets};
 use epicyclic_selection::{Candidate, Mechanism};
-use epicyclic_strength::lightest::{Costed, Found, Gearbox, lightest};
+use epicyclic_strength::lightest::{Costed, Found, Gearbox, Wanted as Searched, lightest};
 use epicyclic_strength::sizing::Sizing;
 use epicyclic_train::Gear;
 use std::ops::ControlFlow;
@@ -71,8 +71,11 @@ impl Attempt {
             None if wanted.tooth_design.is_some() && !best.is_empty() => {
                 return Err(Error::NoSuchDesign { design: number, designs: best.len() });
             }
-            // The nearest one shows what it lacks.
-            None => chosen.nearest.map(|place| (place, search.all[place].taken(None, 1))),
+            None => match &chosen.found.above {
+                Some(above) => Some((above.place, of(above, 1))),
+                // The nearest one shows what it lacks.
+                None => chosen.nearest.map(|place| (place, search.all[place].taken(None, 1))),
+            },
         };
         teeth.next = best.get(number).map(|next| of(next, number + 1));
         let others = chosen.found.of_other_groups.iter().map(|other| OtherScheme {
@@ -213,12 +216,13 @@ impl<'a> Search<'a> {
         Ok(Self { wanted, torque, speed, all })
     }
 
-    /// The best designs: a class of larger deviations, and designs that reverse, only where they miss less of
-    /// usual practice, or where no other design holds.
+    /// The best designs within the limit of the whole mass: a class of larger deviations, and designs that reverse,
+    /// only where they miss less of usual practice, or where no other design holds. Without one the lightest above
+    /// the limit is that of all classes.
     fn chosen(&self, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Chosen, Error> {
         let tolerance = self.wanted.selection.requirements.tolerance;
         let forward = self.all.partition_point(|design| !design.reverses());
-        let mut chosen: Option<Chosen> = None;
+        let (mut chosen, mut above, mut are_complete) = (None::<Chosen>, None::<Costed>, true);
         for range in [0..forward, forward..self.all.len()] {
             let own = &self.all[range.clone()];
             let mut accepted =
@@ -236,9 +240,16 @@ impl<'a> Search<'a> {
                 }
                 let (nearest, found) = (accepted.places.first().copied(), self.best(&accepted, goes_on)?);
                 let next = Chosen { within, compared, is_cut: count > compared, nearest, found };
+                are_complete &= next.is_complete();
+                let lightest = |one: &Costed, other: &Costed| one.whole_kg.total_cmp(&other.whole_kg);
+                above = above.into_iter().chain(next.found.above).min_by(lightest);
                 let is_better = match (chosen.as_ref(), next.misses()) {
                     (Some(chosen), Some(next)) => chosen.misses().is_none_or(|misses| next < misses),
-                    (Some(chosen), None) => chosen.nearest.is_none(),
+                    // A wider class has the same nearest design.
+                    (Some(chosen), None) => {
+                        chosen.misses().is_none()
+                            && (chosen.nearest.is_none() || chosen.nearest == next.nearest)
+                    }
                     (None, _) => true,
                 };
                 if is_better {
@@ -246,7 +257,7 @@ impl<'a> Search<'a> {
                 }
                 let is_usual =
                     chosen.as_ref().and_then(Chosen::misses).is_some_and(|[unusual, _]| unusual == 0);
-                if tolerance == 0.0 || is_usual || self.wanted.tooth_design.is_some() {
+                if tolerance == 0.0 || is_usual {
                     break;
                 }
             }
@@ -254,7 +265,11 @@ impl<'a> Search<'a> {
                 break;
             }
         }
-        Ok(chosen.expect("there are classes"))
+        let mut chosen = chosen.expect("there are classes");
+        if chosen.found.best.is_empty() {
+            (chosen.found.above, chosen.found.is_complete) = (above, are_complete);
+        }
+        Ok(chosen)
     }
 
     /// Adds the designs before a place that meet the criteria.
@@ -297,22 +312,22 @@ impl<'a> Search<'a> {
             let teeth: Vec<_> =
                 design.teeth.iter().map(|teeth| [teeth.sun, teeth.planet, teeth.ring]).collect();
             let overload = accepted.of_set.as_ref().and_then(|set| set.overloads.first());
-            let sets = loaded::sets(&saved.gearbox, &teeth, &shares, self.load(), overload)?;
+            let load = (self.load(), self.wanted.size.application);
+            let (sets, others_kg) = loaded::sets(&saved.gearbox, &teeth, &shares, load, overload)?;
             accepted.places.push(place);
-            accepted.gearboxes.push(Gearbox { group, sets, rules_missed });
+            accepted.gearboxes.push(Gearbox { group, sets, rules_missed, others_kg });
         }
         Ok(())
     }
 
-    /// The best of these designs.
+    /// The best of these designs within the limit of the whole mass.
     fn best(&self, accepted: &Accepted, goes_on: &dyn Fn() -> ControlFlow<()>) -> Result<Found, Error> {
         let Accepted { places, gearboxes, of_set, .. } = accepted;
-        let Some(of_set) = of_set else {
-            return Ok(Found { sized: 0, is_complete: true, best: vec![], of_other_groups: vec![] });
-        };
+        let Some(of_set) = of_set else { return Ok(Found::default()) };
         let most = self.wanted.tooth_design.unwrap_or(1) + 1;
-        let mut found = lightest(of_set, gearboxes, most, goes_on)?;
-        for costed in found.best.iter_mut().chain(&mut found.of_other_groups) {
+        let whole_kg = self.wanted.limits.whole_kg;
+        let mut found = lightest(of_set, gearboxes, Searched { most, whole_kg }, goes_on)?;
+        for costed in found.best.iter_mut().chain(&mut found.of_other_groups).chain(&mut found.above) {
             costed.place = places[costed.place];
         }
         Ok(found)

@@ -185,8 +185,8 @@ pub(super) fn warnings(
     let subject = one(&document, &Choice::default())?;
     let steps = steps(&subject, &gearbox.duty)?;
     let fastest: Vec<_> = steps.iter().filter_map(|step| step.turning(&subject)).collect();
-    let turning: Vec<_> = steps.iter().filter_map(|step| step.1.as_ref()).chain(&fastest).collect();
-    if let Some(warning) = pins::warning(&subject, &turning) {
+    let loaded: Vec<_> = steps.iter().filter_map(|step| step.1.as_ref()).collect();
+    if let Some(warning) = pins::warning(&subject, &loaded, &fastest.iter().collect::<Vec<_>>()) {
         warnings.retain(|one| pins::OF_PINS.iter().all(|rule| rule.name() != one.name));
         warnings.push(warning);
     }

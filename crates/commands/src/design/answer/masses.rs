@@ -2,14 +2,16 @@
 
 use super::making::MAKING;
 use super::records::SizesStep;
+use crate::analyze::answer::Worked;
 use crate::error::Error;
 use crate::shared::application::Application;
-use crate::shared::gearbox::{Choice, Gearbox, one};
-use crate::strength::answer::duty::{WorkedStep, steps};
+use crate::shared::gearbox::{Choice, one};
+use crate::strength::answer::duty::steps;
 use epicyclic_formats::Document;
 use epicyclic_formats::gearbox::GearboxFile;
 use epicyclic_strength::masses::{servo_flanges, shift_element};
 use epicyclic_strength::series::slow_shaft;
+use epicyclic_train::Gearbox as Train;
 use epicyclic_units::Physical;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -55,26 +57,14 @@ impl Masses {
         let subject = one(&document, &Choice::default())?;
         let file: GearboxFile = document.read()?;
         let steps = steps(&subject, &file.duty)?;
-        let torque = |torque: f64| Torque::from_si(torque);
-        let has_slow_shaft = application.is_none_or(Application::has_slow_shaft);
-        let shaft = slow_shaft(torque(greatest(&steps, of_slow_shaft)), overload);
-        let slow_shaft_kg = Some(shaft.si()).filter(|_| has_slow_shaft);
         let rings = sizes.sets.iter().filter_map(|set| set.found.first()?.ring_diameter_m);
         let flanges_kg = rings
             .reduce(f64::max)
             .filter(|_| application.is_some_and(Application::has_flanges))
             .map(|ring| servo_flanges(Length::from_si(ring)).si());
-        let peak = overload.unwrap_or(1.0).max(1.0);
-        let discs = Application::torque_of_discs(application);
-        let of_element = |place: usize| {
-            let carried = |step: &WorkedStep<'_>| {
-                let operation = step.1.as_ref()?.operation.as_ref()?;
-                operation.shift_elements[place].map(|torque| torque.si().abs())
-            };
-            shift_element(torque(peak * greatest(&steps, carried)), discs).si()
-        };
-        let elements = elements(&subject);
-        let shift_elements_kg = (elements > 0).then(|| (0..elements).map(of_element).sum());
+        let worked = steps.iter().filter_map(|step| Some((1.0, step.1.as_ref()?)));
+        let [slow_shaft_kg, shift_elements_kg] =
+            of_torques(&subject.train, &worked.collect::<Vec<_>>(), (application, overload));
         let others = [slow_shaft_kg, flanges_kg, shift_elements_kg];
         Ok(Some(Self {
             gears_kg,
@@ -87,18 +77,33 @@ impl Masses {
     }
 }
 
-/// Number of brakes and clutches.
-fn elements(subject: &Gearbox) -> usize {
-    subject.train.shift_elements().len()
-}
-
-/// Greatest value of all steps; 0 if none has any.
-fn greatest(steps: &[WorkedStep<'_>], of: impl Fn(&WorkedStep<'_>) -> Option<f64>) -> f64 {
-    steps.iter().filter_map(of).fold(0.0, f64::max)
-}
-
-/// Torque without losses of the slower of input and output, in N·m.
-fn of_slow_shaft(step: &WorkedStep<'_>) -> Option<f64> {
-    let ratio = step.1.as_ref()?.analysis.ratio()?;
-    Some(step.0.torque.0.si().abs() * ratio.abs().max(1.0))
+/// Masses of the parts that follow from torques, in kg: of the slow shaft, `None` where it is part of the machine;
+/// of brakes and clutches, `None` without any. The gears are with factors on their torques.
+pub(super) fn of_torques(
+    train: &Train,
+    gears: &[(f64, &Worked<'_>)],
+    (application, overload): (Option<Application>, Option<f64>),
+) -> [Option<f64>; 2] {
+    let greatest = |of: &dyn Fn(&Worked<'_>) -> Option<f64>| {
+        let all = gears.iter().filter_map(|(factor, gear)| of(gear).map(|torque| factor * torque));
+        Torque::from_si(all.fold(0.0, f64::max))
+    };
+    // The slower of input and output, without losses.
+    let of_slow_shaft = |gear: &Worked<'_>| {
+        let ratio = gear.analysis.ratio()?.abs().max(1.0);
+        Some(gear.operation.as_ref()?.input.si().abs() * ratio)
+    };
+    let has_slow_shaft = application.is_none_or(Application::has_slow_shaft);
+    let slow_shaft_kg = has_slow_shaft.then(|| slow_shaft(greatest(&of_slow_shaft), overload).si());
+    let peak = overload.unwrap_or(1.0).max(1.0);
+    let discs = Application::torque_of_discs(application);
+    let of_element = |place: usize| {
+        let carried = |gear: &Worked<'_>| {
+            let torque = gear.operation.as_ref()?.shift_elements[place]?;
+            Some(torque.si().abs())
+        };
+        shift_element(peak * greatest(&carried), discs).si()
+    };
+    let elements = train.shift_elements().len();
+    [slow_shaft_kg, (elements > 0).then(|| (0..elements).map(of_element).sum())]
 }

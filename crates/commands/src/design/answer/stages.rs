@@ -5,8 +5,9 @@ use super::assumed::{AssumedLoad, assumed};
 use super::attempt::CLASSES;
 use super::axes::{self, Axes};
 use super::backlash::OutputBacklash;
+use super::larger::Compared;
 use super::limits::OrderLimits;
-use super::making::{BEARINGS_DECIDE, warnings};
+use super::making::warnings;
 use super::masses::Masses;
 use super::records::SizesStep;
 use super::stages_file::{document, efficiencies};
@@ -26,9 +27,6 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::{ControlFlow, RangeInclusive};
 use uom::si::f64::Torque;
-
-/// Mass with rollers in the bores over that with bearings of the tables, up to which they are taken.
-const BEARINGS_PAY: f64 = 0.8;
 
 /// Stages that are tried at most.
 pub(crate) const MOST_STAGES: u32 = 4;
@@ -219,8 +217,8 @@ impl TrainsOf {
 
 /// Designs stages in series without ways out and front; `most` trains of each number of stages are listed.
 /// `known` is of orders that differ in limits of ratio, stages and rings alone: with the bearings of the
-/// order, and with larger ones, which are taken where none of them holds or where they save a fifth of the
-/// mass. These sizes come back if they are taken.
+/// order, and with larger ones, which are taken where they pay ([`Compared`]). These sizes come back if they are
+/// taken.
 pub(super) fn attempted(
     wanted: &WantedStages,
     most: usize,
@@ -265,19 +263,15 @@ fn attempted_of_kind(
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<(Stages, Option<SizeRequest>), Error> {
     let stages = attempted_with(wanted, most, known, goes_on)?;
-    // Bearings of a table that are just large enough may make a gearbox several times heavier.
-    let is_decided = stages.warnings.iter().any(|warning| warning.name == BEARINGS_DECIDE);
-    let is_open = stages.file.is_none() || is_decided;
-    let Some(size) = wanted.size.larger().filter(|_| is_open) else { return Ok((stages, None)) };
+    let compared = |of: &Stages| {
+        let best = of.taken().and_then(|trains| trains.best.as_ref());
+        Compared::new(best.map(|train| train.rules_missed), of.masses, &of.warnings)
+    };
+    let usual = compared(&stages);
+    let Some(size) = wanted.size.larger().filter(|_| usual.is_open()) else { return Ok((stages, None)) };
     let with_larger = WantedStages { size: size.clone(), ..wanted.clone() };
     let other = attempted_with(&with_larger, most, of_larger, goes_on)?;
-    let whole = |of: &Stages| of.masses.map_or(f64::INFINITY, |masses| masses.whole_kg);
-    let missed = |of: &Stages| {
-        let best = of.taken().and_then(|trains| trains.best.as_ref());
-        best.map_or(u32::MAX, |train| train.rules_missed)
-    };
-    let is_better = missed(&other) <= missed(&stages) && whole(&other) < BEARINGS_PAY * whole(&stages);
-    if stages.file.is_none() || is_better {
+    if usual.gives_way_to(compared(&other)) {
         let limits = other.limits.with(stages.limits, other.file.is_some());
         return Ok((Stages { limits, ..other }, Some(size)));
     }

@@ -6,6 +6,7 @@
 
 use super::arranged::StageKind;
 use super::axes::Axes;
+use super::front::{front, largest_ring};
 use super::stages::{MOST_STAGES, Stages, attempted, attempted_with};
 use super::stages_wanted::WantedStages;
 use super::ways_out::{GREATEST_TOLERANCE, Limit, OFFSETS, RelaxedLimit, WayOutOfStages, rounded};
@@ -45,12 +46,6 @@ const RING_STEP: f64 = 0.05;
 /// Trains of each number of stages that are searched: the best and the next.
 const MOST: usize = 2;
 
-/// Part by which the limit of the rings is below the last ring, from one train of a front to the next.
-const SMALLER: f64 = 0.05;
-
-/// Trains of a front at most, beside the best.
-const MOST_SMALLER: usize = 12;
-
 /// Designs stages in series. `goes_on` is called now and then, and may end the search. If no stages hold, the
 /// search is repeated with each obstructing limit relaxed.
 ///
@@ -66,15 +61,9 @@ pub fn answer(wanted: &WantedStages, goes_on: &dyn Fn() -> ControlFlow<()>) -> R
         let has_pair = stages.taken().is_some_and(|trains| trains.has_pair);
         let axes = if has_pair { Axes::Parallel } else { Axes::Coaxial };
         let kind = stages.taken().map_or(StageKind::Simple, |trains| trains.kind);
-        stages.front = Some(search.front((axes, kind, larger), largest_ring(&stages))?);
+        stages.front = Some(search.front((axes, kind, larger), largest_ring(stages.sizes.as_ref()))?);
     }
     Ok(stages)
-}
-
-/// Greatest outside diameter of a ring of the train taken, in m; 0 without one.
-fn largest_ring(stages: &Stages) -> f64 {
-    let sets = stages.sizes.iter().flat_map(|sizes| &sizes.sets);
-    sets.filter_map(|set| set.found.first()?.ring_diameter_m).fold(0.0, f64::max)
 }
 
 /// The train taken, with the limits under which it was found; `None` without one.
@@ -85,7 +74,7 @@ fn way(limits: &[RelaxedLimit], stages: &Stages) -> Option<WayOutOfStages> {
         limits: limits.to_vec(),
         teeth: train.teeth,
         ratio: train.ratio,
-        ring_diameter_m: largest_ring(stages),
+        ring_diameter_m: largest_ring(stages.sizes.as_ref()),
         efficiency: stages.efficiency,
         whole_kg: stages.masses.map(|of| of.whole_kg),
         rules_missed: train.rules_missed,
@@ -212,29 +201,23 @@ impl Search<'_> {
         Ok(ways)
     }
 
-    /// The best trains whose rings are smaller and smaller than this one, until none holds: of the kind of the best
-    /// one, with its kinds of bearings and modules, which may be the larger ones.
+    /// The best trains with smaller rings than this one, of the kind of the best one, with its kinds of bearings and
+    /// modules, which may be the larger ones.
     fn front(
         &self,
         (axes, kind, larger): (Axes, StageKind, Option<SizeRequest>),
-        mut ring: f64,
+        ring: f64,
     ) -> Result<Vec<WayOutOfStages>, Error> {
-        let mut points: Vec<WayOutOfStages> = vec![];
         let known = &mut self.known.borrow_mut()[usize::from(larger.is_some())];
         let mut wanted = self.wanted.clone();
         wanted.size = larger.unwrap_or(wanted.size);
         (wanted.axes, wanted.kinds) = (axes, vec![kind]);
-        // A pair alone has no ring.
-        while points.len() < MOST_SMALLER && ring > 0.0 {
-            let most = rounded(ring * (1.0 - SMALLER), f64::floor);
-            let limit = RelaxedLimit { greatest: Some(most), ..RelaxedLimit::lifted(Limit::LargestRing) };
+        front(ring, |most| {
+            let limit = RelaxedLimit::of_rings(most);
             relax(limit, &mut wanted);
             let stages = attempted_with(&wanted, 1, known, self.goes_on)?;
-            let Some(way) = way(&[limit], &stages) else { break };
-            ring = way.ring_diameter_m;
-            points.push(way);
-        }
-        Ok(points)
+            Ok(way(&[limit], &stages).map(|way| (way.clone(), way.ring_diameter_m)))
+        })
     }
 
     /// Stages with these limits; `None` if none hold.

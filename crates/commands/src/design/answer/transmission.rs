@@ -4,15 +4,19 @@
 //! first with members on shafts alone, then with members on the housing and double-planet sets. The best
 //! structures of the first families get tooth numbers: of simple sets the lightest, chosen together with the
 //! sizes by [`lightest`]; the gears get sizes that hold over the duty. Of the gearboxes with sizes the one
-//! with the fewest warnings is taken, then the lightest.
+//! with the fewest warnings is taken, then the lightest. Where none keeps the limit of the whole mass, the next
+//! structures follow.
 
 use super::assumed::{AssumedLoad, assumed};
+use super::front::{front, largest_ring};
+use super::larger::Compared;
 use super::limits::OrderLimits;
 use super::loaded;
 use super::making::{Load, MAKING, for_each_set, shared, warnings, with_duty};
 use super::masses::Masses;
 use super::records::SizesStep;
-use super::ways_out::WayOut;
+use super::transmission_records::{GearReached, GearboxOfRing, GearboxWithTeeth};
+use super::ways_out::{RelaxedLimit, WayOut};
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
 use crate::shared::basis::{Basis, BasisKey};
@@ -24,7 +28,7 @@ use crate::size::options::Request as SizeRequest;
 use crate::strength::answer::missing::{MissingKeys, Purpose};
 use crate::synthesize::answer::teeth::{TeethOfSet, TeethOfSets, TeethWanted};
 use crate::synthesize::answer::{
-    Gear as SearchedGear, Kept, Searching, ShiftElement, Solution, Wanted as Search, saved, solve,
+    Gear as SearchedGear, Kept, Searching, Solution, Wanted as Search, saved, solve,
 };
 use epicyclic_formats::wanted_ratio::{Wanted as Ratio, WantedRatio};
 use epicyclic_formats::yaml::to_string;
@@ -32,7 +36,7 @@ use epicyclic_formats::{Document, gearbox::written};
 use epicyclic_gears::ToothCount;
 use epicyclic_gears::efficiency::MeshEfficiency;
 use epicyclic_gears::synthesis::Bounds;
-use epicyclic_strength::lightest::{Gearbox, lightest};
+use epicyclic_strength::lightest::{Gearbox, Wanted as Searched, lightest};
 use epicyclic_synthesis::Kind;
 use epicyclic_synthesis::limits::Limits;
 use epicyclic_synthesis::rank::Objective;
@@ -50,11 +54,18 @@ use uom::si::f64::{AngularVelocity, Torque};
 /// Structures that get tooth numbers, the best of their families.
 const STRUCTURES: usize = 3;
 
+/// Structures that get tooth numbers at most, in their order, until one keeps the limit of the whole mass.
+const STRUCTURES_WITHIN: usize = 12;
+
 /// Tooth numbers of a structure that get sizes.
 const TEETH: usize = 2;
 
+/// Tooth numbers of a structure with double-planet sets that get sizes at most, until one keeps the limit of the
+/// whole mass.
+const TEETH_WITHIN: usize = 6;
+
 /// Tooth numbers of a structure that these are taken from, those nearest to the ratios.
-const NEAREST: usize = 60;
+pub(crate) const NEAREST: usize = 60;
 
 /// Teeth of planets that leave room for their bearings at a usual module.
 const PLANET: f64 = 32.0;
@@ -88,6 +99,8 @@ pub struct WantedTransmission {
     pub spectrum: Vec<[f64; 3]>,
     /// Limits of the whole gearbox.
     pub order: OrderLimits,
+    /// Whether gearboxes with smaller rings are asked for.
+    pub is_front_asked: bool,
     /// Materials, factors, oil and life.
     pub basis: Basis,
     /// Search space of sizes.
@@ -121,55 +134,13 @@ pub struct Transmission {
     /// Limits to relax for a scheme of the catalogue, each with the gearbox that is then found; empty for a
     /// list of gears.
     pub ways_out: Vec<WayOut>,
+    /// Gearboxes with smaller and smaller rings, each the best that its limit of the rings leaves; null if not asked
+    /// for, or without a gearbox.
+    pub front: Option<Vec<GearboxOfRing>>,
     /// Gearbox file with sizes; null if a set has none.
     pub file: Option<String>,
     /// Warnings about the gearbox.
     pub warnings: Vec<Warning>,
-}
-
-/// Gear, required and reached.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct GearReached {
-    /// Name of the gear.
-    pub gear: String,
-    /// Required ratio, input speed over output speed.
-    pub asked_ratio: f64,
-    /// Reached ratio; null if no structure was found.
-    pub ratio: Option<f64>,
-    /// Required speed of the output in rad/s.
-    pub asked_output_speed_rad_s: f64,
-    /// Reached speed of the output in rad/s; null if no structure was found.
-    pub output_speed_rad_s: Option<f64>,
-    /// Engaged shift elements.
-    pub engaged: Vec<String>,
-    /// Efficiency with usual losses of the meshes; null without a structure, or if losses hold the gear.
-    pub efficiency: Option<f64>,
-}
-
-/// Gearbox with tooth numbers.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct GearboxWithTeeth {
-    /// Links of sun, ring and carrier of each set: 0 the housing, 1 the input, 2 the output, letters the
-    /// others. A star marks a double-planet set.
-    pub structure: String,
-    /// Brakes and clutches.
-    pub shift_elements: Vec<ShiftElement>,
-    /// Shifts between neighbouring forward gears that exchange more than one shift element.
-    pub multiple_shifts: usize,
-    /// Least efficiency of a forward gear.
-    pub forward_efficiency: f64,
-    /// Tooth numbers of the sets.
-    pub sets: Vec<TeethOfSet>,
-    /// Largest relative deviation of a ratio.
-    pub greatest_deviation: f64,
-    /// Errors and warnings of the judge.
-    pub warnings: usize,
-    /// Mass of all gears in kg; null if a set has no size.
-    pub mass_kg: Option<f64>,
-    /// Outside diameter of the largest ring in m; null if a set has no size.
-    pub ring_diameter_m: Option<f64>,
 }
 
 impl Answer for Transmission {
@@ -204,6 +175,8 @@ struct Sized {
     gears: Vec<GearReached>,
     document: Document,
     size: Size,
+    /// Mass of the whole if it is above its limit, in kg; or else 0.
+    above_kg: f64,
 }
 
 /// Designs a gearbox for a list of gears. `goes_on` is called now and then, and may end the search.
@@ -218,18 +191,92 @@ pub fn answer(
     // Shares that cannot be are refused before the search.
     let gears = names(&wanted.ratios);
     shared(gears.iter().map(String::as_str).collect(), &wanted.shares)?;
-    let (structures, found) = structures(wanted, goes_on)?;
-    let mut all = vec![];
-    for (solution, kept) in &found {
-        for place in best_teeth(wanted, (solution, kept), goes_on)? {
-            all.push(Sized::of(wanted, (solution, kept), place, goes_on)?);
+    let (count, found) = structures(wanted, goes_on)?;
+    let found: Vec<&(Solution, Kept)> = found.iter().collect();
+    let with = |size: SizeRequest, found: &[&(Solution, Kept)]| {
+        let own = WantedTransmission { size, ..wanted.clone() };
+        of_structures(&own, (count, found), goes_on)
+    };
+    let (mut best, mut taken_size) = (with(wanted.size.clone(), &found)?, wanted.size.clone());
+    let compared = |of: &Transmission| {
+        let missed = of.gearboxes.first().and_then(|best| u32::try_from(best.warnings).ok());
+        Compared::new(missed, of.masses, &of.warnings)
+    };
+    let usual = compared(&best);
+    let is_open = !best.gearboxes.is_empty() && usual.is_open();
+    if let Some(size) = wanted.size.larger().filter(|_| is_open) {
+        // Other sizes of a gearbox that holds; those of all structures take longest.
+        let taken = best.gearboxes.first().filter(|_| best.file.is_some());
+        let is_taken = |(of, _): &&&(Solution, Kept)| {
+            taken.is_none_or(|taken| {
+                (&of.structure, &of.shift_elements) == (&taken.structure, &taken.shift_elements)
+            })
+        };
+        let of_taken: Vec<_> = found.iter().filter(is_taken).copied().collect();
+        let mut larger = with(size.clone(), &of_taken)?;
+        if usual.gives_way_to(compared(&larger)) {
+            larger.limits = larger.limits.with(best.limits, larger.file.is_some());
+            (best, taken_size) = (larger, size);
+        }
+    }
+    if best.file.is_some() && wanted.is_front_asked {
+        best.front = Some(front(largest_ring(best.sizes.as_ref()), |most| {
+            let limit = RelaxedLimit::of_rings(most);
+            limit.relax_size(&mut taken_size);
+            let own = with(taken_size.clone(), &found)?;
+            Ok(own.of_ring(limit).map(|point| (point.clone(), point.ring_diameter_m)))
+        })?);
+    }
+    Ok(best)
+}
+
+impl Transmission {
+    /// The gearbox taken under a limit of the rings; `None` without one.
+    fn of_ring(&self, limit: RelaxedLimit) -> Option<GearboxOfRing> {
+        self.file.as_ref()?;
+        let taken = self.gearboxes.first()?;
+        let teeth = |of: &TeethOfSet| {
+            [Some(of.sun), Some(of.planet), of.outer_planet, Some(of.ring)].into_iter().flatten().collect()
+        };
+        Some(GearboxOfRing {
+            limits: vec![limit],
+            structure: taken.structure.clone(),
+            teeth: taken.sets.iter().map(teeth).collect(),
+            greatest_deviation: taken.greatest_deviation,
+            ring_diameter_m: taken.ring_diameter_m?,
+            whole_kg: self.masses.map(|masses| masses.whole_kg),
+            warnings: taken.warnings,
+        })
+    }
+}
+
+/// Designs a gearbox of one of these structures, of so many that have the ratios, with the sizes of the order.
+fn of_structures(
+    wanted: &WantedTransmission,
+    (structures, found): (usize, &[&(Solution, Kept)]),
+    goes_on: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<Transmission, Error> {
+    let mut all: Vec<Sized> = vec![];
+    // A limit of the mass that none of the best keeps may be kept by the next ones.
+    let is_done = |all: &[Sized]| wanted.order.whole_kg.is_none() || all.iter().any(Sized::is_within);
+    for families in found.chunks(STRUCTURES) {
+        for (solution, kept) in families {
+            for (count, place) in best_teeth(wanted, (solution, kept), goes_on)?.into_iter().enumerate() {
+                if count >= TEETH && is_done(&all) {
+                    break;
+                }
+                all.push(Sized::of(wanted, (solution, kept), place, goes_on)?);
+            }
+        }
+        if is_done(&all) {
+            break;
         }
     }
     all.sort_by(|one, other| one.rank().partial_cmp(&other.rank()).expect("masses are numbers"));
     let gearboxes = all.iter().map(|sized| sized.of.clone()).collect();
     let load = AssumedLoad {
         spectrum: &wanted.spectrum,
-        gears: gears.len(),
+        gears: wanted.ratios.len(),
         shares: &wanted.shares,
         overload: wanted.overload,
     };
@@ -246,25 +293,16 @@ pub fn answer(
         masses: None,
         sizes: None,
         ways_out: vec![],
+        front: None,
         file: None,
         warnings: vec![],
     };
     if let Some(taken) = all.into_iter().next() {
-        if taken.of.mass_kg.is_none()
-            && let Some(size) = wanted.size.larger()
-        {
-            return answer(&WantedTransmission { size, ..wanted.clone() }, goes_on);
-        }
-        if taken.of.mass_kg.is_some() {
-            transmission.file = Some(size::saved(&taken.document, &taken.size)?);
-        }
-        transmission.warnings = warnings(&taken.size, transmission.file.as_deref(), &wanted.size)?;
-        let sizes = SizesStep::of(taken.size);
-        if let Some(file) = &transmission.file {
-            transmission.masses = Masses::of(file, &sizes, (wanted.size.application, wanted.overload))?;
-            if !transmission.limits.allow(transmission.masses.as_ref(), &sizes) {
-                (transmission.file, transmission.masses) = (None, None);
-            }
+        let sizes = SizesStep::of(taken.size.clone());
+        let (file, masses) = taken.made(wanted, &sizes)?;
+        transmission.warnings = warnings(&taken.size, file.as_deref(), &wanted.size)?;
+        if transmission.limits.allow(masses.as_ref(), &sizes) {
+            (transmission.file, transmission.masses) = (file, masses);
         }
         transmission.warnings.extend(wanted.order.warning());
         transmission.gears = taken.gears;
@@ -358,7 +396,7 @@ fn search(
         shares: None,
         usable: Some(wanted.usable),
         efficiency: wanted.efficiency,
-        most: STRUCTURES,
+        most: if wanted.order.whole_kg.is_some() { STRUCTURES_WITHIN } else { STRUCTURES },
         all_gearboxes: false,
         also: None,
         order: vec![Objective::Drawable, Objective::Shifts, Objective::Efficiency],
@@ -396,15 +434,19 @@ fn best_teeth(
                 Ok([sun?, planet?, ring?])
             });
             let teeth = teeth.collect::<Result<Vec<_>, epicyclic_gears::Error>>()?;
-            let sets = loaded::sets(&gearbox, &teeth, &gears, wanted.load(), of_set.overloads.first())?;
-            gearboxes.push(Gearbox { group: 0, sets, rules_missed: 0 });
+            let load = (wanted.load(), wanted.size.application);
+            let (sets, others_kg) = loaded::sets(&gearbox, &teeth, &gears, load, of_set.overloads.first())?;
+            gearboxes.push(Gearbox { group: 0, sets, rules_missed: 0, others_kg });
         }
-        let found = lightest(&of_set, &gearboxes, TEETH, goes_on)?;
-        if !found.best.is_empty() {
-            places = found.best.iter().map(|best| best.place).collect();
+        let whole_kg = wanted.order.whole_kg;
+        let found = lightest(&of_set, &gearboxes, Searched { most: TEETH, whole_kg }, goes_on)?;
+        let best = if found.best.is_empty() { found.above.as_slice() } else { &found.best[..] };
+        match best {
+            [] => places.truncate(TEETH),
+            best => places = best.iter().map(|best| best.place).collect(),
         }
     }
-    places.truncate(TEETH);
+    places.truncate(if wanted.order.whole_kg.is_some() { TEETH_WITHIN } else { TEETH });
     Ok(places)
 }
 
@@ -486,12 +528,38 @@ impl Sized {
             mass_kg: size.mass_kg.filter(|_| is_whole),
             ring_diameter_m: rings.flatten().reduce(f64::max).filter(|_| is_whole),
         };
-        Ok(Self { of, gears, document: subject.document, size })
+        let mut sized = Self { of, gears, document: subject.document, size, above_kg: 0.0 };
+        if let Some(most) = wanted.order.whole_kg {
+            let (_, masses) = sized.made(wanted, &SizesStep::of(sized.size.clone()))?;
+            let whole = masses.map(|masses| masses.whole_kg);
+            sized.above_kg = whole.filter(|whole| *whole > most).unwrap_or_default();
+        }
+        Ok(sized)
     }
 
-    /// Whether a set has no size, errors and warnings, mass.
-    fn rank(&self) -> (bool, usize, f64) {
+    /// Gearbox file with sizes and the masses of the whole; `None` if a set has no size.
+    fn made(
+        &self,
+        wanted: &WantedTransmission,
+        sizes: &SizesStep,
+    ) -> Result<(Option<String>, Option<Masses>), Error> {
+        if self.of.mass_kg.is_none() {
+            return Ok((None, None));
+        }
+        let file = size::saved(&self.document, &self.size)?;
+        let masses = Masses::of(&file, sizes, (wanted.size.application, wanted.overload))?;
+        Ok((Some(file), masses))
+    }
+
+    /// Whether all sets have sizes and the whole mass keeps its limit.
+    fn is_within(&self) -> bool {
+        self.of.mass_kg.is_some() && self.above_kg == 0.0
+    }
+
+    /// Whether a set has no size, mass above the limit, errors and warnings, mass.
+    fn rank(&self) -> (bool, f64, usize, f64) {
         let GearboxWithTeeth { warnings, mass_kg, .. } = self.of;
-        (mass_kg.is_none(), warnings, self.size.with_structure_kg.unwrap_or_default())
+        let mass = self.size.with_structure_kg.unwrap_or_default();
+        (mass_kg.is_none(), self.above_kg, warnings, mass)
     }
 }

@@ -3,8 +3,9 @@
 //! Every way out is the result of a search with the limit relaxed. The same command with the relaxed limit
 //! finds the same gearbox.
 
+use super::front::{front, largest_ring};
 use super::records::TeethTaken;
-use super::{Design, SizeRequest, Wanted, attempted};
+use super::{Design, SizeRequest, Wanted, attempted, attempted_with};
 use crate::error::Error;
 use crate::select::answer::candidate::Criterion;
 use crate::select::answer::reached::{ReachedSpeed, largest_deviation};
@@ -31,6 +32,10 @@ pub struct WayOut {
     pub speeds: Vec<ReachedSpeed>,
     /// Tooth numbers and mass of the gearbox.
     pub teeth: TeethTaken,
+    /// Mass of the whole in kg.
+    pub whole_kg: Option<f64>,
+    /// Greatest outside diameter of a ring, in m.
+    pub ring_diameter_m: f64,
 }
 
 /// Limits, with the stages in series that are found with them.
@@ -178,6 +183,30 @@ pub(super) fn of(
     Ok(ways)
 }
 
+/// The gearbox taken, with the limits under which it was found; `None` without one.
+fn way(limits: &[RelaxedLimit], design: &Design) -> Option<WayOut> {
+    design.file.as_ref()?;
+    Some(WayOut {
+        limits: limits.to_vec(),
+        scheme: design.scheme.taken.clone()?,
+        speeds: design.speeds.clone(),
+        teeth: design.teeth.as_ref()?.taken.clone()?,
+        whole_kg: design.masses.map(|masses| masses.whole_kg),
+        ring_diameter_m: largest_ring(design.sizes.as_ref()),
+    })
+}
+
+/// The best gearboxes with smaller rings than that of a design, with its kinds of bearings and modules.
+pub(super) fn smaller_rings(wanted: &Wanted, design: &Design, watch: &Watch) -> Result<Vec<WayOut>, Error> {
+    let mut wanted = Wanted { tooth_design: None, ..wanted.clone() };
+    front(largest_ring(design.sizes.as_ref()), |most| {
+        let limit = RelaxedLimit::of_rings(most);
+        limit.relax(&mut wanted);
+        let (design, _) = attempted_with(&wanted, watch)?;
+        Ok(way(&[limit], &design).map(|way| (way.clone(), way.ring_diameter_m)))
+    })
+}
+
 /// Search for a gearbox with relaxed limits.
 struct Search<'a> {
     wanted: &'a Wanted,
@@ -189,12 +218,8 @@ impl Search<'_> {
     fn with(&self, limits: &[RelaxedLimit]) -> Result<Option<(WayOut, Design)>, Error> {
         let mut wanted = self.wanted.clone();
         limits.iter().for_each(|limit| limit.relax(&mut wanted));
-        let (design, _) = attempted(&wanted, self.watch)?;
-        let found =
-            design.teeth.as_ref().and_then(|teeth| teeth.taken.clone()).zip(design.scheme.taken.clone());
-        let Some((teeth, scheme)) = found.filter(|_| design.file.is_some()) else { return Ok(None) };
-        let way = WayOut { limits: limits.to_vec(), scheme, speeds: design.speeds.clone(), teeth };
-        Ok(Some((way, design)))
+        let design = attempted(&wanted, self.watch)?.design;
+        Ok(way(limits, &design).map(|way| (way, design)))
     }
 
     /// Search with limits that just suffice for a scheme with exact ratios, or slightly more.
@@ -306,6 +331,11 @@ impl RelaxedLimit {
     /// Limit that is removed, without a value.
     pub(super) const fn lifted(limit: Limit) -> Self {
         Self { limit, least: None, greatest: None }
+    }
+
+    /// Limit of the rings, of three digits and not above a diameter in m.
+    pub(super) fn of_rings(most: f64) -> Self {
+        Self { greatest: Some(rounded(most, f64::floor)), ..Self::lifted(Limit::LargestRing) }
     }
 
     /// Limit of a criterion, relaxed by a margin and rounded to three digits on the safe side.

@@ -6,7 +6,8 @@ use crate::design::answer::stages::{Stages, TrainsOf};
 use crate::design::answer::stages_ways_out::{PLANETS, RINGS, STAGES, suns};
 use crate::design::answer::ways_out::WayOutOfStages;
 use crate::design::table::{
-    ASSUMED, DIGITS, assumed, limits, masses, of_found, of_sizes, options_of, parts_of_sizes,
+    ASSUMED, DIGITS, OF_FRONT, SMALLER_RINGS, assumed, beside, lightest, limits, masses, of_found, of_sizes,
+    options_of, or_none, parts_of_sizes,
 };
 use crate::select::table::percent;
 use crate::size::table::basis;
@@ -34,7 +35,7 @@ pub(crate) fn parts_of_stages(stages: &Stages) -> Vec<Part> {
         parts.push(Part::Records(ways_out(ways)));
     }
     parts.push(Part::Records(trains(stages)));
-    parts.extend(stages.front.as_deref().map(|front| Part::Records(smaller_rings(front))));
+    parts.extend(stages.front.as_deref().map(|front| or_none(front, smaller_rings)));
     parts.push(Part::Records(searched(stages)));
     parts.extend(limits(&stages.limits, stages.masses.as_ref(), stages.sizes.as_ref()));
     parts.extend(stages.masses.as_ref().map(|of| Part::Facts(masses(of))));
@@ -63,15 +64,12 @@ fn in_the_way(stages: &Stages) -> Option<String> {
     if let Some(of) = without_teeth.and_then(|trains| of_kind(trains.kind)) {
         text.push_str(&format!(" No {of} with teeth within the bounds has the ratio."));
     }
-    if let Some(lightest) = stages.limits.lightest_kg {
-        text.push_str(&format!(
-            " The lightest train found has {}, above --max-mass.",
-            words(Dimension::Mass, lightest, 3)
-        ));
+    if let Some(lightest) = lightest(&stages.limits) {
+        text.push_str(&format!(" The lightest train found has {lightest}, above --max-mass."));
     } else if let Some(shortest) = stages.limits.shortest_m {
         text.push_str(&format!(
             " The shortest train found has {}, above --max-length.",
-            words(Dimension::Length, shortest, 3)
+            beside(Dimension::Length, shortest, (stages.limits.length_m, 3))
         ));
     } else if !of_strength.is_empty() {
         text.push_str(&format!(
@@ -129,7 +127,8 @@ pub(crate) fn why_no_stages(stages: &Stages) -> String {
     let ways = stages.ways_out.as_deref().unwrap_or_default();
     let why = match ways.first() {
         Some(way) => {
-            let mass = way.whole_kg.map(|mass| format!(", whole about {}", words(Dimension::Mass, mass, 2)));
+            let mass =
+                way.whole_kg.map(|mass| format!(", whole about {}", words(Dimension::Mass, mass, DIGITS)));
             let of = count(way.teeth.len());
             let ratio = of_ratio(way.ratio);
             format!("{} gives {of}, i = {ratio}{}", options_of(&way.limits), mass.unwrap_or_default())
@@ -148,12 +147,7 @@ fn ways_out(ways: &[WayOutOfStages]) -> Records {
 
 /// The best stages with smaller and smaller rings.
 fn smaller_rings(front: &[WayOutOfStages]) -> Records {
-    with_limits("front", "Smaller rings, and the stages behind each", front)
-        .note(
-            "Each line is the result of the same search with this option, whose ring is 5 % below that of the line before. After the last no train \
-             holds with the same kinds of bearings, or it is the twelfth.",
-        )
-        .records()
+    with_limits("front", SMALLER_RINGS, front).note(OF_FRONT).records()
 }
 
 fn with_limits<'a>(
@@ -195,7 +189,7 @@ pub(crate) fn in_short(stages: &Stages) -> String {
     all.push(format!("i = {} (asked {asked})", of_ratio(ratio)));
     all.extend(stages.efficiency.map(|of| format!("η = {}", trimmed(of, 3))));
     let diameter = if kind == StageKind::Stepped { "diameter" } else { "ring" };
-    all.extend(of_sizes(sizes, stages.masses.as_ref(), diameter));
+    all.extend(of_sizes(sizes, stages.masses.as_ref(), (&stages.limits, diameter)));
     format!("{}.", all.join(", "))
 }
 

@@ -1,13 +1,16 @@
 //! A gearbox for a list of gears, asked and reached, with what came next.
 
-use crate::design::answer::transmission::{GearboxWithTeeth, Transmission};
-use crate::design::table::{ASSUMED, assumed, limits, masses, of_found, of_sizes, parts_of_sizes, ways_out};
+use crate::design::answer::transmission::{NEAREST, Transmission};
+use crate::design::answer::transmission_records::{GearboxOfRing, GearboxWithTeeth};
+use crate::design::table::{
+    ASSUMED, OF_FRONT, SMALLER_RINGS, assumed, lightest, limits, masses, of_found, of_sizes, options_of,
+    or_none, parts_of_sizes, ways_out,
+};
 use crate::select::table::percent;
 use crate::size::table::basis;
 use crate::synthesize::answer::teeth::TeethOfSet;
 use crate::table::columns::Table;
-use crate::table::quantities::words;
-use crate::table::report::{AsReport, Part, Records, Report};
+use crate::table::report::{AsReport, Part, Records, Report, Text};
 use epicyclic_units::Dimension;
 use epicyclic_units::format::trimmed;
 
@@ -25,6 +28,8 @@ pub(crate) fn parts_of_transmission(transmission: &Transmission) -> Vec<Part> {
     if !transmission.gearboxes.is_empty() {
         parts.push(Part::Records(gearboxes(&transmission.gearboxes)));
     }
+    parts.extend(transmission.front.as_deref().map(|front| or_none(front, smaller_rings)));
+    parts.extend(too_heavy(transmission).map(|why| Part::Text(Text::paragraph(why))));
     if !transmission.ways_out.is_empty() {
         parts.push(Part::Records(ways_out(&transmission.ways_out)));
     }
@@ -33,6 +38,41 @@ pub(crate) fn parts_of_transmission(transmission: &Transmission) -> Vec<Part> {
     parts.push(Part::Records(basis(&transmission.basis, &format!("{ASSUMED}, --efficiency"))));
     parts.push(Part::Records(assumed(&transmission.assumed)));
     parts
+}
+
+/// The best gearboxes with smaller and smaller rings.
+fn smaller_rings(front: &[GearboxOfRing]) -> Records {
+    let teeth = |of: &GearboxOfRing| {
+        let all = of.teeth.iter().map(|set| set.iter().map(u32::to_string).collect::<Vec<_>>().join(" "));
+        all.collect::<Vec<String>>().join(" + ")
+    };
+    Table::new("front", front.iter())
+        .words("option", "option", |of| options_of(&of.limits))
+        .words("structure", "structure", |of| of.structure.clone())
+        .words("teeth", "sun, planet, ring", move |of| teeth(of))
+        .words("deviation", "off by", |of| percent(of.greatest_deviation).trim_start_matches('+').to_owned())
+        .quantity("ring_diameter", "ring", Dimension::Length, |of| Some(of.ring_diameter_m))
+        .quantity("mass", "whole", Dimension::Mass, |of| of.whole_kg)
+        .number("warnings", "warnings", |of| of.warnings as f64)
+        .view(SMALLER_RINGS, "option structure teeth deviation ring_diameter mass warnings")
+        .note(OF_FRONT)
+        .records()
+}
+
+/// What was compared where every gearbox is above the limit of the mass.
+fn too_heavy(transmission: &Transmission) -> Option<String> {
+    let mass = lightest(&transmission.limits)?;
+    let of = &transmission.gearboxes;
+    let is_new = |(place, one): &(usize, &GearboxWithTeeth)| {
+        let structure = |of: &GearboxWithTeeth| (of.structure.clone(), of.shift_elements.clone());
+        of[..*place].iter().all(|before| structure(before) != structure(one))
+    };
+    let structures = of.iter().enumerate().filter(is_new).count();
+    Some(format!(
+        "None of the gearboxes of {structures} structures, of {} with the ratios, keeps --max-mass with the best of their {NEAREST} tooth numbers nearest to the \
+         ratios; the lightest found has {mass}.",
+        transmission.structures
+    ))
 }
 
 /// The gearbox with its gears, shift elements, deviation, ring, mass, least safeties and life.
@@ -53,12 +93,10 @@ pub(crate) fn in_short(transmission: &Transmission) -> String {
         ),
     ];
     if transmission.file.is_none() {
-        let lightest = transmission.limits.lightest_kg.map(|mass| words(Dimension::Mass, mass, 3));
-        all.push(
-            lightest.map_or("no sizes that hold".to_owned(), |mass| format!("{mass}, above --max-mass")),
-        );
+        let above = |mass| format!("whole about {mass}, above --max-mass");
+        all.push(lightest(&transmission.limits).map_or("no sizes that hold".to_owned(), above));
     }
-    all.extend(of_sizes(sizes, transmission.masses.as_ref(), "ring"));
+    all.extend(of_sizes(sizes, transmission.masses.as_ref(), (&transmission.limits, "ring")));
     format!("{}.", all.join(", "))
 }
 

@@ -2,6 +2,7 @@
 
 use super::judge::Judge;
 use super::teeth::{in_mesh, judged_by_width};
+use crate::analyze::answer::pins::WITHOUT_LOAD;
 use crate::analyze::answer::records::planet_name;
 use crate::analyze::answer::{Input, Worked};
 use crate::shared::gearbox::Gearbox;
@@ -330,11 +331,19 @@ fn of_bearing(
     if let Some(least) = loads.reduce(f64::min) {
         judge.see(Rule::BearingLeastLoad, &of, least / bearing.load_rating_n);
     }
-    let fastest = bearing.steps.iter().map(|step| step.speed_rad_s).fold(without_load, f64::max);
+    let loaded = bearing.steps.iter().map(|step| step.speed_rad_s).fold(0.0, f64::max);
+    let (fastest, state) = greatest([loaded, without_load]);
     match bearing.mean_diameter_m {
-        Some(diameter) => judge.see(speed_rule, &of, pin_speed(fastest, diameter)),
+        Some(diameter) => {
+            judge.see(speed_rule, &[&of[..], state].concat(), pin_speed(fastest, diameter));
+        }
         None => judge.lacks(&name_of, &[speed_rule], vec!["bearing_diameter".to_owned()]),
     }
+}
+
+/// The greater of a speed under load and one without, with words for the latter.
+fn greatest([loaded, without_load]: [f64; 2]) -> (f64, &'static [&'static str]) {
+    if without_load > loaded { (without_load, &[WITHOUT_LOAD]) } else { (loaded, &[]) }
 }
 
 /// Reason why a bearing that never turns under load has neither life nor film.
@@ -399,33 +408,40 @@ fn of_speeds(
         let why: Vec<String> = steps.as_ref().err().cloned().into_iter().collect();
         return judge.lacks(set.id(), &rules, joined(&why, toothed.err().unwrap_or_default()));
     };
-    let mut fastest = vec![0.0_f64; toothed.meshes.len()];
-    let mut carrier = 0.0_f64;
+    // Under load, and without.
+    let mut fastest = vec![[0.0_f64; 2]; toothed.meshes.len()];
+    let mut carrier = [0.0_f64; 2];
     for step in steps {
         let WorkedStep(entry, worked) = step;
         let turning = step.turning(subject);
+        let state = usize::from(worked.is_none());
         let Some(worked) = worked.as_ref().or(turning.as_ref()) else { continue };
         let speed = entry.speed.0;
         let turning = worked.analysis.speed(set.carrier()).unwrap_or_default();
-        carrier = carrier.max((speed * turning).si().abs());
+        carrier[state] = carrier[state].max((speed * turning).si().abs());
         let Ok(load) = SetLoad::of(*place, worked, Some(speed)) else { continue };
         for ((mesh, own), fastest) in toothed.meshes.iter().zip(load.of_meshes(set)).zip(&mut fastest) {
             let radius = mesh.pair.gears()[0].reference_diameter() * mesh.module / 2.0;
-            *fastest = fastest.max((load.speed.si() * own.speeds[0]).abs() * radius);
+            fastest[state] = fastest[state].max((load.speed.si() * own.speeds[0]).abs() * radius);
         }
     }
-    for (mesh, speed) in toothed.meshes.iter().zip(fastest).filter(|(_, speed)| *speed > 0.0) {
-        let name = mesh.gears.map(|gear| set.gear_name(gear)).join("–");
-        judge.take(&[set.id(), &name], of_speed(&judge.limits, &mesh.pair, speed));
+    for (mesh, speeds) in toothed.meshes.iter().zip(fastest) {
+        let (speed, state) = greatest(speeds);
+        if speed > 0.0 {
+            let name = mesh.gears.map(|gear| set.gear_name(gear)).join("–");
+            let of = [&[set.id(), &name], state].concat();
+            judge.take(&of, of_speed(&judge.limits, &mesh.pair, speed));
+        }
     }
+    let (carrier, state) = greatest(carrier);
     if !set.is_pair() && carrier > 0.0 {
         for ((planet, radius), of_file) in set.planets().iter().zip(&toothed.radii).zip(&data.planets) {
             let Some(radius) = radius else { continue };
             let of = [set.id(), planet.name.as_str()];
             // Planets of short sets have no name.
-            let of = &of[..1 + usize::from(!planet.name.is_empty())];
+            let of = [&of[..1 + usize::from(!planet.name.is_empty())], state].concat();
             if let Some(rule) = orbit_rule(of_file.rolling.into()) {
-                judge.see(rule, of, orbit_acceleration(*radius, carrier));
+                judge.see(rule, &of, orbit_acceleration(*radius, carrier));
             }
         }
     }
