@@ -17,7 +17,7 @@ use crate::shared::fault::{Named, refused};
 use crate::shared::gearbox::{Choice, Gearbox, one};
 use crate::shared::judgement::answer::Judgement;
 use crate::shared::tooth_checks::answer::ToothChecks;
-use crate::size::options::Request;
+use crate::size::options::{Effort, Request};
 use crate::strength::answer::duty::{WorkedStep, steps};
 use crate::strength::answer::load::felt;
 use crate::strength::answer::missing::{MissingKeys, Purpose};
@@ -457,6 +457,7 @@ fn task(
         least_planet_angle: set.set.least_planet_angle(),
         has_stated_shifts: set.set.tooth_shape().shifts.is_some(),
         widens_face_load: request.widens_face_load,
+        asks_nearest: request.effort == Effort::Full,
         practice: request.practice(limits),
     };
     (task, held.into_iter().filter(|(_, is_held)| *is_held).map(|(key, _)| key).collect())

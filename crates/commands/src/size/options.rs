@@ -124,13 +124,49 @@ pub struct Request {
     #[arg(skip)]
     pub widens_face_load: bool,
 
+    /// How much of the space is searched.
+    #[arg(skip)]
+    pub effort: Effort,
+
     /// Bearings of the planets to choose from, in place of those of the tables.
     #[arg(skip)]
     pub bearings: Option<Vec<Bearing>>,
 }
 
+/// How much of the space a search of sizes goes through.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Effort {
+    /// All, with the design that misses least where none holds.
+    #[default]
+    Full,
+    /// All, without a design that misses.
+    Found,
+    /// Face widths and centre distances far apart, unless they are given, without a design that misses.
+    Coarse,
+}
+
+/// Values between two of a coarse space.
+const COARSE: usize = 4;
+
 impl Request {
     pub(crate) fn space(&self) -> Space {
+        let space = self.whole_space();
+        if self.effort != Effort::Coarse {
+            return space;
+        }
+        let step = if self.centre_distance_step.is_some() { 1.0 } else { COARSE as f64 };
+        let thin = |widths: Vec<Length>| match self.face_widths {
+            Some(_) => widths,
+            None => widths.into_iter().step_by(COARSE).collect(),
+        };
+        Space {
+            face_widths: thin(space.face_widths),
+            centre_distance_step: step * space.centre_distance_step,
+            ..space
+        }
+    }
+
+    fn whole_space(&self) -> Space {
         let usual = self.application;
         let modules = self.modules.as_ref().map_or_else(
             || usual.and_then(Application::modules).unwrap_or_else(|| self.usual_modules()),

@@ -56,7 +56,7 @@ pub fn search(
         is_quick: true,
     };
     let (mut found, mut nearest) = search.best(most, goes_on)?;
-    if found.is_empty() {
+    if found.is_empty() && task.asks_nearest {
         // Only now the design that misses least is asked for, and with it the bearings of those whose teeth miss.
         (search.is_quick, search.left_out, search.against_stated) = (false, tried.left_out, vec![]);
         (found, nearest) = search.best(most, goes_on)?;

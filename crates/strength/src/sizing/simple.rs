@@ -241,6 +241,7 @@ impl Sizing {
             least_planet_angle: self.least_planet_angle,
             has_stated_shifts: self.held_shifts.is_some(),
             widens_face_load: self.widens_face_load,
+            asks_nearest: true,
             practice: self.practice.clone(),
         }
     }

@@ -212,6 +212,8 @@ pub struct Task {
     pub has_stated_shifts: bool,
     /// Whether the given `K_Hβ` is the least one, which grows with the face width, to `1 + 0.4·(b/d)²`.
     pub widens_face_load: bool,
+    /// Whether the design that misses least is asked for where none holds.
+    pub asks_nearest: bool,
     /// Limits of usual practice: designs that miss fewer of its rules come first, and those with an error are
     /// left out. `None` does not look at them.
     pub practice: Option<Limits>,

@@ -1,9 +1,8 @@
 //! One stage with planets of two gears: stepped planets, or a Wolfrom set.
 //!
 //! Every set of tooth numbers within the bounds and the tolerance is found. The most promising by their
-//! [estimated volume](epicyclic_strength::arranged) are sized in full, each for the torque that its own losses
-//! leave; the others are not. Among all sets of five orders the best was one of those sized, or half a per cent
-//! lighter than the best of them.
+//! [estimated volume](epicyclic_strength::arranged) are sized with face widths and centre distances far apart, the
+//! best of these in full, each for the torque that its own losses leave.
 
 use super::making::{Load, MAKING, mapping, with_duty};
 use super::stages::{Listed, TrainOfStages, TrainsOf};
@@ -12,26 +11,32 @@ use super::stages_wanted::WantedStages;
 use crate::error::Error;
 use crate::shared::gearbox::{Choice, one};
 use crate::size::answer as size;
+use crate::size::options::{Effort, Request as SizeRequest};
 use crate::strength::answer::missing::{MissingKeys, Purpose};
 use epicyclic_formats::Document;
 use epicyclic_formats::yaml::Value;
 use epicyclic_gears::Error as GearError;
 use epicyclic_gears::arrangement::{ArrangedTeeth, Arrangement, ArrangementBounds, ArrangementMode};
 use epicyclic_gears::synthesis::{Bounds, MOST_PLANETS};
+use epicyclic_judge::Rule;
 use epicyclic_numerics::threads::map;
 use epicyclic_strength::arranged::estimated_volume;
 use epicyclic_strength::sizing::{Objective, priced};
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use uom::si::f64::Torque;
 
-/// Sets that are sized at most.
-pub(crate) const MOST_SIZED: usize = 40;
+/// Sets that are sized coarsely at most.
+pub(crate) const MOST_TRIED: usize = 240;
+
+/// Of these the best, which are sized in full.
+pub(crate) const MOST_SIZED: usize = 12;
 
 /// Sets that are sized before the search gives up where none of them holds.
-const MOST_HOPELESS: usize = 12;
+const MOST_HOPELESS: usize = 24;
 
 /// Sets that are sized between two questions whether to go on.
 const AT_A_TIME: usize = 4;
@@ -91,6 +96,13 @@ struct Candidate {
     volume: f64,
 }
 
+impl Candidate {
+    fn of(train: &TrainOfStages) -> Self {
+        let teeth = train.teeth.first().cloned().unwrap_or_default();
+        Self { teeth, ratio: train.ratio, volume: 0.0 }
+    }
+}
+
 /// Lists the best sets within a tolerance.
 pub(super) fn listed(
     wanted: &WantedStages,
@@ -98,30 +110,17 @@ pub(super) fn listed(
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<Listed, Error> {
     let (found, all) = candidates(wanted, tolerance, goes_on)?;
-    let (mut trains, mut shortest): (Vec<TrainOfStages>, Option<f64>) = (vec![], None);
-    let mut tried = 0;
-    for some in all[..all.len().min(MOST_SIZED)].chunks(AT_A_TIME) {
-        // Where the most promising do not hold, trying all the others takes long and finds none.
-        if trains.is_empty() && shortest.is_none() && tried >= MOST_HOPELESS {
-            break;
-        }
-        tried += some.len();
-        if goes_on().is_break() {
-            return Err(epicyclic_strength::Error::Cancelled.into());
-        }
-        for sized in map(some, |candidate| sized(wanted, candidate)) {
-            let Some((train, length)) = sized? else { continue };
-            if wanted.limits.length_m.is_some_and(|most| length > most) {
-                shortest = Some(shortest.map_or(length, |before| before.min(length)));
-            } else {
-                trains.push(train);
-            }
-        }
-    }
-    trains.sort_by(|one, other| {
-        let unusual = one.unusual_stages.cmp(&other.unusual_stages);
-        unusual.then(one.price_kg.total_cmp(&other.price_kg))
-    });
+    let coarse = &all[..all.len().min(MOST_TRIED)];
+    let (tried, mut promising) = sized_all(wanted, coarse, Effort::Coarse, goes_on)?;
+    promising.sort_by(|one, other| one.0.cost(&other.0));
+    promising.truncate(MOST_SIZED);
+    let best: Vec<Candidate> = promising.into_iter().map(|(train, _)| Candidate::of(&train)).collect();
+    let (_, sized) = sized_all(wanted, &best, Effort::Found, goes_on)?;
+    let is_long = |length: &f64| wanted.limits.length_m.is_some_and(|most| *length > most);
+    let shortest = sized.iter().map(|(_, length)| *length).filter(is_long).reduce(f64::min);
+    let within = sized.into_iter().filter(|(_, length)| !is_long(length));
+    let mut trains: Vec<TrainOfStages> = within.map(|(train, _)| train).collect();
+    trains.sort_by(TrainOfStages::cost);
     trains.truncate(most);
     let mut trains = trains.into_iter();
     let of_stage = TrainsOf {
@@ -131,13 +130,48 @@ pub(super) fn listed(
         reachable: None,
         compared: found,
         sized: tried as u64,
-        complete: tried == all.len(),
+        complete: tried == all.len() && tried <= MOST_SIZED,
         best: trains.next(),
         next: trains.next(),
         taken: false,
     };
     let shortest = shortest.filter(|_| of_stage.best.is_none());
     Ok(Listed { sets: all.len(), trains: vec![of_stage], prices: vec![0.0], shortest, ended_early: vec![] })
+}
+
+impl TrainOfStages {
+    /// The order of trains: first those with fewer stages beyond usual practice.
+    fn cost(&self, other: &Self) -> Ordering {
+        self.unusual_stages.cmp(&other.unusual_stages).then(self.price_kg.total_cmp(&other.price_kg))
+    }
+}
+
+/// Sets with their lengths in m.
+type Sized = Vec<(TrainOfStages, f64)>;
+
+/// Sizes sets, with how many were tried: all, or the first where none of these holds.
+fn sized_all(
+    wanted: &WantedStages,
+    all: &[Candidate],
+    effort: Effort,
+    goes_on: &dyn Fn() -> ControlFlow<()>,
+) -> Result<(usize, Sized), Error> {
+    let size = SizeRequest { effort, most: 1, ..wanted.size.clone() };
+    let (mut tried, mut found) = (0, vec![]);
+    for some in all.chunks(AT_A_TIME) {
+        if goes_on().is_break() {
+            return Err(epicyclic_strength::Error::Cancelled.into());
+        }
+        // Where the most promising do not hold, trying all the others takes long and finds none.
+        if found.is_empty() && tried >= MOST_HOPELESS {
+            break;
+        }
+        tried += some.len();
+        for one in map(some, |candidate| sized(wanted, candidate, &size)) {
+            found.extend(one?);
+        }
+    }
+    Ok((tried, found))
 }
 
 /// Number of sets of tooth numbers with their numbers of planets, and each set of tooth numbers once, the least
@@ -184,23 +218,30 @@ fn candidates(
 }
 
 /// Sizes a set; `None` if nothing holds, or if its losses hold it. The length is beside it, in m.
-fn sized(wanted: &WantedStages, candidate: &Candidate) -> Result<Option<(TrainOfStages, f64)>, Error> {
+fn sized(
+    wanted: &WantedStages,
+    candidate: &Candidate,
+    size: &SizeRequest,
+) -> Result<Option<(TrainOfStages, f64)>, Error> {
     let stages = vec![candidate.teeth.clone()];
     let [Some(efficiency), _] = efficiencies(wanted, &stages)? else { return Ok(None) };
     let torque = wanted.input_torque(candidate.ratio, Some(efficiency));
     let document = making(wanted, &candidate.teeth, torque)?;
-    let size =
-        size::answer(&one(&document, &Choice::default())?, &wanted.size, &|| ControlFlow::Continue(()))?;
+    let subject = one(&document, &Choice::default())?;
+    let size = size::answer(&subject, size, &|| ControlFlow::Continue(()))?;
     let Some(best) = size.sets.first().and_then(|set| set.found.first()) else { return Ok(None) };
     let is_whole = wanted.size.objective() == Objective::Whole;
     let mass_kg = if is_whole { best.with_structure_kg() } else { best.mass_kg };
-    let [unusual, price_kg] = priced(best.rules_missed, mass_kg);
+    // Simple sets lose little; here the losses are a rule like the others.
+    let loses = !subject.limits.judge(Rule::StageEfficiency, efficiency).holds();
+    let rules_missed = best.rules_missed + u32::from(loses && !wanted.size.beyond_practice);
+    let [unusual, price_kg] = priced(rules_missed, mass_kg);
     let train = TrainOfStages {
         ratios: vec![candidate.ratio],
         ratio: candidate.ratio,
         teeth: stages,
         unusual_stages: unusual as u32,
-        rules_missed: best.rules_missed,
+        rules_missed,
         mass_kg,
         price_kg,
     };

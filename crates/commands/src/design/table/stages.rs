@@ -1,6 +1,6 @@
 //! Stages in series, asked and reached, with what came next.
 
-use crate::design::answer::arranged::{MOST_SIZED, StageKind};
+use crate::design::answer::arranged::{MOST_SIZED, MOST_TRIED, StageKind};
 use crate::design::answer::backlash::OutputBacklash;
 use crate::design::answer::stages::{Stages, TrainsOf};
 use crate::design::answer::stages_ways_out::{PLANETS, RINGS, STAGES, suns};
@@ -62,7 +62,9 @@ fn in_the_way(stages: &Stages) -> Option<String> {
     let without_teeth =
         stages.trains.iter().find(|trains| trains.kind != StageKind::Simple && trains.compared == 0);
     if let Some(of) = without_teeth.and_then(|trains| of_kind(trains.kind)) {
-        text.push_str(&format!(" No {of} with teeth within the bounds has the ratio."));
+        text.push_str(&format!(
+            " No {of} with teeth and numbers of planets within the bounds has the ratio."
+        ));
     }
     if let Some(lightest) = lightest(&stages.limits) {
         text.push_str(&format!(" The lightest train found has {lightest}, above --max-mass."));
@@ -261,7 +263,15 @@ fn asked(stages: &Stages) -> Section {
             "back_driving_efficiency",
             "efficiency, driven by the output",
             "η back",
-            [Figure::None, stages.back_driving_efficiency.map_or(Figure::None, Figure::Number), Figure::None],
+            [
+                Figure::None,
+                match stages.back_driving_efficiency {
+                    Some(efficiency) => Figure::Number(efficiency),
+                    None if stages.file.is_some() => text("self-locking".to_owned()),
+                    None => Figure::None,
+                },
+                Figure::None,
+            ],
         ),
         of_input("input_torque", "torque on the input", "T_in", Dimension::Torque, stages.input_torque_n_m),
         of_input("input_power", "power into the input", "P", Dimension::Power, stages.input_power_w),
@@ -278,7 +288,7 @@ fn backlash(of: &OutputBacklash) -> Row {
     // In the unit of servo drives.
     let minutes = |angle: f64| text(format!("{} arcmin", trimmed(60.0 * angle.to_degrees(), DIGITS)));
     let [asked, reached] = [of.asked_rad, greatest].map(minutes);
-    Row::new("backlash", "greatest backlash of the output", "φ", [asked, reached, Figure::None])
+    Row::new("backlash", "greatest backlash of the output, of the teeth", "φ", [asked, reached, Figure::None])
 }
 
 /// Kind of a set with planets of two gears in words; `None` of simple sets.
@@ -364,7 +374,7 @@ fn arranged(stages: &Stages) -> Option<String> {
     let order: Vec<&str> = order.into_iter().flatten().collect();
     (!order.is_empty()).then(|| {
         format!(
-            "Teeth of {}. Of sets with planets of two gears the {MOST_SIZED} with the least estimated volume are sized at most; without --sun their suns have up to 60 teeth.",
+            "Teeth of {}. Of sets with planets of two gears the {MOST_TRIED} with the least estimated volume are sized coarsely at most, the {MOST_SIZED} best of these in full: a few teeth more or fewer may be lighter. Their losses are a rule of practice like the others. Without --sun their suns have up to 60 teeth.",
             order.join("; of ")
         )
     })

@@ -33,7 +33,8 @@ pub struct SetSizes {
     pub modules_m: Vec<f64>,
     /// Face widths in m; empty if the file does not give that of every gear.
     pub face_widths_m: Vec<f64>,
-    /// Outside diameter of the largest ring with its rim, in m; null without a ring, or without its rim.
+    /// Outside diameter of the largest ring with its rim in m, or of the circle that tips of planets reach to where
+    /// that is larger; null without a ring, or without its rim.
     pub ring_diameter_m: Option<f64>,
     /// Mass of the gears in kg; null if a face width, the number of planets or the rim of a ring is missing.
     pub mass_kg: Option<f64>,
@@ -110,7 +111,15 @@ impl SetSizes {
         };
         let masses = gears.iter().zip(&widths).zip(densities).map(of_gear);
         let mass_kg = masses.sum::<Option<f64>>().filter(|_| !widths.is_empty());
+        let swept = |(place, of): (usize, &GearOf)| match of {
+            GearOf::Planet(planet, _) => {
+                Some(2.0 * toothed.radii[*planet]? + gears.get(place)?.tip_diameter_m)
+            }
+            GearOf::Central(_) => None,
+        };
+        let reach = || data.of.iter().enumerate().filter_map(swept).fold(0.0, f64::max);
         let ring_diameter_m = gears.iter().filter_map(|gear| gear.ring_diameter_m).reduce(f64::max);
+        let ring_diameter_m = ring_diameter_m.map(|ring| ring.max(reach()));
         let face_widths_m = each_once(widths.iter().copied());
         // Without a ring the housing is around the largest gear.
         let has_ring = gears.iter().any(|gear| gear.is_ring);
