@@ -1,13 +1,12 @@
 //! Design of a gearbox from speeds and power: its scheme, tooth numbers and sizes with sufficient strength.
 //!
-//! - [`arranged`]: one stage with planets of two gears.
 //! - [`backlash`]: allowances of the teeth for the play of the output.
 //! - [`front`]: gearboxes with smaller and smaller rings.
 //! - [`larger`]: larger sizes than usual.
 //! - [`limits`]: limits of the whole gearbox.
 //! - [`masses`]: the whole and its parts.
 //! - [`records`]: steps, each with its choice and the next best.
-//! - [`stages`]: stages in series for one ratio.
+//! - [`stages`]: stages in series for one ratio, or one with planets of two gears; [`trains`]: what was compared.
 //! - [`transmission`], [`transmission_records`]: a list of gears.
 //! - [`ways_out`], [`stages_ways_out`]: limits to relax if no gearbox is found, each with the gearbox that is
 //!   then found.
@@ -15,7 +14,8 @@
 //! Scheme, tooth numbers and sizes are chosen together by [`lightest`](epicyclic_strength::lightest), among
 //! all schemes that meet the criteria and all their tooth numbers.
 
-pub mod arranged;
+pub(crate) mod arranged;
+mod arranged_file;
 mod assumed;
 mod attempt;
 pub(crate) mod axes;
@@ -27,11 +27,13 @@ mod loaded;
 mod making;
 pub mod masses;
 pub mod records;
+pub mod stage_kind;
 pub mod stages;
 mod stages_file;
 mod stages_search;
 pub mod stages_wanted;
 pub mod stages_ways_out;
+pub mod trains;
 pub mod transmission;
 pub mod transmission_records;
 pub mod ways_out;

@@ -1,8 +1,8 @@
 //! The command `design`: from speeds and power to a gearbox whose sizes hold.
 
 use crate::answer::Warning;
-use crate::design::answer::arranged::StageKind;
 use crate::design::answer::axes::Axes;
+use crate::design::answer::stage_kind::StageKind;
 use crate::design::answer::stages::MOST_STAGES;
 use crate::design::answer::transmission::Transmission;
 use crate::design::answer::ways_out::rounded;

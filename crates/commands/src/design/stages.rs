@@ -1,8 +1,8 @@
 //! Requests for one ratio: stages in series.
 
 use super::request::{Request, refuse_of};
-use crate::design::answer::arranged::StageKind;
 use crate::design::answer::axes::Axes;
+use crate::design::answer::stage_kind::StageKind;
 use crate::design::answer::stages::{MOST_STAGES, Stages};
 use crate::design::answer::stages_wanted::WantedStages;
 use crate::design::answer::stages_ways_out::{self, LARGE_SUNS};

@@ -242,11 +242,11 @@ pub(crate) fn step_couple(subject: &Gearbox) -> Result<Vec<Warning>, Error> {
     of_each_set(subject, &|file, set, steps| axial_on_planets::couple(subject, file, set, steps))
 }
 
+/// A warning about a set of a file at the steps of its duty.
+type OfSet<'w> = dyn Fn(&GearboxFile, &RatedSet<'_>, &[WorkedStep<'_>]) -> Option<Warning> + 'w;
+
 /// A warning about the duty of each set with data for its strength.
-fn of_each_set(
-    subject: &Gearbox,
-    warning: &dyn Fn(&GearboxFile, &RatedSet<'_>, &[WorkedStep<'_>]) -> Option<Warning>,
-) -> Result<Vec<Warning>, Error> {
+fn of_each_set(subject: &Gearbox, warning: &OfSet<'_>) -> Result<Vec<Warning>, Error> {
     if subject.document.value().get("transmissions").is_some() {
         return Ok(vec![]);
     }

@@ -1,7 +1,8 @@
 //! Designs of stages in series for the tests.
 
 use epicyclic_commands::design::Request;
-use epicyclic_commands::design::answer::stages::{Stages, TrainOfStages};
+use epicyclic_commands::design::answer::stages::Stages;
+use epicyclic_commands::design::answer::trains::TrainOfStages;
 use epicyclic_commands::words::request;
 use std::ops::ControlFlow;
 

@@ -4,17 +4,15 @@
 //! [estimated volume](epicyclic_strength::arranged) are sized with face widths and centre distances far apart, the
 //! best of these in full, each for the torque that its own losses leave.
 
-use super::making::{Load, MAKING, mapping, with_duty};
-use super::stages::{Listed, TrainOfStages, TrainsOf};
-use super::stages_file::{GEAR, efficiencies, written};
+use super::arranged_file::making;
+use super::stage_kind::StageKind;
+use super::stages_file::efficiencies;
 use super::stages_wanted::WantedStages;
+use super::trains::{Listed, TrainOfStages, TrainsOf};
 use crate::error::Error;
 use crate::shared::gearbox::{Choice, one};
 use crate::size::answer as size;
 use crate::size::options::{Effort, Request as SizeRequest};
-use crate::strength::answer::missing::{MissingKeys, Purpose};
-use epicyclic_formats::Document;
-use epicyclic_formats::yaml::Value;
 use epicyclic_gears::Error as GearError;
 use epicyclic_gears::arrangement::{ArrangedTeeth, Arrangement, ArrangementBounds, ArrangementMode};
 use epicyclic_gears::synthesis::{Bounds, MOST_PLANETS};
@@ -22,12 +20,9 @@ use epicyclic_judge::Rule;
 use epicyclic_numerics::threads::map;
 use epicyclic_strength::arranged::estimated_volume;
 use epicyclic_strength::sizing::{Objective, priced};
-use schemars::JsonSchema;
-use serde::Serialize;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
-use uom::si::f64::Torque;
 
 /// Sets that are sized coarsely at most.
 pub(crate) const MOST_TRIED: usize = 240;
@@ -41,52 +36,19 @@ const MOST_HOPELESS: usize = 24;
 /// Sets that are sized between two questions whether to go on.
 const AT_A_TIME: usize = 4;
 
-/// Kind of a stage.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema, clap::ValueEnum)]
-#[serde(rename_all = "snake_case")]
-pub enum StageKind {
-    /// Simple sets: sun, planets, ring
-    Simple,
-    /// One set with stepped planets: one step with the sun, the other with the ring
-    Stepped,
-    /// One Wolfrom set: sun and resting ring with one step of the planets, the output ring with the other
-    Wolfrom,
-}
-
-impl StageKind {
-    /// Every kind.
-    pub(crate) const ALL: [Self; 3] = [Self::Simple, Self::Stepped, Self::Wolfrom];
-
-    /// Kind of a stage by its gears.
-    pub(crate) const fn of(teeth: &[u32]) -> Self {
-        match teeth.len() {
-            4 => Self::Stepped,
-            5 => Self::Wolfrom,
-            _ => Self::Simple,
-        }
-    }
-
-    /// Arrangement of the gears; `None` of simple sets.
-    const fn arrangement(self) -> Option<Arrangement> {
-        match self {
-            Self::Simple => None,
-            Self::Stepped => Some(Arrangement::Stepped),
-            Self::Wolfrom => Some(Arrangement::Wolfrom),
-        }
-    }
-
-    /// The mode with the sun as the fast member, driven or driving.
-    fn mode(self, wanted: &WantedStages) -> Option<ArrangementMode> {
-        let letters = match (self, wanted.turns_back, wanted.steps_up) {
-            (Self::Stepped, false, false) => "aH^b",
-            (Self::Stepped, false, true) => "Ha^b",
-            (Self::Stepped, true, false) => "ab^H",
-            (Self::Stepped, true, true) => "ba^H",
-            (_, _, false) => "ae^b",
-            (_, _, true) => "ea^b",
-        };
-        self.arrangement()?.mode(letters)
-    }
+/// Arrangement of the gears of a kind, and the mode with the sun as the fast member, driven or driving; `None` of
+/// simple sets.
+fn arrangement(kind: StageKind, wanted: &WantedStages) -> Option<(Arrangement, ArrangementMode)> {
+    let (arrangement, letters) = match (kind, wanted.turns_back, wanted.steps_up) {
+        (StageKind::Simple, ..) => return None,
+        (StageKind::Stepped, false, false) => (Arrangement::Stepped, "aH^b"),
+        (StageKind::Stepped, false, true) => (Arrangement::Stepped, "Ha^b"),
+        (StageKind::Stepped, true, false) => (Arrangement::Stepped, "ab^H"),
+        (StageKind::Stepped, true, true) => (Arrangement::Stepped, "ba^H"),
+        (StageKind::Wolfrom, _, false) => (Arrangement::Wolfrom, "ae^b"),
+        (StageKind::Wolfrom, _, true) => (Arrangement::Wolfrom, "ea^b"),
+    };
+    Some((arrangement, arrangement.mode(letters)?))
 }
 
 /// Set of teeth with its ratio and its estimated volume.
@@ -181,8 +143,7 @@ fn candidates(
     tolerance: f64,
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<(u64, Vec<Candidate>), Error> {
-    let kind = wanted.kind();
-    let Some((arrangement, mode)) = kind.arrangement().zip(kind.mode(wanted)) else { return Ok((0, vec![])) };
+    let Some((arrangement, mode)) = arrangement(wanted.kind(), wanted) else { return Ok((0, vec![])) };
     let (teeth, planets) = (&wanted.teeth, wanted.size.planet_counts());
     let bounds = Bounds {
         sun: wanted.arranged_suns.clone(),
@@ -246,52 +207,4 @@ fn sized(
         price_kg,
     };
     Ok(Some((train, best.length_m)))
-}
-
-/// The gearbox in the making with materials, factors and duty, and this torque on the input.
-pub(super) fn making(wanted: &WantedStages, teeth: &[u32], torque: Torque) -> Result<Document, Error> {
-    let making = text(wanted, teeth, torque)?;
-    let document = Document::parse_one(MAKING, making.as_bytes())?;
-    let subject = one(&document, &Choice::default())?;
-    let missing = MissingKeys::of(&subject, &document.read()?, &wanted.basis, Purpose::Sizes)?;
-    let completed = missing.assumed(&wanted.basis)?;
-    Ok(completed.map_or(document, |(gearbox, _)| gearbox.document))
-}
-
-/// File of a set without sizes and strength, with a torque on the input.
-pub(super) fn text(wanted: &WantedStages, teeth: &[u32], torque: Torque) -> Result<String, Error> {
-    let [fast, slow] = if wanted.steps_up { ["output", "input"] } else { ["input", "output"] };
-    let number = |place: usize| Value::from(teeth[place]);
-    let gears = |of: [&str; 2]| Value::Sequence(of.map(Value::from).to_vec());
-    let mesh = |of: [&str; 2], efficiency: f64| {
-        mapping(vec![("gears", gears(of)), ("efficiency", efficiency.into())])
-    };
-    let [outer, inner] = wanted.efficiencies_of_meshes();
-    let of_sun = mesh([fast, "planet.1"], outer);
-    let is_wolfrom = StageKind::of(teeth) == StageKind::Wolfrom;
-    let (carrier, rings, steps, meshes) = if is_wolfrom {
-        (
-            "carrier",
-            mapping(vec![("ground", number(2)), (slow, number(4))]),
-            [1, 3],
-            vec![of_sun, mesh(["planet.1", "ground"], inner), mesh(["planet.2", slow], inner)],
-        )
-    } else {
-        let [carrier, ring] = if wanted.turns_back { ["ground", slow] } else { [slow, "ground"] };
-        let rings = mapping(vec![(ring, number(3))]);
-        (carrier, rings, [1, 2], vec![of_sun, mesh(["planet.2", ring], inner)])
-    };
-    let steps = Value::Sequence(steps.map(number).to_vec());
-    let set = mapping(vec![
-        ("id", "stage 1".into()),
-        ("carrier", carrier.into()),
-        ("suns", mapping(vec![(fast, number(0))])),
-        ("rings", rings),
-        ("planet_gears", mapping(vec![("planet", steps)])),
-        ("meshes", Value::Sequence(meshes)),
-    ]);
-    let name = if is_wolfrom { "Wolfrom set" } else { "set with stepped planets" };
-    let sets = ("compound_sets", Value::Sequence(vec![set]));
-    let load = Load { torque, speed: wanted.speed, overload: wanted.overload, spectrum: &wanted.spectrum };
-    written(name, sets, |file| with_duty(file, &wanted.basis, &[(GEAR, 1.0)], load))
 }

@@ -28,8 +28,8 @@ use uom::si::f64::Angle;
 /// Allowances in m with which the growth of the play is found; they are far larger than errors of rounding.
 const TRIED: [f64; 2] = [100e-6, 200e-6];
 
-/// Step of the allowances in m.
-const STEP: f64 = 0.1e-6;
+/// Step of the allowances in µm.
+const STEP_UM: f64 = 0.1;
 
 /// Tolerance of the tooth thickness in m below which teeth are sorted or matched, by this program: the finest of
 /// DIN 3967 is 3 to 6 µm up to 125 mm.
@@ -64,7 +64,7 @@ impl OutputBacklash {
         let [at_low, at_high] = [play(low)?.1[1], play(high)?.1[1]];
         let growth = (at_high - at_low) / (high - low);
         let allowance = (asked.si() - at_low) / growth + low;
-        let allowance = ((allowance / STEP).floor() * STEP).max(0.0);
+        let allowance = ((1e6 * allowance / STEP_UM).floor() * STEP_UM / 1e6).max(0.0);
         let (text, reached_rad) = play(allowance)?;
         let thickness_allowances_m = [-allowance, -allowance / 2.0];
         Ok((text, Self { asked_rad: asked.si(), reached_rad, thickness_allowances_m }))

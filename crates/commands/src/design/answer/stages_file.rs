@@ -1,9 +1,10 @@
 //! The gearbox file of stages in series without their sizes, and what is read from it: efficiencies, and the
 //! order as the search takes it.
 
-use super::arranged::{self, StageKind};
+use super::arranged_file::{self, GEAR, written};
 use super::axes::{efficiency_of_pair, first_pair};
 use super::making::{Load, MAKING, PAIR, mapping, with_load};
+use super::stage_kind::StageKind;
 use super::stages_wanted::WantedStages;
 use crate::analyze::answer::{analysis, moving};
 use crate::error::Error;
@@ -11,7 +12,7 @@ use crate::shared::gearbox::{Choice, one};
 use crate::size::answer::sizing_of;
 use crate::tolerance::ROUNDED;
 use epicyclic_formats::Document;
-use epicyclic_formats::yaml::{Value, to_string};
+use epicyclic_formats::yaml::Value;
 use epicyclic_strength::series::{InputStep, Order};
 use epicyclic_strength::sizing::Sizing;
 use std::ops::RangeInclusive;
@@ -70,7 +71,7 @@ pub(super) fn text(wanted: &WantedStages, teeth: &[Vec<u32>], torque: Torque) ->
     if let [stage] = teeth
         && StageKind::of(stage) != StageKind::Simple
     {
-        return arranged::text(wanted, stage, torque);
+        return arranged_file::text(wanted, stage, torque);
     }
     let shaft = |place: usize| match place {
         0 => "input".to_owned(),
@@ -115,32 +116,12 @@ pub(super) fn text(wanted: &WantedStages, teeth: &[Vec<u32>], torque: Torque) ->
     written(&count, sets, |file| with_load(file, &wanted.basis, &[(GEAR, 1.0)], load))
 }
 
-/// File of a gearbox with one gear and these sets, and what is added to it.
-pub(super) fn written(
-    name: &str,
-    sets: (&str, Value),
-    add: impl FnOnce(&mut Value),
-) -> Result<String, Error> {
-    let mut file = mapping(vec![
-        ("gearbox", name.into()),
-        ("input", "input".into()),
-        ("output", "output".into()),
-        sets,
-        ("gears", Value::Sequence(vec![mapping(vec![("name", GEAR.into())])])),
-    ]);
-    add(&mut file);
-    to_string(&file).map_err(|error| Error::Json(error.to_string()))
-}
-
 /// Stages without sizes as the sizes read them, with materials, factors and duty, and a torque on the input.
 pub(super) fn document(wanted: &WantedStages, teeth: &[Vec<u32>], torque: Torque) -> Result<Document, Error> {
     if let [stage] = teeth
         && StageKind::of(stage) != StageKind::Simple
     {
-        return arranged::making(wanted, stage, torque);
+        return arranged_file::making(wanted, stage, torque);
     }
     Ok(Document::parse_one(MAKING, text(wanted, teeth, torque)?.as_bytes())?)
 }
-
-/// Name of the only gear.
-pub(super) const GEAR: &str = "only";

@@ -1,8 +1,8 @@
 //! Order for stages in series: ratio and load of both shafts, whatever the train.
 
-use super::arranged::StageKind;
 use super::axes::{self, Axes};
 use super::limits::OrderLimits;
+use super::stage_kind::StageKind;
 use crate::shared::basis::Basis;
 use crate::size::options::Request as SizeRequest;
 use epicyclic_strength::series::{InputStep, Teeth};

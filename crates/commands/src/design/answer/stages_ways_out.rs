@@ -4,9 +4,9 @@
 //! Every way out is the result of the same search with the limit relaxed. The same command with the option
 //! finds the same train.
 
-use super::arranged::StageKind;
 use super::axes::Axes;
 use super::front::{front, largest_ring};
+use super::stage_kind::StageKind;
 use super::stages::{MOST_STAGES, Stages, attempted, attempted_with};
 use super::stages_wanted::WantedStages;
 use super::ways_out::{GREATEST_TOLERANCE, Limit, OFFSETS, RelaxedLimit, WayOutOfStages, rounded};

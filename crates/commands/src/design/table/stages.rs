@@ -1,9 +1,11 @@
 //! Stages in series, asked and reached, with what came next.
 
-use crate::design::answer::arranged::{MOST_SIZED, MOST_TRIED, StageKind};
+use crate::design::answer::arranged::{MOST_SIZED, MOST_TRIED};
 use crate::design::answer::backlash::OutputBacklash;
-use crate::design::answer::stages::{Stages, TrainsOf};
+use crate::design::answer::stage_kind::StageKind;
+use crate::design::answer::stages::Stages;
 use crate::design::answer::stages_ways_out::{PLANETS, RINGS, STAGES, suns};
+use crate::design::answer::trains::TrainsOf;
 use crate::design::answer::ways_out::WayOutOfStages;
 use crate::design::table::{
     ASSUMED, DIGITS, OF_FRONT, SMALLER_RINGS, assumed, beside, lightest, limits, masses, of_found, of_sizes,
