@@ -119,7 +119,7 @@ pub struct Request {
     #[arg(long, value_name = "RANGE", conflicts_with_all = ["speeds", "ratios"], value_parser = stages, help_heading = STAGES)]
     pub stages: Option<RangeInclusive<u32>>,
 
-    /// Kinds of stages, the best of which is taken: simple,stepped,wolfrom.
+    /// Kinds of stages to choose the best from, as in simple,stepped,wolfrom.
     #[arg(long, value_name = "KINDS", conflicts_with_all = ["speeds", "ratios"], value_enum, value_delimiter = ',', default_value = "simple", help_heading = STAGES)]
     pub kind: Vec<StageKind>,
 

@@ -136,10 +136,10 @@ pub struct Request {
 /// How much of the space a search of sizes goes through.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Effort {
-    /// All, with the design that misses least where none holds.
+    /// The whole space, with the design that misses least where none holds.
     #[default]
     Full,
-    /// All, without a design that misses.
+    /// The whole space, without a design that misses.
     Found,
     /// Face widths and centre distances far apart, unless they are given, without a design that misses.
     Coarse,

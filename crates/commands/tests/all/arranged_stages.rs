@@ -123,8 +123,8 @@ fn the_best_stage_is_the_lightest_of_all_sized_one_by_one() {
     }
 }
 
-/// What the design says of safeties and losses is what `strength` and `analyze` say of its file: every mesh has the
-/// factor of its own width.
+/// Safeties and losses of the design are those of `strength` and `analyze` for its file: every mesh has the factor of
+/// its own width.
 #[test]
 fn the_file_of_a_stage_has_the_safeties_and_losses_of_the_design() {
     for [kind, ratio, ranges, input] in ORDERS {

@@ -5,7 +5,7 @@
 //! Y_S = (1.2 + 0.13·L)·q_s^(1/(1.21 + 2.3/L))      L = s_Fn/h_Fe, q_s = s_Fn/(2·ρ_F), 1 ≤ q_s < 8
 //! Y_β = 1 − ε_β·β/120°                            ε_β at most 1, β at most 30°
 //! Y_B = 1.6·ln(2.242·h_t/s_R), from s_R = 1.2·h_t on 1               external gears, s_R above 0.5·h_t
-//! Y_B = 1.15·ln(8.324·m_n/s_R), from s_R = 3.5·m_n on 1             internal gears, s_R above 1.75·m_n
+//! Y_B = 1.15·ln(8.324·m_n/s_R), at least 1                           internal gears, s_R above 1.75·m_n
 //! Y_DT = 2.366 − 0.666·ε_αn from ε_αn = 2.05 to 2.5 and accuracy grade 4 or better, else 1
 //! Y_δrelT = (1 + √(ρ'·χ))/(1 + √(ρ'·1.2))         χ = (1 + 2·q_s)/5, ρ' in mm by class and strength
 //! Y_RrelT = 1.674 − 0.529·(R_z + 1)^0.1           V, GGG (perl.), GTS, Eh, IF; below R_z = 1 µm 1.12
@@ -85,7 +85,8 @@ pub fn rim_factor_internal(over_module: f64) -> Result<f64, Error> {
         return Ok(1.0);
     }
     if over_module > 1.75 {
-        return Ok(1.15 * libm::log(8.324 / over_module));
+        // Just below its end the formula is 0.996; a thinner rim is not the stronger one.
+        return Ok((1.15 * libm::log(8.324 / over_module)).max(1.0));
     }
     Err(Error::NotAbove { quantity: Quantity::RimOverModule, value: over_module, low: 1.75, unit: "" })
 }

@@ -1,8 +1,9 @@
 //! One stage with planets of two gears: stepped planets, or a Wolfrom set.
 //!
 //! Every set of tooth numbers within the bounds and the tolerance is found. The most promising by their
-//! [estimated volume](epicyclic_strength::arranged) are sized with face widths and centre distances far apart, the
-//! best of these in full, each for the torque that its own losses leave.
+//! [estimated volume](epicyclic_strength::arranged) are sized with face widths and centre distances far apart. The
+//! best of these are sized in full. The torque on the input is that with which a set's own losses leave the output
+//! the torque ordered.
 
 use super::arranged_file::making;
 use super::stage_kind::StageKind;
@@ -178,7 +179,7 @@ fn candidates(
     Ok((found.found, all))
 }
 
-/// Sizes a set; `None` if nothing holds, or if its losses hold it. The length is beside it, in m.
+/// Sizes a set, with its length in m; `None` if no size holds, or if the losses hold the set.
 fn sized(
     wanted: &WantedStages,
     candidate: &Candidate,

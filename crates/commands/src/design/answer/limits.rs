@@ -21,7 +21,7 @@ pub struct OrderLimits {
     pub shortest_m: Option<f64>,
     /// Greatest speed of the input without load over that of the load; null if not asked for.
     pub runaway_over_speed: Option<f64>,
-    /// This speed of the input in rad/s; null if not asked for.
+    /// Speed of the input without load in rad/s; null if not asked for.
     pub runaway_speed_rad_s: Option<f64>,
     /// Radial force on the output in N, which is not judged; null if not asked for.
     pub side_load_n: Option<f64>,

@@ -365,7 +365,7 @@ fn has_pairs(stages: &Stages) -> bool {
     stages.trains.iter().any(|trains| trains.has_pair)
 }
 
-/// What the teeth of sets with planets of two gears are, and how they were chosen; `None` without such sets.
+/// Order of the teeth of sets with planets of two gears, and how the sets were chosen; `None` without such sets.
 fn arranged(stages: &Stages) -> Option<String> {
     let has = |kind| stages.trains.iter().any(|trains| trains.kind == kind);
     let order = [

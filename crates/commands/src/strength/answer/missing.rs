@@ -329,7 +329,7 @@ impl<'d> MissingKeys<'d> {
     }
 }
 
-/// The mapping at a path; `None` where there is none.
+/// The mapping at a path of a file; `None` where the file has something else.
 pub(crate) fn mapping_at<'v>(file: &'v mut Value, path: &Path) -> Option<&'v mut Mapping> {
     let found = path.segments().iter().try_fold(file, |value, segment| match segment {
         Segment::Key(key) => value.get_mut(key.as_str()),
