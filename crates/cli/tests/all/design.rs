@@ -351,7 +351,7 @@ fn stages_that_are_not_found_name_the_limits_in_the_way() {
             ways.iter().any(|way| of(way).iter().any(|one| one["limit"] == *limit)),
             "{order:?}: {ways:?}"
         );
-        assert!(said.starts_with("error: no stages in series that hold were found; --"), "{said}");
+        assert!(said.starts_with("error: no stages that hold were found; --"), "{said}");
         for way in ways {
             let Some(options) = of(way).iter().map(typed).collect::<Option<Vec<_>>>() else { continue };
             let is_kept = |word: &&&str| {

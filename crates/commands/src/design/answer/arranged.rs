@@ -32,7 +32,7 @@ pub(crate) const MOST_TRIED: usize = 240;
 pub(crate) const MOST_SIZED: usize = 12;
 
 /// Sets that are sized before the search gives up where none of them holds.
-const MOST_HOPELESS: usize = 24;
+const MOST_HOPELESS: usize = 12;
 
 /// Sets that are sized between two questions whether to go on.
 const AT_A_TIME: usize = 4;
@@ -72,13 +72,22 @@ pub(super) fn listed(
     (tolerance, most): (f64, usize),
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<Listed, Error> {
-    let (found, all) = candidates(wanted, tolerance, goes_on)?;
-    let coarse = &all[..all.len().min(MOST_TRIED)];
-    let (tried, mut promising) = sized_all(wanted, coarse, Effort::Coarse, goes_on)?;
-    promising.sort_by(|one, other| one.0.cost(&other.0));
-    promising.truncate(MOST_SIZED);
-    let best: Vec<Candidate> = promising.into_iter().map(|(train, _)| Candidate::of(&train)).collect();
-    let (_, sized) = sized_all(wanted, &best, Effort::Found, goes_on)?;
+    let (found, mut all) = candidates(wanted, tolerance, goes_on)?;
+    let (sets, mut tried) = (all.len(), all.len());
+    if sets > MOST_SIZED {
+        let coarse = &all[..sets.min(MOST_TRIED)];
+        let mut promising: Sized;
+        (tried, promising) = sized_all(wanted, coarse, Effort::Coarse, goes_on)?;
+        promising.sort_by(|one, other| one.0.cost(&other.0));
+        // Where none holds so, one may hold with other widths: then the first by volume are sized in full.
+        if promising.is_empty() {
+            all.truncate(AT_A_TIME);
+        } else {
+            all = promising.into_iter().map(|(train, _)| Candidate::of(&train)).collect();
+            all.truncate(MOST_SIZED);
+        }
+    }
+    let (_, sized) = sized_all(wanted, &all, Effort::Found, goes_on)?;
     let is_long = |length: &f64| wanted.limits.length_m.is_some_and(|most| *length > most);
     let shortest = sized.iter().map(|(_, length)| *length).filter(is_long).reduce(f64::min);
     let within = sized.into_iter().filter(|(_, length)| !is_long(length));
@@ -93,13 +102,13 @@ pub(super) fn listed(
         reachable: None,
         compared: found,
         sized: tried as u64,
-        complete: tried == all.len() && tried <= MOST_SIZED,
+        complete: sets <= MOST_SIZED,
         best: trains.next(),
         next: trains.next(),
         taken: false,
     };
     let shortest = shortest.filter(|_| of_stage.best.is_none());
-    Ok(Listed { sets: all.len(), trains: vec![of_stage], prices: vec![0.0], shortest, ended_early: vec![] })
+    Ok(Listed { sets, trains: vec![of_stage], prices: vec![0.0], shortest, ended_early: vec![] })
 }
 
 impl TrainOfStages {
@@ -190,7 +199,12 @@ fn sized(
     let torque = wanted.input_torque(candidate.ratio, Some(efficiency));
     let document = making(wanted, &candidate.teeth, torque)?;
     let subject = one(&document, &Choice::default())?;
-    let size = size::answer(&subject, size, &|| ControlFlow::Continue(()))?;
+    let size = match size::answer(&subject, size, &|| ControlFlow::Continue(())) {
+        Ok(size) => size,
+        // At no modules have the meshes of a planet one radius.
+        Err(Error::NothingToSize { .. }) => return Ok(None),
+        Err(error) => return Err(error),
+    };
     let Some(best) = size.sets.first().and_then(|set| set.found.first()) else { return Ok(None) };
     let is_whole = wanted.size.objective() == Objective::Whole;
     let mass_kg = if is_whole { best.with_structure_kg() } else { best.mass_kg };

@@ -183,6 +183,16 @@ impl Search<'_> {
         if !exceeded.is_empty() {
             return self.of_each(&exceeded);
         }
+        // Without simple sets every search sizes many sets anew: the first limit that suffices is enough.
+        if !self.wanted.kinds.contains(&StageKind::Simple) {
+            for limit in &all {
+                let ways = self.of_each(std::slice::from_ref(limit))?;
+                if !ways.is_empty() {
+                    return Ok(ways);
+                }
+            }
+            return Ok(vec![]);
+        }
         // More tooth numbers make the search many times longer. Another kind of train is no gearbox of the order
         // while one of this kind holds.
         let is_last = |one: &RelaxedLimit| {

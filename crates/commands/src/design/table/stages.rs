@@ -137,9 +137,13 @@ pub(crate) fn why_no_stages(stages: &Stages) -> String {
             let ratio = of_ratio(way.ratio);
             format!("{} gives {of}, i = {ratio}{}", options_of(&way.limits), mass.unwrap_or_default())
         }
-        None => in_the_way(stages).unwrap_or_default().trim_end_matches('.').replacen("With ", "with ", 1),
+        None => {
+            let why = in_the_way(stages).unwrap_or_default();
+            let (first, rest) = why.split_at(usize::from(why.is_char_boundary(1) && !why.is_empty()));
+            format!("{}{}", first.to_lowercase(), rest.trim_end_matches('.'))
+        }
     };
-    format!("no stages in series that hold were found; {why}")
+    format!("no stages that hold were found; {why}")
 }
 
 /// Limits that would have to give, each with its stages.
@@ -178,7 +182,7 @@ pub(crate) fn in_short(stages: &Stages) -> String {
     let steps_up = stages.asked_ratio.abs() < 1.0;
     let (Some(ratio), Some(sizes)) = (stages.ratio, &stages.sizes) else {
         let steps_up = if steps_up { format!(", which {STEPS_UP},") } else { String::new() };
-        return format!("No stages in series with i = {asked}{steps_up} that hold were found.");
+        return format!("No stages with i = {asked}{steps_up} that hold were found.");
     };
     let mut all = vec![count(sizes.sets.len())];
     let has_pair = stages.taken().is_some_and(|trains| trains.has_pair);
