@@ -3,7 +3,7 @@
 //! # Objective
 //! First the number of sets with warnings by usual practice, and a gearbox with other warnings counts as one
 //! set more; then the mass, a quarter more for each warning: of the gears, or by
-//! [`Objective::Whole`](crate::sizing::Objective::Whole) of gears, carriers and housing. Masses are sums over
+//! [`Objective::Whole`] of gears, carriers and housing. Masses are sums over
 //! the sets.
 //!
 //! # How the best gearbox is found

@@ -1,8 +1,6 @@
 //! Design of a gearbox from speeds and power: its scheme, tooth numbers and sizes with sufficient strength.
 //!
 //! - [`backlash`]: allowances of the teeth for the play of the output.
-//! - [`front`]: gearboxes with smaller and smaller rings.
-//! - [`larger`]: larger sizes than usual.
 //! - [`limits`]: limits of the whole gearbox.
 //! - [`masses`]: the whole and its parts.
 //! - [`records`]: steps, each with its choice and the next best.
