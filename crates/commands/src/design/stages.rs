@@ -86,12 +86,10 @@ impl Request {
         if let Some((_, most)) = larger.filter(|_| self.sizes.application != Some(Application::Robot)) {
             suns = *suns.start()..=*most;
         }
-        // Large suns make Wolfrom sets light, and are few.
-        let arranged_suns = match &self.sun {
-            None => *suns.start()..=MOST_ARRANGED.max(*suns.end()),
-            Some(_) => self.teeth([suns.clone(), 17..=80, 50..=160])?.sun,
-        };
         let bounds = self.teeth([suns, 17..=80, 50..=160])?;
+        let (fewest, most) = (*bounds.sun.start(), *bounds.sun.end());
+        // Large suns make Wolfrom sets light, and are few.
+        let arranged_suns = fewest..=if self.sun.is_none() { MOST_ARRANGED.max(most) } else { most };
         if axes == Axes::Parallel && self.stages == Some(1..=1) {
             let of_sets = [
                 ("--sun", self.sun.is_some()),

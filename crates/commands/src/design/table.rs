@@ -26,8 +26,8 @@ use epicyclic_strength::sizing::Requirement;
 use epicyclic_units::Dimension;
 use epicyclic_units::format::trimmed;
 
-/// Ring, masses, least safeties and life of the best sizes. What the diameter is of is said: a ring, or planets
-/// that reach beyond it. What an order limits has the digits that tell it from its limit.
+/// Ring, masses, least safeties and life of the best sizes. The diameter is named by whose it is: that of a ring, or
+/// of planets that reach beyond it. A value with a limit has the digits that show on which side of it the value is.
 pub(crate) fn of_sizes(
     sizes: &SizesStep,
     masses: Option<&Masses>,
@@ -268,7 +268,7 @@ fn stopped(design: &Design) -> Option<String> {
     Some(format!("{why}{none}"))
 }
 
-/// What was compared where every gearbox is above the limit of the mass.
+/// Number of gearboxes compared where every one is above the limit of the mass, and the lightest.
 fn too_heavy(design: &Design, teeth: &TeethStep) -> String {
     let [count, within] = [teeth.compared.to_string(), trimmed(100.0 * teeth.tolerance, DIGITS)];
     let end = match teeth.complete {

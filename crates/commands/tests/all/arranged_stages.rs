@@ -144,6 +144,17 @@ fn the_file_of_a_stage_has_the_safeties_and_losses_of_the_design() {
         let (of_teeth, torque) = ratio_and_torque(&taken(&stages).teeth[0], ratio.starts_with('-'), 900.0);
         assert!((stages.ratio.unwrap() / of_teeth - 1.0).abs() < 1e-12);
         assert!((stages.input_torque_n_m.unwrap() / torque - 1.0).abs() < 1e-9);
+        // Without the distance of the rows lives leave out the couple of the steps, by a warning.
+        let spanless: String = file
+            .lines()
+            .filter(|line| !line.contains("bearing_span"))
+            .map(|line| format!("{line}\n"))
+            .collect();
+        assert_ne!(spanless, file);
+        let without = request.answer(&Gearbox::parse("stage.yaml", spanless.as_bytes()).unwrap()).unwrap();
+        let warned = |of: &strength::Strength| of.warnings.iter().any(|one| one.name == "step-couple");
+        assert_eq!([warned(&answer), warned(&without)], [false, true], "{kind}");
+        assert!(without.bearings[0].basic_life_s > answer.bearings[0].basic_life_s, "{kind}");
         let radius = design.planet_sizes[0].radius_m;
         assert!(design.ring_diameter_m.unwrap() > 2.0 * radius, "planets reach beyond their centres");
     }

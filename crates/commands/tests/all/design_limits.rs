@@ -75,7 +75,7 @@ fn larger_sizes_are_taken_where_they_miss_less_and_weigh_no_more() {
     assert!(whole(&open) < 0.9 * whole(&of_tables), "{:?} {:?}", open.masses, of_tables.masses);
 }
 
-/// What is judged at the speed without load says so, each place of the planets once, by its greatest speed.
+/// Checks at the speed without load say so, each place of the planets once, by its greatest speed.
 #[test]
 fn a_runaway_names_its_speed_and_each_place_once() {
     let [fast, slow] = ["|--ratios=3.5|--runaway=8", "|--ratios=3.5|--runaway=1"].map(|words| {
@@ -103,7 +103,7 @@ fn a_runaway_names_its_speed_and_each_place_once() {
     assert!(slow.warnings.iter().all(|warning| !warning.message.contains(state)), "{:?}", slow.warnings);
 }
 
-/// Each gearbox of a front is what the limit of its rings finds, and its ring is 5 % smaller than the one before.
+/// The limit of the rings of each gearbox of a front finds this gearbox. Each ring is 5 % smaller than the last.
 #[test]
 fn a_front_of_several_gears_has_the_best_gearbox_of_each_ring() {
     let order = |more: &str| -> Request {

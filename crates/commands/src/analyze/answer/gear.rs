@@ -558,7 +558,7 @@ impl Scene<'_> {
         let mut all = warnings::of_gearbox(subject);
         all.extend(warnings::drags(subject));
         all.extend(warnings::tilted(subject, self.worked.operation.is_some()));
-        all.extend(self.worked.operation.is_some().then(|| warnings::stepped(subject)).flatten());
+        all.extend(warnings::stepped(subject, self.worked.operation.is_some()));
         all.extend(pins::warning(subject, &[self.worked], &[]));
         if facts.state != State::Driven {
             all.push(Warning { name: "state", message: warnings::state_in_words(facts) });

@@ -107,7 +107,7 @@ pub fn answer(subject: &Gearbox, input: Input, progression_factor: Option<f64>) 
     let mut all = warnings::of_gearbox(subject);
     all.extend(warnings::drags(subject));
     all.extend(warnings::tilted(subject, input.load.is_some()));
-    all.extend(input.load.is_some().then(|| warnings::stepped(subject)).flatten());
+    all.extend(warnings::stepped(subject, input.load.is_some()));
     all.extend(pins::warning(subject, &worked.iter().collect::<Vec<_>>(), &[]));
     all.extend(warnings::not_driven(subject, &analyses));
     all.extend(warnings::contradictions(gearbox, &analyses));

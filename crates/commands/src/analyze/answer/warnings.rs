@@ -173,11 +173,15 @@ pub(crate) fn tilted(subject: &Gearbox, has_lives: bool) -> Option<Warning> {
     Some(warning)
 }
 
-/// Warning at a load that planets with rated bearings are stepped: lives leave out the moment of the steps' forces.
-pub(crate) fn stepped(subject: &Gearbox) -> Option<Warning> {
+/// Name of the warnings that steps tilt planets.
+pub(crate) const STEP_COUPLE: &str = "step-couple";
+
+/// Warning that planets with rated bearings are stepped, where there are lives: these leave out the moment of the
+/// steps' forces.
+pub(crate) fn stepped(subject: &Gearbox, has_lives: bool) -> Option<Warning> {
     let sets = subject.train.sets();
     let is_left_out = |bearing: &&PlanetBearing| {
-        bearing.load_rating.is_some() && sets[bearing.set].is_stepped(bearing.planet)
+        has_lives && bearing.load_rating.is_some() && sets[bearing.set].is_stepped(bearing.planet)
     };
     let mut names: Vec<&str> =
         subject.planet_bearings.iter().filter(is_left_out).map(|bearing| sets[bearing.set].id()).collect();
@@ -188,7 +192,7 @@ pub(crate) fn stepped(subject: &Gearbox) -> Option<Warning> {
         several => format!("sets {} have", several.join(", ")),
     };
     Some(Warning {
-        name: "step-couple",
+        name: STEP_COUPLE,
         message: format!(
             "{which} stepped planets: forces of the steps, side by side, tilt each planet; lives of planet bearings leave this moment out, \
              which strength takes into account where `bearing_span` is stated"

@@ -9,19 +9,18 @@ use super::arranged_file::making;
 use super::stage_kind::StageKind;
 use super::stages_file::efficiencies;
 use super::stages_wanted::WantedStages;
-use super::trains::{Listed, TrainOfStages, TrainsOf};
+use super::trains::{Listed, TrainOfStages, TrainsOf, by_cost};
 use crate::error::Error;
 use crate::shared::gearbox::{Choice, one};
 use crate::size::answer as size;
 use crate::size::options::{Effort, Request as SizeRequest};
 use epicyclic_gears::Error as GearError;
-use epicyclic_gears::arrangement::{ArrangedTeeth, Arrangement, ArrangementBounds, ArrangementMode};
+use epicyclic_gears::arrangement::{Arrangement, ArrangementBounds, ArrangementMode};
 use epicyclic_gears::synthesis::{Bounds, MOST_PLANETS};
 use epicyclic_judge::Rule;
 use epicyclic_numerics::threads::map;
 use epicyclic_strength::arranged::estimated_volume;
 use epicyclic_strength::sizing::{Objective, priced};
-use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
@@ -52,18 +51,10 @@ fn arrangement(kind: StageKind, wanted: &WantedStages) -> Option<(Arrangement, A
     Some((arrangement, arrangement.mode(letters)?))
 }
 
-/// Set of teeth with its ratio and its estimated volume.
+/// Set of teeth with its ratio.
 struct Candidate {
     teeth: Vec<u32>,
     ratio: f64,
-    volume: f64,
-}
-
-impl Candidate {
-    fn of(train: &TrainOfStages) -> Self {
-        let teeth = train.teeth.first().cloned().unwrap_or_default();
-        Self { teeth, ratio: train.ratio, volume: 0.0 }
-    }
 }
 
 /// Lists the best sets within a tolerance.
@@ -78,12 +69,15 @@ pub(super) fn listed(
         let coarse = &all[..sets.min(MOST_TRIED)];
         let mut promising: Sized;
         (tried, promising) = sized_all(wanted, coarse, Effort::Coarse, goes_on)?;
-        promising.sort_by(|one, other| one.0.cost(&other.0));
+        promising.sort_by(|one, other| by_cost(one.0.cost(), other.0.cost()));
         // Where none holds so, one may hold with other widths: then the first by volume are sized in full.
         if promising.is_empty() {
             all.truncate(AT_A_TIME);
         } else {
-            all = promising.into_iter().map(|(train, _)| Candidate::of(&train)).collect();
+            let candidate = |(train, _): (TrainOfStages, f64)| {
+                train.teeth.into_iter().next().map(|teeth| Candidate { teeth, ratio: train.ratio })
+            };
+            all = promising.into_iter().filter_map(candidate).collect();
             all.truncate(MOST_SIZED);
         }
     }
@@ -92,7 +86,7 @@ pub(super) fn listed(
     let shortest = sized.iter().map(|(_, length)| *length).filter(is_long).reduce(f64::min);
     let within = sized.into_iter().filter(|(_, length)| !is_long(length));
     let mut trains: Vec<TrainOfStages> = within.map(|(train, _)| train).collect();
-    trains.sort_by(TrainOfStages::cost);
+    trains.sort_by(|one, other| by_cost(one.cost(), other.cost()));
     trains.truncate(most);
     let mut trains = trains.into_iter();
     let of_stage = TrainsOf {
@@ -109,13 +103,6 @@ pub(super) fn listed(
     };
     let shortest = shortest.filter(|_| of_stage.best.is_none());
     Ok(Listed { sets, trains: vec![of_stage], prices: vec![0.0], shortest, ended_early: vec![] })
-}
-
-impl TrainOfStages {
-    /// The order of trains: first those with fewer stages beyond usual practice.
-    fn cost(&self, other: &Self) -> Ordering {
-        self.unusual_stages.cmp(&other.unusual_stages).then(self.price_kg.total_cmp(&other.price_kg))
-    }
 }
 
 /// Sets with their lengths in m.
@@ -172,20 +159,21 @@ fn candidates(
         Err(GearError::NoArrangement { .. }) => return Ok((0, vec![])),
         Err(error) => return Err(error.into()),
     };
-    let mut all: BTreeMap<Vec<u32>, Candidate> = BTreeMap::new();
+    // Least volume of all numbers of planets, and the ratio, by the teeth.
+    let mut all: BTreeMap<&[u32], (f64, f64)> = BTreeMap::new();
     for one in &found.first {
-        let divides = |divisors: Vec<u32>| divisors.iter().any(|divisor| *divisor > 1);
-        if one.teeth.has_one_step() || teeth.is_hunting && divides(one.teeth.common_divisors()) {
+        let has_divisors = || one.teeth.common_divisors().iter().any(|divisor| *divisor > 1);
+        if one.teeth.has_one_step() || teeth.is_hunting && has_divisors() {
             continue;
         }
         let Some(volume) = estimated_volume(&one.teeth) else { continue };
-        let own = |of: &ArrangedTeeth| Candidate { teeth: of.teeth().to_vec(), ratio: one.ratio, volume };
-        let known = all.entry(one.teeth.teeth().to_vec()).or_insert_with(|| own(&one.teeth));
-        known.volume = known.volume.min(volume);
+        let known = all.entry(one.teeth.teeth()).or_insert((volume, one.ratio));
+        known.0 = known.0.min(volume);
     }
-    let mut all: Vec<Candidate> = all.into_values().collect();
-    all.sort_by(|one, other| one.volume.total_cmp(&other.volume));
-    Ok((found.found, all))
+    let mut all: Vec<(&[u32], (f64, f64))> = all.into_iter().collect();
+    all.sort_by(|(_, one), (_, other)| one.0.total_cmp(&other.0));
+    let all = all.into_iter().map(|(teeth, (_, ratio))| Candidate { teeth: teeth.to_vec(), ratio });
+    Ok((found.found, all.collect()))
 }
 
 /// Sizes a set, with its length in m; `None` if no size holds, or if the losses hold the set.

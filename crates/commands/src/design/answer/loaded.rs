@@ -11,8 +11,8 @@ use epicyclic_strength::lightest::LoadedSet;
 use epicyclic_strength::sizing::{SetOverload, SetStep, SetTeeth};
 use epicyclic_train::{Gearbox, InputLoad};
 
-/// The simple sets of a gearbox with these teeth and their loads, by gears with their shares of the time, and the
-/// mass of the parts that follows from torques, in kg. `overload` has the static safeties that are required.
+/// Simple sets of a gearbox with their teeth and loads, and the mass in kg of the parts that follows from torques.
+/// The gears have their shares of the time. `overload` has the static safeties that are required.
 ///
 /// # Errors
 /// [`Error::NothingToSize`] where torques do not follow.

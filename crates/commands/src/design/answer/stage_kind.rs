@@ -27,4 +27,12 @@ impl StageKind {
             _ => Self::Simple,
         }
     }
+
+    /// The only stage, if its planets have two gears.
+    pub(crate) fn compound(stages: &[Vec<u32>]) -> Option<&[u32]> {
+        match stages {
+            [stage] if Self::of(stage) != Self::Simple => Some(stage),
+            _ => None,
+        }
+    }
 }

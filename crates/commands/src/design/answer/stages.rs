@@ -14,7 +14,7 @@ use super::stage_kind::StageKind;
 use super::stages_file::{document, efficiencies};
 use super::stages_search::{searched, unusual};
 use super::stages_wanted::WantedStages;
-use super::trains::{Listed, TrainOfStages, TrainsOf};
+use super::trains::{Listed, TrainOfStages, TrainsOf, by_cost};
 use super::ways_out::WayOutOfStages;
 use crate::answer::{Answer, Warning};
 use crate::error::Error;
@@ -135,13 +135,7 @@ pub(super) fn attempted(
         axes.into_iter().map(move |axes| WantedStages { axes, kinds: vec![*kind], ..wanted.clone() })
     });
     let cost = |of: &Stages| of.taken().and_then(TrainsOf::cost);
-    let mut best: Option<(Stages, Option<SizeRequest>)> = None;
-    for wanted in each {
-        let mut other = attempted_of_kind(&wanted, most, known, goes_on)?;
-        let Some(mut first) = best.take() else {
-            best = Some(other);
-            continue;
-        };
+    let better = |mut first: (Stages, Option<SizeRequest>), mut other: (Stages, Option<SizeRequest>)| {
         if cost(&other.0).is_some_and(|other| cost(&first.0).is_none_or(|first| other < first)) {
             std::mem::swap(&mut first, &mut other);
         }
@@ -150,9 +144,11 @@ pub(super) fn attempted(
         first.0.trains.sort_by_key(|trains| (trains.stages, trains.has_pair, trains.kind));
         first.0.sets = first.0.sets.max(other.0.sets);
         first.0.limits = first.0.limits.with(other.0.limits, first.0.file.is_some());
-        best = Some(first);
-    }
-    best.ok_or(Error::NoLoad)
+        first
+    };
+    let all: Result<Vec<_>, Error> =
+        each.map(|wanted| attempted_of_kind(&wanted, most, known, goes_on)).collect();
+    Ok(all?.into_iter().reduce(better).expect("there is a kind"))
 }
 
 /// Designs stages in series of one kind.
@@ -215,16 +211,20 @@ pub(super) fn attempted_with(
         (limits.lightest_kg, limits.shortest_m) = (None, None);
     }
     let train = trains.iter().find(|trains| trains.taken).and_then(|trains| trains.best.clone());
-    let (mut of_train, mut file, mut all_warnings) = (None, None, vec![]);
+    let (mut sizes, mut file, mut all_warnings) = (None, None, vec![]);
     let (mut efficiency, mut back_driving_efficiency, mut masses) = (None, None, None);
     let mut backlash = None;
     let mut torque = Some(wanted.torque).filter(|_| !wanted.is_of_output);
     if let Some(made) = made {
         [efficiency, back_driving_efficiency] = made.efficiencies;
         (torque, masses, all_warnings) = (Some(made.torque), made.masses, made.warnings);
-        (of_train, file, backlash) = (Some(made.sizes), Some(made.file), made.backlash);
+        let kept = wanted.backlash.map(|asked| OutputBacklash::of(&made.file, asked)).transpose()?;
+        (sizes, file) = (Some(made.sizes), Some(made.file));
         all_warnings.extend(limits.warning());
-        all_warnings.extend(backlash.as_ref().and_then(OutputBacklash::warning));
+        if let Some((with_allowances, own)) = kept {
+            all_warnings.extend(own.warning());
+            (file, backlash) = (Some(with_allowances), Some(own));
+        }
     }
     let of_set = BasisKey::of_number("efficiency", wanted.efficiency);
     let of_pair = BasisKey::of_number("efficiency of a pair", axes::efficiency_of_pair(wanted.efficiency));
@@ -267,7 +267,7 @@ pub(super) fn attempted_with(
             .chain(of_pair_assumed)
             .chain(backlash.as_ref().map(OutputBacklash::assumed))
             .collect(),
-        sizes: of_train,
+        sizes,
         file,
         ways_out: None,
         front: None,
@@ -333,10 +333,7 @@ impl Class {
         let cost = |place: &usize| trains[*place].cost().unwrap_or_default();
         let mut places: Vec<usize> =
             (0..trains.len()).filter(|place| trains[*place].cost().is_some()).collect();
-        places.sort_by(|one, other| {
-            let [one, other] = [one, other].map(cost);
-            one.0.cmp(&other.0).then(one.1.total_cmp(&other.1))
-        });
+        places.sort_by(|one, other| by_cost(cost(one), cost(other)));
         let mut made = None;
         for place in places {
             let Some(train) = &trains[place].best else { continue };
@@ -364,7 +361,6 @@ struct Made {
     sizes: SizesStep,
     masses: Option<Masses>,
     file: String,
-    backlash: Option<OutputBacklash>,
     warnings: Vec<Warning>,
 }
 
@@ -384,8 +380,6 @@ impl Made {
         let warnings = warnings(&size, Some(&file), &wanted.size)?;
         let sizes = SizesStep::of(size);
         let masses = Masses::of(&file, &sizes, (wanted.size.application, wanted.overload))?;
-        let kept = wanted.backlash.map(|asked| OutputBacklash::of(&file, asked)).transpose()?;
-        let (file, backlash) = kept.map_or((file, None), |(file, backlash)| (file, Some(backlash)));
-        Ok(Self { efficiencies, torque, sizes, masses, file, backlash, warnings })
+        Ok(Self { efficiencies, torque, sizes, masses, file, warnings })
     }
 }

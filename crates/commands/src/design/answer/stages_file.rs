@@ -68,9 +68,7 @@ fn of_part(duty: InputStep, [share, torque, speed]: [f64; 3]) -> InputStep {
 
 /// File of stages without sizes, with a torque on the input; a stage with planets of two gears has no strength yet.
 pub(super) fn text(wanted: &WantedStages, teeth: &[Vec<u32>], torque: Torque) -> Result<String, Error> {
-    if let [stage] = teeth
-        && StageKind::of(stage) != StageKind::Simple
-    {
+    if let Some(stage) = StageKind::compound(teeth) {
         return arranged_file::text(wanted, stage, torque);
     }
     let shaft = |place: usize| match place {
@@ -118,9 +116,7 @@ pub(super) fn text(wanted: &WantedStages, teeth: &[Vec<u32>], torque: Torque) ->
 
 /// Stages without sizes as the sizes read them, with materials, factors and duty, and a torque on the input.
 pub(super) fn document(wanted: &WantedStages, teeth: &[Vec<u32>], torque: Torque) -> Result<Document, Error> {
-    if let [stage] = teeth
-        && StageKind::of(stage) != StageKind::Simple
-    {
+    if let Some(stage) = StageKind::compound(teeth) {
         return arranged_file::making(wanted, stage, torque);
     }
     Ok(Document::parse_one(MAKING, text(wanted, teeth, torque)?.as_bytes())?)

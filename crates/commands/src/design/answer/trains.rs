@@ -7,6 +7,7 @@ use epicyclic_strength::series::{STAGE_PRICE, Train, Trains};
 use epicyclic_strength::sizing::SetTeeth;
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::cmp::Ordering;
 
 /// Trains of one number of stages.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -29,7 +30,7 @@ pub struct TrainsOf {
     pub complete: bool,
     /// Best train; null if none holds.
     pub best: Option<TrainOfStages>,
-    /// Next best train; null if there is none.
+    /// Next best train; null without a second one.
     pub next: Option<TrainOfStages>,
     /// Whether the best train is taken.
     pub taken: bool,
@@ -54,7 +55,7 @@ pub struct TrainOfStages {
     pub rules_missed: u32,
     /// Mass in kg that decides: of gears, carriers and housing by a rule, or of the gears.
     pub mass_kg: f64,
-    /// This mass with a quarter more for each rule missed, in kg.
+    /// Mass that decides with a quarter more for each rule missed, in kg.
     pub price_kg: f64,
 }
 
@@ -72,6 +73,11 @@ pub(super) struct Listed {
 }
 
 impl TrainOfStages {
+    /// Stages beyond usual practice, and the price.
+    pub(super) const fn cost(&self) -> (u32, f64) {
+        (self.unusual_stages, self.price_kg)
+    }
+
     /// The search goes from the fast shaft on.
     pub(super) fn of(wanted: &WantedStages, train: &Train) -> Self {
         let mut stages = train.stages.clone();
@@ -117,7 +123,12 @@ impl TrainsOf {
 
     /// Stages beyond usual practice of the best train, and its price with that of its stages.
     pub(super) fn cost(&self) -> Option<(u32, f64)> {
-        let best = self.best.as_ref()?;
-        Some((best.unusual_stages, best.price_kg * STAGE_PRICE.powi(self.stages as i32)))
+        let (unusual, price) = self.best.as_ref()?.cost();
+        Some((unusual, price * STAGE_PRICE.powi(self.stages as i32)))
     }
+}
+
+/// The order of costs: first fewer stages beyond usual practice, then the lower price.
+pub(super) fn by_cost(one: (u32, f64), other: (u32, f64)) -> Ordering {
+    one.0.cmp(&other.0).then(one.1.total_cmp(&other.1))
 }

@@ -139,7 +139,7 @@ pub(crate) fn why_no_stages(stages: &Stages) -> String {
         }
         None => {
             let why = in_the_way(stages).unwrap_or_default();
-            let (first, rest) = why.split_at(usize::from(why.is_char_boundary(1) && !why.is_empty()));
+            let (first, rest) = why.split_at(usize::from(why.is_char_boundary(1)));
             format!("{}{}", first.to_lowercase(), rest.trim_end_matches('.'))
         }
     };

@@ -59,7 +59,7 @@ fn smaller_rings(front: &[GearboxOfRing]) -> Records {
         .records()
 }
 
-/// What was compared where every gearbox is above the limit of the mass.
+/// Number of structures compared where every gearbox is above the limit of the mass, and the lightest.
 fn too_heavy(transmission: &Transmission) -> Option<String> {
     let mass = lightest(&transmission.limits)?;
     let of = &transmission.gearboxes;

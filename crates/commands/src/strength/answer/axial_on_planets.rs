@@ -3,14 +3,12 @@
 use super::axial;
 use super::duty::WorkedStep;
 use super::load::SetLoad;
-use super::rated_set::{RatedMesh, RatedSet};
+use super::rated_set::RatedSet;
+use crate::analyze::answer::warnings::STEP_COUPLE;
 use crate::answer::Warning;
 use crate::shared::gearbox::Gearbox;
 use epicyclic_formats::gearbox::GearboxFile;
-use epicyclic_train::planet_set::GearOf;
-use epicyclic_units::Physical;
 use epicyclic_units::format::trimmed;
-use uom::si::f64::Length;
 
 /// Significant digits of a force or moment in a warning.
 const FORCE_DIGITS: usize = 4;
@@ -56,13 +54,7 @@ pub(super) fn couple(
     if stepped.is_empty() {
         return None;
     }
-    let gears = set.set.gears();
-    // A gear in two meshes is as wide as the wider of them.
-    let width = |gear: &GearOf| {
-        let own = set.toothed.meshes.iter().zip(&set.meshes).filter(|(made, _)| made.gears.contains(gear));
-        own.map(|(_, RatedMesh { mesh, .. })| mesh.face_width.si()).fold(0.0, f64::max)
-    };
-    let widths: Vec<Length> = gears.iter().map(|gear| Length::from_si(width(gear))).collect();
+    let widths = data.face_widths.iter().copied().collect::<Option<Vec<_>>>()?;
     let teeth = (&set.toothed, subject.is_behind(set.set));
     let moments =
         duty.iter().filter_map(|step| step.1.as_ref()?.member_torques(set.place)).flat_map(|torques| {
@@ -71,7 +63,7 @@ pub(super) fn couple(
         });
     let greatest = moments.fold(0.0, f64::max);
     (greatest > 0.0).then(|| Warning {
-        name: "step-couple",
+        name: STEP_COUPLE,
         message: format!(
             "set {}: the steps of a planet, side by side, tilt it by up to {} N·m; lives of its bearings leave this moment out, and contain it with `bearing_span`",
             set.id,

@@ -13,6 +13,11 @@ use epicyclic_units::Physical;
 use uom::si::f64::{AngularVelocity, Length, Torque};
 
 impl Making<'_> {
+    /// Whether a gear is one of a planet.
+    fn is_of(&self, gear: usize, planet: usize) -> bool {
+        matches!(self.set.data.of[gear], GearOf::Planet(of, _) if of == planet)
+    }
+
     /// Loads of the bearings of each kind of planets; `None` where they do not follow.
     pub(super) fn bearing_loads(
         &self,
@@ -37,34 +42,30 @@ impl Making<'_> {
             ..SetSize::default()
         };
         let still = AngularVelocity::default();
-        // The moment is a linear function of the widths.
-        let gears_of = |planet: usize| {
-            let is_own =
-                |gear: &usize| matches!(self.set.data.of[*gear], GearOf::Planet(of, _) if of == planet);
-            (0..self.set.data.of.len()).filter(is_own).collect::<Vec<_>>()
-        };
-        let of_widths = |planet: usize, torques: &[Torque]| {
-            let own = gears_of(planet);
-            let of = |gear: usize| {
-                let mut widths = vec![Length::default(); self.set.data.of.len()];
-                widths[gear] = Length::from_si(1.0);
-                let moment = set.step_couple(planet, (toothed, &self.set.data.is_behind), torques, &widths);
-                (gear, moment.unwrap_or_default())
-            };
-            if own.len() > 1 { own.into_iter().map(of).collect() } else { vec![] }
-        };
         let mut all = vec![];
         for bearing in set.bearings(self.set.place, &size)? {
+            let gears: Vec<usize> = match set.is_stepped(bearing.planet) {
+                true => {
+                    (0..self.set.data.of.len()).filter(|gear| self.is_of(*gear, bearing.planet)).collect()
+                }
+                false => vec![],
+            };
+            let teeth = (toothed, &self.set.data.is_behind[..]);
+            // The moment is a linear function of the widths.
+            let of_width = |gear: usize, torques: &[Torque]| {
+                let mut widths = vec![Length::default(); self.set.data.of.len()];
+                widths[gear] = Length::from_si(1.0);
+                set.step_couple(bearing.planet, teeth, torques, &widths).unwrap_or_default()
+            };
             let loaded = |worked: &Worked<'_>, share: f64| {
                 let torques = worked.member_torques(self.set.place);
                 let forces = bearing.forces(torques.as_deref(), Some(still))?;
                 Ok::<_, Error>(forces.tangential.zip(forces.radial).map(|(tangential, radial)| {
                     let torques = torques.unwrap_or_default();
-                    let teeth = (toothed, &self.set.data.is_behind[..]);
                     let axial = set.planet_axial_load(bearing.planet, teeth, &torques);
                     let moment = axial.map_or([0.0; 2], |axial| axial.moment).map(Torque::from_si);
                     let tangential = PlanetBearing::push_direction(&torques) * tangential;
-                    let of_widths = of_widths(bearing.planet, &torques);
+                    let of_widths = gears.iter().map(|gear| (*gear, of_width(*gear, &torques))).collect();
                     PlanetStep { share, tangential, radial, moment, of_widths, ..PlanetStep::default() }
                 }))
             };
